@@ -193,9 +193,7 @@ def say_needs(action: QAction, needs: str) -> None:
 
 def say_reason(action: QAction, reason: str) -> None:
     """Tell an action why it cannot be used, as a sentence; empty where it only needs something."""
-    if reason != (action.property(_REASON) or ""):
-        action.setProperty(_REASON, reason)
-        action.setToolTip(tool_tip(action))
+    action.setProperty(_REASON, reason)
 
 
 def why_not(action: QAction) -> str:

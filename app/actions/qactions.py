@@ -33,6 +33,32 @@ from .strips import Strip
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
 
+class _Alike:
+    """Actions that need the same: they can be used, or cannot for one reason, together.
+
+    Parameters
+    ----------
+    first
+        The declaration of any of them.
+    """
+
+    def __init__(self, first: Action) -> None:
+        self._first = first
+        self._told: tuple[bool, str] | None = None
+        self.actions: list[QAction] = []
+
+    def render(self, now: Situation, is_met: Callable[[Need], bool]) -> None:
+        """Enable or disable them, where that is news."""
+        missing = self._first.missing(is_met)
+        told = missing is None, missing.reason(now) if missing is not None else ""
+        if told != self._told:
+            self._told = told
+            for action in self.actions:
+                say_reason(action, told[1])
+                action.setEnabled(told[0])
+                action.setToolTip(tool_tip(action))
+
+
 class Actions(QObject):
     """The QActions of one window, by name.
 
@@ -50,7 +76,8 @@ class Actions(QObject):
     def __init__(self, window: QWidget, command_sets: Sequence[type], now: Situation) -> None:
         super().__init__()
         self.keymap = Keymap(window)
-        self._window, self._now = window, now
+        self._window = self._hearer = window
+        self._now = now
         self._gate = KeyGate(now)
         self._command_sets = command_sets
         self._bound: dict[type, tuple[object, _Run]] = {}
@@ -59,6 +86,7 @@ class Actions(QObject):
         self._handlers = all_declared(command_sets)
         self._declared = {each.action.name: each.action for each in self._handlers}
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
+        self._alike = self._find_alike()
         self._on = set[str]()
         self._seen: dict[str, Sight] = {}
         self._seen_of: CurveView | None = None
@@ -72,7 +100,6 @@ class Actions(QObject):
             set_keywords(action, each.keywords)
         if each.needs.words:
             say_needs(action, each.needs.words)
-            action.enabledChanged.connect(lambda _on: action.setToolTip(tool_tip(action)))
         action.setStatusTip(each.tip or each.text)
         action.setCheckable(each.checked is not None)
         if each.group:
@@ -84,6 +111,13 @@ class Actions(QObject):
         if each.key_needs is not NOTHING:
             self._gate.guard(action, each.key_needs)
         return action
+
+    def _find_alike(self) -> list[_Alike]:
+        found: dict[tuple[int, int], _Alike] = {}
+        for name, each in self._declared.items():
+            needs = id(each.section.needs), id(each.needs)
+            found.setdefault(needs, _Alike(each)).actions.append(self._actions[name])
+        return list(found.values())
 
     def bind(self, commands: object, run: _Run) -> None:
         """Let the actions that a command set declares be carried out by it, each through `run`."""
@@ -111,9 +145,10 @@ class Actions(QObject):
         for name in [each for each in self._declared if each in new]:
             action = self._actions[name] = self._make(self._declared[name])
             self._connect(after[name])
-            self._window.addAction(action)
+            self._hearer.addAction(action)
         if self._theme is not None:
             self.set_theme(self._theme)
+        self._alike = self._find_alike()
         self.render()
         self.redeclared.emit()
 
@@ -124,7 +159,7 @@ class Actions(QObject):
         # Gone from all menus at once, and found by nobody until it is deleted.
         action.setVisible(False)
         action.setObjectName("")
-        self._window.removeAction(action)
+        self._hearer.removeAction(action)
         action.deleteLater()
 
     def _rename(self, name: str, before: Action) -> None:
@@ -136,12 +171,14 @@ class Actions(QObject):
             action.setStatusTip(now.tip or now.text)
             action.setToolTip(tool_tip(action))
 
-    def attach(self, window: QWidget) -> None:
-        """Let the window hear the keys: of actions in menus alone they are dead while the menu bar is hidden.
+    def attach(self, hearer: QWidget) -> None:
+        """Let `hearer`, which is always shown, hear the keys: in menus alone they die while these are hidden.
 
-        Late: from then on every change of an action is an event for the window.
+        Late: from then on every change of an action is an event for it, hundreds with each document. So it is
+        not the window, whose events we look through.
         """
-        window.addActions(list(self._actions.values()))
+        self._hearer = hearer
+        hearer.addActions(list(self._actions.values()))
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
@@ -193,18 +230,16 @@ class Actions(QObject):
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
         now, on = self._now, set[str]()
-        # Many actions need the same: it is asked once.
         is_met = _remembering(now)
+        for alike in self._alike:
+            alike.render(now, is_met)
         for name, each in self._declared.items():
-            action, missing = self._actions[name], each.missing(is_met)
-            action.setEnabled(missing is None)
-            say_reason(action, missing.reason(now) if missing is not None else "")
             if each.checked is not None:
                 is_on = each.is_on(now, is_met)
-                action.setChecked(is_on)
+                self._actions[name].setChecked(is_on)
                 on |= {name} if is_on else set()
             if each.title is not None:
-                action.setText(each.title(now))
+                self._actions[name].setText(each.title(now))
         if now.view is not self._seen_of:
             for name in self._seen:
                 self._show(name, Sight(self._declared[name].text, self._declared[name].tip))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Final
@@ -42,20 +43,26 @@ def icon(name: str, theme: Theme) -> QIcon:
     FileNotFoundError
         When there is no such icon.
     """
-    return QIcon(_IconEngine(resource("icons", f"{name}.svg"), theme))
+    return QIcon(_IconEngine(_files().get(name) or str(resource("icons", f"{name}.svg")), theme))
+
+
+@cache
+def _files() -> dict[str, str]:
+    """Return the files of all icons by their names: to look for each of hundreds takes a while."""
+    return {path.name.removesuffix(".svg"): path.path for path in os.scandir(resource("icons"))}
 
 
 class _IconEngine(Guarded, QIconEngine):
     """Draws an icon when a size of it is first asked for: at the start most never are."""
 
-    def __init__(self, path: Path, theme: Theme) -> None:
+    def __init__(self, path: str, theme: Theme) -> None:
         super().__init__()
         self._path, self._theme = path, theme
         self._made: dict[tuple[int, QIcon.Mode, QIcon.State], QPixmap] = {}
 
     @cached_property
     def _drawing(self) -> str:
-        return self._path.read_text(encoding="utf-8").replace("currentColor", self._theme.ink.name())
+        return Path(self._path).read_text(encoding="utf-8").replace("currentColor", self._theme.ink.name())
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
         """Return the icon at a size in pixels of the device."""

@@ -14,6 +14,7 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.wide_line import WideLine
 from ..view_model.curve_view import CurveView, Polyline
 from .looks import Shape, is_plain, line_of, paint_shape
 
@@ -66,7 +67,7 @@ class CurveLayer(Layer):
         self.error = 0.0
         self._error_of: tuple[FloatArray | None, PixelMap | None] = (None, None)
         self._view: CurveView | None = None
-        self._stroke, self._ghost_stroke = Stroke(), Stroke()
+        self._line, self._ghost_stroke = WideLine(), Stroke()
         self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = self._is_thin = self._is_covered = False
         # The pen of the last frame, and what it was made for.
@@ -128,16 +129,16 @@ class CurveLayer(Layer):
         if self._error_of[0] is not polyline.deviation or self._error_of[1] is not shown:
             self._error_of = (polyline.deviation, shown)
             self.error = polyline.reached * max(shown.sx, shown.sy)
-        self._stroke.show(polyline.points, shown)
+        self._line.show(polyline.points, shown, _WIDTH * self.scale)
         if self._is_cased and self._paints_line(view):
-            painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
-            self._stroke.draw(painter)
+            painter.setPen(self._pen_of(self.theme.paper, _WIDTH + 2 * CASING))
+            self._line.draw(painter)
         if self._paints_line(view):
             painter.setPen(self._pen(view))
-            self._stroke.draw(painter)
+            self._line.draw(painter)
         elif self._is_covered or not view.source.style.has_stroke:
-            painter.setPen(self._line(self.theme.accent, _EDIT_WIDTH))
-            self._stroke.draw(painter)
+            painter.setPen(self._pen_of(self.theme.accent, _EDIT_WIDTH))
+            self._line.draw(painter)
         if self.said:
             self._paint_word(painter, shown)
 
@@ -174,11 +175,11 @@ class CurveLayer(Layer):
         if wanted != self._made_for:
             self._made_for = wanted
             colour = self.theme.handle if faint else curve_colour(view.source.style.colour, self.theme)
-            self._made = self._line(colour, FAINT_WIDTH if faint else _WIDTH)
+            self._made = self._pen_of(colour, FAINT_WIDTH if faint else _WIDTH)
         return self._made
 
-    def _line(self, colour: QColor, width: float) -> QPen:
-        return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap)
+    def _pen_of(self, colour: QColor, width: float) -> QPen:
+        return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: FloatArray) -> None:
         self._ghost_stroke.show(points, shown)

@@ -70,19 +70,26 @@ class DrawnCurves:
         elif self._edited_places:
             self.edited.render(tuple(views[place] for place in self._edited_places))
 
+    def follow(self, views: Sequence[CurveView]) -> None:
+        """Show the same curves where they run now."""
+        self.render(views, *self._shown[1:])
+
     def _rest_since(self, views: Sequence[CurveView], active: int | None, *places: frozenset[int]) -> bool:
         """Whether all that has changed is where the active curve runs, as under a drag."""
         now, *others = self._shown
         if active is None or others != [active, *places] or not active < len(now) == len(views):
             return False
-        if any(place != active for place in compress(range(len(now)), map(is_not, now, views))):
+        if list(compress(range(len(now)), map(is_not, now, views))) not in ([], [active]):
             return False
         new, old = now[active], views[active]
+        style, other = new.source.style, old.source.style
         return (
-            new.source.style is old.source.style
+            # A gradient goes with what is dragged, and leaves the order of the layers as it is.
+            (style is other or (style.is_placed and other.is_placed))
             and new.source.visible is old.source.visible
             and new.source.shape == old.source.shape
-            and is_faint(new) is is_faint(old)
+            # Under a drag there is a curve in every frame.
+            and ((new.motion is not None and old.motion is not None) or is_faint(new) is is_faint(old))
         )
 
     def _render_all(self) -> None:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
+
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QLineF
 from PySide6.QtGui import QPainter
 
-from curvecore.arrays import BoolArray, FloatArray
+from curvecore.arrays import BoolArray
 
 from ..document.lines import line_beside
 from ..document.model import Curve
-from ..plotting.pens import diamond, triangle
 from ..plotting.pixel_map import PixelMap
-from ..plotting.segments import Bars, Segments
+from ..plotting.sprites import Mark
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import (
     NO_HANDLES,
@@ -22,40 +24,40 @@ from ..view_model.handles import (
     sides_at,
     sides_facing,
 )
-from .point_ink import HandleInk, PointInk
+from .point_ink import HANDLE_SIZES, HandleLook, PointInk, Shade
 
 MOST_POINTS = 100
 """Points up to which handles are shown: those of more hide the curve, and each other."""
 
 LEFT_AWAY = f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
 
-_SIZES = (4.0, 5.5, 5.5)
-"""Half the sizes of marks in pixels, by the order of their derivatives."""
-
 _LEAST = 2.0
 _SHARE = 0.42
 """Part of the way to the next mark that half a mark takes at most: a gap is left between the two."""
+
+_STEPS = 4
+"""Steps within a pixel in which marks grow."""
 
 _FAR = 1e5
 """Pixels beyond which Qt draws nothing."""
 
 
-def mark_sizes(handles: Handles, shown: PixelMap, scale: float) -> FloatArray:
-    """Return half the sizes of the marks of handles, in pixels, (a, orders).
+Arm = list[list[float]]
+"""The pixels of a point and of the handles on one side of it, each [x, y]."""
+
+
+def mark_sizes(arm: Arm, scale: float) -> list[float]:
+    """Return half the sizes of the marks of an arm, in pixels.
 
     On short segments the handles of a point lie within a few pixels of each other: the mark of each is small
     enough then to be seen beside the one that it hangs on, and the one that hangs on it.
     """
-    return _sizes(shown.points(handles.places), scale)
-
-
-def _sizes(pixels: FloatArray, scale: float) -> FloatArray:
-    ways = pixels[:, 1:] - pixels[:, :-1]
-    rooms = np.hypot(ways[..., 0], ways[..., 1])
-    rooms[:, :-1] = np.minimum(rooms[:, :-1], rooms[:, 1:])
-    largest = np.array(_SIZES[: rooms.shape[1]]) * scale
-    sizes: FloatArray = np.minimum(largest, np.maximum(_SHARE * rooms, _LEAST * scale))
-    return sizes
+    rooms = [math.dist(*ends) for ends in pairwise(arm)]
+    rooms = [*map(min, rooms, rooms[1:]), rooms[-1]]
+    return [
+        min(largest * scale, max(_SHARE * room, _LEAST * scale))
+        for largest, room in zip(HANDLE_SIZES, rooms, strict=False)
+    ]
 
 
 class ShownHandles:
@@ -74,7 +76,6 @@ class ShownHandles:
         self._sides: tuple[PointSides, PointSides] = (sides_at(()), sides_at(()))
         self._sides_of: tuple[object, ...] = ()
         self._in_sight: tuple[PixelMap | None, Handles, Handles] = (None, NO_HANDLES, NO_HANDLES)
-        self._lines, self._squares = Segments(), Bars()
 
     def find(self, view: CurveView, selection: frozenset[int], *, free: bool) -> None:
         """Find the handles; `free`, while points are added: at an end one point has them on both sides."""
@@ -118,56 +119,38 @@ class ShownHandles:
         return LEFT_AWAY
 
     def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk) -> None:
-        """Draw them."""
+        """Draw them: the fainter ones below the others."""
         own, facing = self._limited(shown)
-        for handles, grey in ((facing, ink.faint), (own, ink.strong)):
-            if len(handles):
-                self._paint(painter, shown, handles, grey, ink)
-
-    def _paint(
-        self, painter: QPainter, shown: PixelMap, handles: Handles, grey: HandleInk, ink: PointInk
-    ) -> None:
-        pixels = shown.points(handles.places)
-        sizes, is_near = _sizes(pixels, ink.scale), np.abs(pixels).max(axis=2) < _FAR
-        is_drawn: BoolArray = is_near[:, 1:] & is_near[:, :-1]
+        lines: dict[tuple[Shade, int], list[QLineF]] = {}
+        marks: list[Mark[HandleLook]] = []
+        for handles, shade in ((facing, Shade.FAINT), (own, Shade.STRONG)):
+            # As plain numbers: there are few, and in every frame of a drag each step through NumPy counts.
+            for arm, given in zip(_arms(handles, shown), handles.explicit.tolist(), strict=True):
+                sizes = mark_sizes(arm, ink.scale)
+                for order, ((x0, y0), (x, y)) in enumerate(pairwise(arm)):
+                    if abs(x0) + abs(y0) + abs(x) + abs(y) < _FAR:
+                        lines.setdefault((shade, order), []).append(QLineF(x0, y0, x, y))
+                        look = HandleLook(order, _stepped(sizes[order]), given[order], shade)
+                        marks.append((look, x, y))
         if ink.over_picture:
             # Paper under handles and their lines.
-            painter.setBrush(ink.paper)
             painter.setPen(ink.beneath)
-            for order in range(sizes.shape[1]):
-                self._paint_lines(painter, pixels, is_drawn, order)
-            painter.setPen(Qt.PenStyle.NoPen)
-            self._paint_marks(painter, pixels, sizes + 2.5 * ink.scale, is_drawn)
-        for order in range(sizes.shape[1]):
-            painter.setPen(grey.lines[order])
-            self._paint_lines(painter, pixels, is_drawn, order)
-        painter.setPen(grey.outline)
-        # Filled: set by the person. Hollow: estimated by a rule.
-        painter.setBrush(ink.paper)
-        self._paint_marks(painter, pixels, sizes, is_drawn & ~handles.explicit)
-        painter.setBrush(grey.filled)
-        self._paint_marks(painter, pixels, sizes, is_drawn & handles.explicit)
+            painter.drawLines([line for alike in lines.values() for line in alike])
+            ink.handles.draw(painter, [(look._replace(shade=Shade.PAPER), x, y) for look, x, y in marks])
+        for drawn_with, alike in lines.items():
+            painter.setPen(ink.lines[drawn_with])
+            painter.drawLines(alike)
+        ink.handles.draw(painter, marks)
 
-    def _paint_lines(self, painter: QPainter, pixels: FloatArray, is_drawn: BoolArray, order: int) -> None:
-        self._lines.fill(pixels[is_drawn[:, order], order : order + 2].reshape(-1, 4))
-        self._lines.draw(painter)
 
-    def _paint_marks(
-        self, painter: QPainter, pixels: FloatArray, sizes: FloatArray, which: BoolArray
-    ) -> None:
-        """Draw squares for velocities, diamonds for accelerations, triangles for jerks."""
-        rows = which[:, 0].nonzero()[0]
-        if len(rows):
-            half, squares = sizes[rows, :1], np.empty((len(rows), 4))
-            squares[:, :2] = pixels[rows, 1] - half
-            squares[:, 2:] = 2.0 * half
-            self._squares.fill(squares)
-            self._squares.draw(painter)
-        for order in range(1, which.shape[1]):
-            # Those of a single point: never many.
-            for arm in which[:, order].nonzero()[0].tolist():
-                shape, place = (diamond, triangle)[order - 1], QPointF(*pixels[arm, order + 1].tolist())
-                painter.drawPolygon(shape(place, float(sizes[arm, order])))
+def _arms(handles: Handles, shown: PixelMap) -> list[Arm]:
+    arms: list[Arm] = shown.points(handles.places).tolist() if len(handles) else []
+    return arms
+
+
+def _stepped(size: float) -> float:
+    """Return half the size of a mark in steps: each size is a picture."""
+    return round(size * _STEPS) / _STEPS
 
 
 def _bent(curve: Curve, sides: PointSides) -> PointSides:

@@ -96,8 +96,8 @@ def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF | QRect]) -> Fl
 def number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
     """Return the middle of a number: on the outer side of the bend, where the curve is not."""
     last = len(pixels) - 1
-    around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
-    before, here, after = (complex(*place) for place in around)
+    around = [complex(*place) for place in pixels[max(index - 1, 0) : index + 2].tolist()]
+    before, here, after = around[0], around[min(index, 1)], around[-1]
     outward = here - (before + after) / 2
     if 0 < index < last and abs(outward) > 2:
         outward /= abs(outward)

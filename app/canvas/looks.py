@@ -35,6 +35,7 @@ def is_plain(style: Style) -> bool:
         and style.cap is LineCap.ROUND
         and style.join is LineJoin.ROUND
         and style.stroke_opacity == style.opacity == 1.0
+        and style.stroke_gradient is None
     )
 
 
@@ -57,6 +58,6 @@ def paint_shape(
     """Paint a shape as it prints; `usual` is the width in pixels of a line that has none of its own."""
     style = shape[0].source.style
     width = usual if style.width is None else style.width * shown.sx
-    ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width)
+    ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
     parts = [Part(line_of(view, shown).points, view.source.is_closed) for view in shape if view.has_curve]
     paint_printed(painter, parts, style, ink, shown)

@@ -17,6 +17,7 @@ from ..tools.marks import GestureMarks, Note, Ruler
 from ..tools.snapping import Snap
 from ..tools.transform import TransformKind
 from ..tools.transform_box import Grip, TransformBox
+from .gradient_marks import paint_gradient
 from .label_place import Surroundings, free_corner
 
 _NOTHING = GestureMarks()
@@ -74,6 +75,8 @@ class MarksLayer(Layer):
         """Draw what there is."""
         marks = self.marks
         painter.setFont(self.fonts.times(0.95 * self.scale))
+        for gradient in marks.gradients:
+            paint_gradient(painter, shown, gradient, self.theme, self.scale)
         if marks.box is not None:
             self._paint_box(painter, shown, marks.box, has_grips=True)
         if marks.frame is not None:
@@ -99,8 +102,7 @@ class MarksLayer(Layer):
     # Box and band
 
     def _paint_box(self, painter: QPainter, shown: PixelMap, box: TransformBox, *, has_grips: bool) -> None:
-        low, high = box.padded(shown.sx)
-        frame = _rectangle(shown, low, high)
+        frame = _rectangle(shown, box.low, box.high)
         if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)

@@ -37,6 +37,8 @@ _REST_MS = 80
 _AT_ONCE = 400
 """Curves that are painted before the window is heard again: some hundredths of a second."""
 
+_ANYWHERE = np.array([[-np.inf, -np.inf], [np.inf, np.inf]])
+
 _FEW = 8
 """Shapes that may be painted in every frame, whether they move or not, beside the picture of the others."""
 
@@ -276,20 +278,46 @@ class _Picture(msgspec.Struct, frozen=True, eq=False):
 
 
 class _Outline:
-    """All segments of all curves in pixels, so that one pass finds the nearest."""
+    """Curves as lines of pixels; of thousands those are looked at whose boxes are near a pixel."""
 
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
-        self.shown = shown
-        polylines = [pixels_of(view, shown) for _, view in views]
-        self._segments = PixelOutline(polylines)
-        self._places = np.repeat([place for place, _ in views], [len(each) - 1 for each in polylines])
+        self.shown, self._views = shown, views
+        self._boxes = np.array([_box_of(view) for _, view in views])
+        self._near: list[int] = []
+        self._segments: PixelOutline | None = None
+        self._places = np.empty(0, dtype=np.intp)
 
     def hit(self, pixel: Vector) -> Hit | None:
         """Return the curve within reach that is nearest."""
-        nearest = self._segments.nearest(pixel)
+        self._look_near(pixel)
+        nearest = None if self._segments is None else self._segments.nearest(pixel)
         if nearest is None or nearest.distance > CURVE_REACH:
             return None
         return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
+
+    def _look_near(self, pixel: Vector) -> None:
+        place, reach = (
+            self.shown.plane(*pixel),
+            (CURVE_REACH + 1.0) / np.array([self.shown.sx, self.shown.sy]),
+        )
+        low, high = self._boxes[:, 0] - reach, self._boxes[:, 1] + reach
+        near = np.flatnonzero(((low <= place) & (place <= high)).all(axis=1)).tolist()
+        if near != self._near:
+            self._near = near
+            polylines = [pixels_of(self._views[each][1], self.shown) for each in near]
+            self._segments = PixelOutline(polylines) if near else None
+            self._places = np.repeat(
+                [self._views[each][0] for each in near], [len(each) - 1 for each in polylines]
+            )
+
+
+def _box_of(view: CurveView) -> FloatArray:
+    """Return a box that the curve does not leave."""
+    view.drawn_box  # noqa: B018 - with it the box is known, if it can be
+    if view.known_box is None:
+        return _ANYWHERE
+    box, off = view.known_box
+    return np.array([box[0] - off, box[1] + off])
 
 
 def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:

@@ -55,6 +55,7 @@ class OtherPointsLayer(Layer):
         self._stamps = _SelectedStamps(self._stamp, _REACH)
         self._kinds: IntArray = np.arange(len(POINT_KINDS))
         self._places: PixelPoints | None = None
+        self.set_visible(False)
         self._handles: dict[int, ShownHandles] = {}
         self._inks = Inks()
 
@@ -64,6 +65,7 @@ class OtherPointsLayer(Layer):
         if found != self._views:
             self._views, self._places = found, None
             self._find_handles()
+            self.set_visible(bool(found))
             self.update()
 
     def set_group(self, group: PointGroup) -> None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import enum
 from typing import NamedTuple
 
-from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
-    QBrush,
     QColor,
     QFontMetrics,
     QFontMetricsF,
@@ -18,21 +18,63 @@ from PySide6.QtGui import (
 
 from ..appearance.theme import Theme, mix
 from ..plotting.fonts import Sizes
+from ..plotting.pens import diamond, triangle
+from ..plotting.sprites import Sprites
+from .point_density import RADIUS
+from .point_marks import paint_mark
 
 _LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 """The lines of handles, by the order of their derivatives."""
 
 
+_SELECTED_RADIUS, _GROWTH = 5.5, 1.0
+
+_REACH = 11.0
+"""Pixels that marks reach at most: the ring of a selected point, or a kind with corners."""
+
 _FACING = 0.6
 """Share of ink in the handles of points that are not selected; the rest is paper."""
 
 
-class HandleInk:
-    """Pens and brush of handles in one colour."""
+HANDLE_SIZES = (4.0, 5.5, 5.5)
+"""Half the sizes of marks of handles in pixels, by the order of their derivatives."""
 
-    def __init__(self, colour: QColor, scale: float) -> None:
-        self.lines = [QPen(colour, 1.2 * scale, style) for style in _LINES]
-        self.outline, self.filled = QPen(colour, 1.5 * scale), QBrush(colour)
+
+class Shade(enum.IntEnum):
+    """What handles are drawn in: ink, ink with paper in it, or the paper beneath both."""
+
+    STRONG = 0
+    FAINT = 1
+    PAPER = 2
+
+
+class HandleLook(NamedTuple):
+    """How the mark of a handle looks.
+
+    Attributes
+    ----------
+    order
+        That of the derivative, less one.
+    size
+        Half of it, in pixels.
+    is_given
+        Whether a person has set it: it is filled then. What a rule estimates is hollow.
+    shade
+        What it is drawn in.
+    """
+
+    order: int
+    size: float
+    is_given: bool
+    shade: Shade
+
+
+class PointLook(NamedTuple):
+    """How a point looks that is selected, or under the pointer: its colour, as a number, and its kind."""
+
+    colour: int
+    kind: int
+    is_selected: bool
 
 
 class Written(NamedTuple):
@@ -81,11 +123,20 @@ class PointInk:
         self.scale, self.over_picture = scale, over_picture
         # In the grey of a faded letter grey handles cannot be seen.
         ink = theme.curve if over_picture else theme.handle
-        self.rim, self.ring = QPen(theme.paper, 1.5 * scale), QPen(theme.accent, 2 * scale)
-        self.strong, self.faint = (
-            HandleInk(colour, scale) for colour in (ink, mix(ink, theme.paper, _FACING))
+        self._theme, self._rim, self._ring = (
+            theme,
+            QPen(theme.paper, 1.5 * scale),
+            QPen(theme.accent, 2 * scale),
         )
-        self.paper, self.beneath = QBrush(theme.paper), QPen(theme.paper, 4 * scale)
+        self._greys = {Shade.STRONG: ink, Shade.FAINT: mix(ink, theme.paper, _FACING)}
+        self.lines = {
+            (shade, order): QPen(grey, 1.2 * scale, style)
+            for shade, grey in self._greys.items()
+            for order, style in enumerate(_LINES)
+        }
+        self.beneath = QPen(theme.paper, 4 * scale)
+        self.handles = Sprites(self._paint_handle, _REACH * scale)
+        self.points = Sprites(self._paint_point, _REACH * scale)
         self.font = fonts.times(0.95 * scale)
         self._written: dict[tuple[str, float], Written] = {}
 
@@ -103,3 +154,30 @@ class PointInk:
             size, ascent = QFontMetrics(self.font, device).size(0, text), QPointF(0.0, line.ascent())
             self._written[key] = Written(size, to_start, layout.glyphRuns(), ascent)
         return self._written[key]
+
+    def _paint_handle(self, painter: QPainter, look: HandleLook) -> None:
+        """Draw a square for a velocity, a diamond for an acceleration, a triangle for a jerk."""
+        size = look.size
+        if look.shade is Shade.PAPER:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self._theme.paper)
+            size += 2.5 * self.scale
+        else:
+            grey = self._greys[look.shade]
+            painter.setPen(QPen(grey, 1.5 * self.scale))
+            painter.setBrush(grey if look.is_given else self._theme.paper)
+        if look.order == 0:
+            painter.drawRect(QRectF(-size, -size, 2 * size, 2 * size))
+        else:
+            painter.drawPolygon((diamond, triangle)[look.order - 1](QPointF(), size))
+
+    def _paint_point(self, painter: QPainter, look: PointLook) -> None:
+        """Draw a point larger than it is at rest; one that is selected, within a ring."""
+        radius = (_SELECTED_RADIUS if look.is_selected else RADIUS + _GROWTH) * self.scale
+        painter.setPen(self._rim)
+        painter.setBrush(QColor.fromRgba(look.colour))
+        paint_mark(painter, QPointF(), radius, look.kind, self._theme.paper)
+        if look.is_selected:
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(self._ring)
+            painter.drawEllipse(QPointF(), radius + 3 * self.scale, radius + 3 * self.scale)

@@ -20,6 +20,7 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import write_in_corner
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.sprites import Mark
 from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
 from ..view_model.curve_view import CurveView
@@ -28,10 +29,9 @@ from ..view_model.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
-from .point_ink import Inks, Written
+from .point_ink import Inks, PointLook, Written
 from .point_marks import REACH, paint_mark
 
-_SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
 _DISCS_MS = 200
 """Milliseconds for which discs keep their size while points move."""
@@ -192,14 +192,12 @@ class PointLayer(Layer):
         self._stamps.draw(
             painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim, kinds
         )
-        if roles.hovered:
-            painter.setPen(self._ink.rim)
-        for index in roles.hovered:
-            painter.setBrush(colours[index])
-            radius, place = (RADIUS + _GROWTH) * self.scale, QPointF(*pixels[index].tolist())
-            paint_mark(painter, place, radius, kinds[index], self.theme.paper)
-        for index in roles.selected:
-            self._paint_selected(painter, QPointF(*pixels[index].tolist()), colours[index], kinds[index])
+        marks: list[Mark[PointLook]] = []
+        for is_selected, indices in ((False, roles.hovered), (True, roles.selected)):
+            for index in indices:
+                x, y = pixels[index].tolist()
+                marks.append((PointLook(colours[index].rgba(), int(kinds[index]), is_selected), x, y))
+        self._ink.points.draw(painter, marks)
         if self.note:
             painter.setFont(self.fonts.times(0.9 * self.scale))
             write_in_corner(painter, self.note, self.theme.paper, self.theme.muted)
@@ -248,15 +246,6 @@ class PointLayer(Layer):
 
     def _stamp(self, painter: QPainter, radius: float, kind: int) -> None:
         paint_mark(painter, QPointF(0, 0), radius, kind, self.theme.paper)
-
-    def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor, kind: int) -> None:
-        radius = _SELECTED_RADIUS * self.scale
-        painter.setBrush(colour)
-        painter.setPen(self._ink.rim)
-        paint_mark(painter, place, radius, kind, self.theme.paper)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(self._ink.ring)
-        painter.drawEllipse(place, radius + 3 * self.scale, radius + 3 * self.scale)
 
     # Numbers
 

@@ -111,7 +111,6 @@ class CanvasScene:
         self._show_weights()
         self.points.render(view)
         self.annotations.make_way()
-        self._show_marks_now()
 
     def render_others(
         self,
@@ -126,6 +125,12 @@ class CanvasScene:
             layer.set_shown(self.is_editing)
         self.curves.render(views, active, chosen, edited)
         self.other_points.render(views, sorted(edited - {active}))
+        self._show_marks_now()
+
+    def follow(self, views: Sequence[CurveView]) -> None:
+        """Show the curve that is edited where it runs now; all others rest, and what is selected."""
+        self.views = views
+        self.curves.follow(views)
         self._show_marks_now()
 
     def set_selection(self, selection: frozenset[int], group: PointGroup) -> None:
@@ -150,10 +155,11 @@ class CanvasScene:
 
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self.view
-        if old is None or self._plot.is_dragging or not old.is_current or not view.is_current:
+        if old is None or old.source.points != view.source.points:
             return
-        same_points = old.source.points == view.source.points
-        if same_points and without_looks(old.source) != without_looks(view.source):
+        if self._plot.is_dragging or not old.is_current or not view.is_current:
+            return
+        if without_looks(old.source) != without_looks(view.source):
             self.curve.show_ghost(self._plot.pixel_map)
 
     def hold_ghost(self, held: bool) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import asdict
 
+from ..document.gradient import Gradient
 from ..document.style import NO_PAINT, Style
 from ..view_model.basis_findings import digits_in_words
 from .refusals import one_line
@@ -123,14 +124,24 @@ def _rule_text(facts: CurveFacts) -> str:
 
 def _style_text(style: Style, unit: str) -> str:
     """Return stroke and fill in a line."""
-    parts = [f"fill {style.fill}{_opacity_text(style.fill_opacity)}"] if style.has_fill else []
+    parts = []
+    if style.has_fill:
+        paint = _gradient_text(style.fill_gradient) or style.fill or "in ink"
+        parts.append(f"fill {paint}{_opacity_text(style.fill_opacity)}")
     if style.has_stroke:
         width = "the usual width" if style.width is None else f"{style.width:.6g} {one_line(unit)}".rstrip()
         dashes = f", dashes {' '.join(f'{each:g}' for each in style.dash)}" if style.dash else ""
-        paint = style.stroke or "in ink"
+        paint = _gradient_text(style.stroke_gradient) or style.stroke or "in ink"
         parts.insert(0, f"stroke {paint}{_opacity_text(style.stroke_opacity)}, {width}{dashes}")
     whole = f"; all {style.opacity:.0%} opaque" if style.opacity < 1 else ""
     return ("; ".join(parts) or NO_PAINT) + whole
+
+
+def _gradient_text(gradient: Gradient | None) -> str:
+    """Return kind and colours of a gradient; nothing of none."""
+    if gradient is None:
+        return ""
+    return f"{gradient.kind.value} gradient {' '.join(stop.colour or 'ink' for stop in gradient.stops)}"
 
 
 def _opacity_text(opacity: float) -> str:

@@ -2,9 +2,11 @@
 
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.
-- ``style``: stroke and fill of a curve.  ``shapes``: neighbouring curves that are drawn as one.
+- ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
+- ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
+- ``steps``: what has changed from one value to the next.
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
@@ -14,8 +16,9 @@
   several that change together.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
+- ``paper``: documents that are drawn for paper.
 - ``box_curves``: curves that fill a box: rectangles, ellipses.
-- ``style_edits``: how curves look, and what several have in common.
+- ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
 - ``places``: where in it something is, in words.

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from .derivatives import DERIVATIVES
 from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
-from .model import Curve, Document, Parametrization, Point, Vector, empty_document
+from .model import Curve, Document, Parametrization, Point, Vector
 from .style import PLAIN_STYLE
 from .words import enumerated
 
@@ -30,10 +30,18 @@ def replace_curve(document: Document, curve: int, new: Curve) -> Document:
     return set_points(document.with_curve(curve, new), curve, new.points)
 
 
+def with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:
+    """Put curves in the place of one, one above the other."""
+    document = replace_curve(document, index, first)
+    for offset, curve in enumerate(others, start=1):
+        document = add_curve(document, index + offset, curve)
+    return document
+
+
 def remove_curve(document: Document, curve: int) -> Document:
-    """Remove a curve; the last one leaves an empty curve behind."""
+    """Remove a curve; the last one leaves an empty curve of its family behind."""
     rest = (*document.curves[:curve], *document.curves[curve + 1 :])
-    return replace(document, curves=rest or empty_document().curves)
+    return replace(document, curves=rest or (unstyled_model(document.curves[curve]),))
 
 
 def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
@@ -58,7 +66,7 @@ def free_copy_name(name: str, taken: Collection[str]) -> str:
 def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
     """Return an empty curve with family, rules and style of `model`, under a name free in `document`."""
     name, settings = free_name(document), model.settings
-    fresh = Curve(name, model.family, parametrization, (), settings=settings, style=model.style)
+    fresh = Curve(name, model.family, parametrization, (), settings=settings, style=model.style.flat)
     return fresh.with_rules_of(model)
 
 

@@ -23,7 +23,10 @@ def checked(value: float, what: str) -> float:
 
 def checked_vector(vector: Vector, what: str) -> Vector:
     """Return `vector` if a document may hold it."""
-    return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))
+    x, y = vector
+    if abs(x) <= MAX_MAGNITUDE and abs(y) <= MAX_MAGNITUDE:
+        return (float(x), float(y))
+    return (checked(x, f"The x of {what}"), checked(y, f"The y of {what}"))
 
 
 def not_after(index: int, before: float) -> EditError:

@@ -15,9 +15,8 @@ from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, Requirement, above, at_least, between, printed
 from .style import PLAIN_STYLE, Style
 from .value import Value
+from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
-
-Vector = tuple[float, float]
 
 Length = Annotated[float, LENGTH]
 """A number that is twice as large in a drawing twice as large."""

@@ -19,6 +19,7 @@ from msgspec.structs import replace
 
 from .fields import Field, fields_of
 from .model import Curve, Document, Point, Vector, vectors_of
+from .steps import has_only_moved, reshaped
 from .ties import holds
 from .value import Value
 
@@ -30,6 +31,8 @@ def plain(document: Document, before: Document | None = None) -> Document:
 
     Only what is not the same object as in `before`, which is plain, is looked at.
     """
+    if before is not None and _has_plain_points_elsewhere(document, before):
+        return document
     known = {id(curve) for curve in before.curves} if before is not None else set()
     places = before.curves if before is not None else ()
     curves = tuple(
@@ -38,6 +41,19 @@ def plain(document: Document, before: Document | None = None) -> Document:
     )
     document = _plain_values(document, before)
     return replace(document, curves=curves) if any(map(is_not, curves, document.curves)) else document
+
+
+def _has_plain_points_elsewhere(document: Document, before: Document) -> bool:
+    """Whether points have moved to plain places, and nothing else is another, as under most drags."""
+    places = reshaped(before, document)
+    if places is None:
+        return False
+    for place in places:
+        points, known = document.curves[place].points, before.curves[place].points
+        for point, old in compress(zip(points, known, strict=True), map(is_not, points, known)):
+            if not (type(point.x) is float is type(point.y) and has_only_moved(old, point)):
+                return False
+    return True
 
 
 @cache

@@ -6,11 +6,12 @@ from msgspec.structs import replace
 
 from .limits import EditError, checked
 from .model import Document, Page
+from .paper import begun_for_paper
 
 
 def set_unit(document: Document, unit: str) -> Document:
     """Call a length of one by another name; every number stays, and means that from now on."""
-    return replace(document, unit=unit)
+    return begun_for_paper(document, replace(document, unit=unit))
 
 
 def set_grid_spacing(document: Document, spacing: float) -> Document:
@@ -20,7 +21,7 @@ def set_grid_spacing(document: Document, spacing: float) -> Document:
 
 def set_page(document: Document, page: Page | None) -> Document:
     """Let pictures show a part of the plane; None for what the curves take."""
-    return replace(document, page=page)
+    return begun_for_paper(document, replace(document, page=page))
 
 
 def with_page_size(document: Document, width: float, height: float) -> Document:

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -19,7 +19,7 @@ from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
 from .style import USUAL_WIDTH
-from .transforms import Affine, step_points, transform_points
+from .transforms import Affine, decimal_sum, step_points, transform_points
 from .words import count_of
 
 
@@ -45,17 +45,43 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
 
 def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
-    return group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
+    new = group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
+    return _with_paints_mapped(new, group, lambda place: (place[0] + by[0], place[1] + by[1]))
 
 
 def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group by decimal steps; see `step_points`."""
-    return group.changed(document, lambda each, curve, indices: step_points(each, curve, indices, by))
+    new = group.changed(document, lambda each, curve, indices: step_points(each, curve, indices, by))
+    return _with_paints_mapped(
+        new, group, lambda place: (decimal_sum(place[0], by[0]), decimal_sum(place[1], by[1]))
+    )
 
 
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
-    return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
+    new = group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
+    return _with_paints_mapped(new, group, by.point)
+
+
+def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
+    """Let gradients go with those shapes of a group that are in it with all their points."""
+    curves = document.curves
+    # At every move of a drag: what has none costs no call.
+    for curve, _ in group.parts:
+        style = curves[curve].style
+        if style.fill_gradient is not None or style.stroke_gradient is not None:
+            break
+    else:
+        return document
+    shapes = {curve for curve in _whole_shapes(document, group) if curves[curve].style.is_placed}
+    return with_each(document, shapes, lambda curve: replace(curve, style=curve.style.mapped(place)))
+
+
+def _whole_shapes(document: Document, group: PointGroup) -> set[int]:
+    """Return the curves whose shapes are in a group with all their points."""
+    curves = document.curves
+    whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
+    return {curve for curve in whole if whole.issuperset(shape_of(document, curve))}
 
 
 def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:
@@ -63,9 +89,8 @@ def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) ->
 
     Their widths grow by the mean of the factors along x and y, as if nothing but the area had changed.
     """
-    curves, factor = document.curves, math.sqrt(abs(x * y))
-    whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
-    shapes = {curve for curve in whole if whole.issuperset(shape_of(document, curve))}
+    factor = math.sqrt(abs(x * y))
+    curves, shapes = document.curves, _whole_shapes(document, group)
     styled = {curve for curve in shapes if curves[curve].style.width is not None}
     if not styled or not factor:
         return document

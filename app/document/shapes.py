@@ -12,6 +12,7 @@ from operator import attrgetter, is_
 from msgspec.structs import replace
 
 from .model import Curve, Document
+from .steps import reshaped
 
 SHARED = ("style", "groups", "visible", "locked")
 """Values that all curves of a shape have in common."""
@@ -64,7 +65,9 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
     shape looks; the first one of a shape then says what holds for all. `before` is tidy, and what is known of
     it is not looked for again.
     """
-    if before is not None and _look_the_same(before.curves, document.curves):
+    if before is not None and (
+        reshaped(before, document) is not None or _look_the_same(before.curves, document.curves)
+    ):
         return document
     if not any(curve.shape or curve.groups for curve in document.curves):
         return replace(document, layers=()) if document.layers else document

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import Annotated, Final
 
 from msgspec.structs import replace
 
 from .fields import LENGTH, Requirement, at_least, between, few, matching
-from .value import Value
+from .gradient import Gradient
+from .value import Value, Vector
 from .words import NamedEnum
 
 INK: Final = ""
@@ -21,6 +23,9 @@ LARGEST_DASHES: Final = 64
 
 USUAL_WIDTH: Final = 0.003
 """Of a line whose style does not say it, against the longer side of the page or of the drawing."""
+
+GRADIENTS: Final = {"fill": "fill_gradient", "stroke": "stroke_gradient"}
+"""The field of a gradient, by that of the paint which it takes the place of."""
 
 _PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
 _SHARE = between(0, 1)
@@ -68,6 +73,8 @@ class Style(Value, frozen=True):
         Paint of the inside; an open curve is closed for it by a straight line.
     opacity
         Of stroke and fill together.
+    fill_gradient, stroke_gradient
+        What paints in place of the colour, which stands for it where there are no gradients.
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
@@ -82,6 +89,8 @@ class Style(Value, frozen=True):
     fill_rule: Annotated[FillRule, "Fill rule"] = FillRule.NONZERO
     fill_opacity: Annotated[float, _SHARE, "Fill opacity"] = 1.0
     opacity: Annotated[float, _SHARE, "Opacity"] = 1.0
+    fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
+    stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
 
     @property
     def has_stroke(self) -> bool:
@@ -101,7 +110,38 @@ class Style(Value, frozen=True):
     def in_colour(self, paint: str) -> Style:
         """Return the style with another colour: of its line, or of its inside where it has no line."""
         is_inside = self.has_fill and not self.has_stroke
-        return replace(self, **{"fill" if is_inside else "stroke": paint})
+        return self.with_fields({"fill" if is_inside else "stroke": paint})
+
+    def with_fields(self, fields: Mapping[str, object]) -> Style:
+        """Return the style with other values; another colour takes the place of a gradient."""
+        flat = {GRADIENTS[name]: None for name in fields if name in GRADIENTS}
+        return replace(self, **{**flat, **fields})
+
+    def with_gradient(self, paint: str, gradient: Gradient) -> Style:
+        """Return the style with a gradient as its "fill" or "stroke"."""
+        return replace(self, **{paint: gradient.mean, GRADIENTS[paint]: gradient})
+
+    @property
+    def is_placed(self) -> bool:
+        """Whether it hangs on places of the plane."""
+        return self.fill_gradient is not None or self.stroke_gradient is not None
+
+    @property
+    def flat(self) -> Style:
+        """The style with colours in place of gradients, for curves elsewhere."""
+        return replace(self, fill_gradient=None, stroke_gradient=None) if self.is_placed else self
+
+    @property
+    def gradients(self) -> dict[str, Gradient]:
+        """What paints in place of colours, by the field."""
+        found = {"fill_gradient": self.fill_gradient, "stroke_gradient": self.stroke_gradient}
+        return {name: gradient for name, gradient in found.items() if gradient is not None}
+
+    def mapped(self, place: Callable[[Vector], Vector]) -> Style:
+        """Return the style with its gradients where an affine map puts them."""
+        if not self.is_placed:
+            return self
+        return replace(self, **{name: each.mapped(place) for name, each in self.gradients.items()})
 
     @property
     def colour(self) -> str:

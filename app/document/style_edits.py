@@ -25,13 +25,8 @@ def with_style(document: Document, curves: Collection[int], **fields: object) ->
     return with_each(
         document,
         whole_shapes(document, curves),
-        lambda curve: replace(curve, style=replace(curve.style, **fields)),
+        lambda curve: replace(curve, style=curve.style.with_fields(fields)),
     )
-
-
-def with_whole_style(document: Document, curves: Collection[int], style: Style) -> Document:
-    """Give curves a style."""
-    return with_each(document, whole_shapes(document, curves), lambda curve: replace(curve, style=style))
 
 
 def common_values(styles: Iterable[Style]) -> dict[str, object]:

@@ -5,10 +5,13 @@ from . import corner as corner
 from . import cubics_in as cubics_in
 from . import dxf_library as dxf_library
 from . import facts as facts
+from . import options as options
 from . import parts as parts
+from . import reading as reading
 from . import rescaled as rescaled
 from . import svg as svg
 from . import units as units
+from . import writing as writing
 from .drawing.image import png_file as png_file
 from .formats.formulas import svg_path_data as svg_path_data
 from .svg.writer import svg_of as svg_of

@@ -1,7 +1,4 @@
-"""Cubic Bézier pieces in: a path from another program becomes a cubic Hermite curve, exactly.
-
-What becomes of the joints of its pieces is in `joints_in`.
-"""
+"""Cubic Bézier pieces in: a path from another program becomes a cubic Hermite curve, exactly."""
 
 from __future__ import annotations
 
@@ -16,6 +13,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ..document.limits import EditError
 from ..document.model import (
     MAX_MAGNITUDE,
     Curve,
@@ -28,8 +26,9 @@ from ..document.model import (
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
+from ..view_model.cubic_joints import WRITTEN_BY_PROGRAMS
+from ..view_model.cubics import points_of_cubics
 from .errors import ExchangeError
-from .joints_in import SMOOTH, Joints, points_of
 from .missed import Missed
 
 MAX_PIECES = 100_000
@@ -39,9 +38,6 @@ _OUTER = 3
 _MOST_NAMES = 24
 """Of groups, when they are listed: the three outermost of each curve, and so many in all."""
 
-
-# A control point moves the curve by at most the largest value of its Bernstein polynomial.
-_INFLUENCE = 4.0 / 9.0
 
 _NO_PAGE = "The page stays behind: it is that of the whole drawing."
 
@@ -239,29 +235,8 @@ def _check_numbers(path: ImportedPath) -> None:
 
 def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     """Return a path as a curve, and how far the points of smooth joints moved it."""
-    if path.closed and len(pieces) == 1:
-        pieces = _halves(pieces[0])
-    leaving, arriving = 3 * (pieces[:, 1] - pieces[:, 0]), 3 * (pieces[:, 3] - pieces[:, 2])
-    size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
-    joints = Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, path.closed)
-    t = np.append(0.0, np.cumsum(joints.steps))
-    t /= t[-1]
-    if not (np.diff(t) > 0).all():
-        raise ExchangeError(f"“{path.name}” has pieces of too different lengths.")
-    h = np.diff(t)[:, None]
-    points = points_of(pieces, leaving / h, arriving / h, t, joints, closed=path.closed)
-    curve = _made(path, Parametrization(ParametrizationKind.MANUAL), points)
-    return curve, _INFLUENCE * joints.moved
-
-
-def _halves(piece: FloatArray) -> FloatArray:
-    """Return a cubic piece (4, 2) as two (de Casteljau)."""
-    a, b, c, d = piece
-    ab, bc, cd = (a + b) / 2, (b + c) / 2, (c + d) / 2
-    abc, bcd = (ab + bc) / 2, (bc + cd) / 2
-    middle = (abc + bcd) / 2
-    return np.array([[a, ab, abc, middle], [middle, bcd, cd, d]])
-
-
-def _lengths(pieces: FloatArray) -> FloatArray:
-    return np.asarray(np.hypot(*np.moveaxis(np.diff(pieces, axis=1), 2, 0)).sum(axis=1))
+    try:
+        found = points_of_cubics(pieces, closed=path.closed, most_turned=WRITTEN_BY_PROGRAMS)
+    except EditError:
+        raise ExchangeError(f"“{path.name}” has pieces of too different lengths.") from None
+    return _made(path, Parametrization(ParametrizationKind.MANUAL), found.points), found.moved

@@ -18,9 +18,9 @@ from curvecore.arrays import FloatArray
 
 from .. import exchange
 from ..document.style import Style
+from ..view_model.cubics import RELATIVE_TOLERANCE
 from .arcs import error_of_arc, pieces_of_arc
 from .cubics_in import Imported, ImportedPath, Look, PointsAlone, imported, lines
-from .drawing.drawing import RELATIVE_TOLERANCE
 from .errors import ExchangeError
 from .parts import bezier_values, one_line
 from .units import unit_of_dxf

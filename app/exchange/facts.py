@@ -196,7 +196,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
         difference_digits=core.pieces[0].difference_digits,
         pieces=len(core.breaks) - 1,
         domain=core.domain,
-        length=length if length is not None and length.value < np.finfo(float).max else None,
+        length=length if length is not None and length.value < LARGEST else None,
         lebesgue_constant=growth,
         box=box,
         warnings=(*warnings, *_amplification(growth)),

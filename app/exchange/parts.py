@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from decimal import ROUND_UP, Context
 from functools import cached_property
@@ -26,10 +26,13 @@ from curvecore.scaling import LARGEST
 
 from .. import __version__
 from ..document.model import Curve, Document
+from ..document.style import Style
+from ..document.words import names_of
 from ..tasks.progress import Report, silent
+from ..view_model.cubics import RELATIVE_TOLERANCE
 from ..view_model.curve_view import ParametricCurve
 from ..view_model.refusals import in_words
-from .drawing.drawing import RELATIVE_TOLERANCE, drawable
+from .drawing.drawing import drawable
 from .errors import ExchangeError
 from .naming import Names
 
@@ -139,6 +142,16 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
     if not curves:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
     return [Source(*each) for each in curves], tuple(remarks)
+
+
+def said_of_gradients(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+    """Return what a format has to say that knows colours, but no gradients, of the named styles."""
+    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.is_placed))
+    if not names:
+        return ()
+    if len(names) == 1:
+        return (f"{names[0]} has a gradient; its mean colour stands for it.",)
+    return (f"{names_of(names)} have gradients; their mean colours stand for them.",)
 
 
 def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:

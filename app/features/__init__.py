@@ -14,6 +14,7 @@ FEATURES = (
     "view",
     "guides",
     "snapping",
+    "pen",
     "import_export",
     "curves",
     "shapes",

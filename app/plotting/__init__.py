@@ -2,7 +2,7 @@
 
 - ``pixel_map``: plane to pixels and back.
 - ``drawing``: polylines drawn fast; nothing unsafe reaches Qt.  ``segments``: many shapes in one call.
-  ``crowds``: strokes that fill an area.
+  ``crowds``: strokes that fill an area.  ``wide_line``: an opaque line, drawn without Qt's stroker.
 - ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
 - ``printed``: shapes as they print, with fills, ends and dashes.  ``rings``: areas cut to what is seen.
 - ``painted_plot``: a pyqtgraph plot that we paint.  ``plot_widget``: one with mouse and keys.  ``tool_plot``:
@@ -13,6 +13,6 @@
   drag at the edge.  ``keys``: keys and shapes of the pointer, as Qt has them.
 - ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.
   ``fonts``: a font in the sizes that are needed.
-- ``stamps``: many marks in one call, in the colours of the points.  ``pictures``: what is painted beside the
-  screen and kept.
+- ``stamps``: many marks in one call, in the colours of the points.  ``sprites``: a few marks of any looks.
+  ``pictures``: what is painted beside the screen and kept.
 """

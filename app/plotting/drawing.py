@@ -158,9 +158,14 @@ def _near(
     if is_inside and len(points) <= _CROWD_FROM:
         return [points], _NO_SEGMENTS
     segments = cut_segments(np.hstack([points[:-1], points[1:]]), width, height, margin)
-    if margin == MARGIN and len(segments) > _CROWD_FROM and _length(segments) > _CROWDED:
+    if margin == MARGIN and is_crowd(segments):
         return [], segments
     return [points] if is_inside else runs_of(segments), _NO_SEGMENTS
+
+
+def is_crowd(segments: FloatArray) -> bool:
+    """Whether so many segments (m, 4), in pixels, fill the area that no joint can be told."""
+    return len(segments) > _CROWD_FROM and _length(segments) > _CROWDED
 
 
 def _length(segments: FloatArray) -> float:

@@ -20,7 +20,8 @@ from .painted_plot import PaintedPlot
 from .panning import Panning
 from .scrolling import Scrolling
 
-_LEFT = Qt.MouseButton.LeftButton.value
+_LEFT = Qt.MouseButton.LeftButton
+_NO_KEYS = Qt.KeyboardModifier.NoModifier
 
 _MODIFIERS = {
     Qt.Key.Key_Shift: ("shift", Qt.KeyboardModifier.ShiftModifier),
@@ -38,7 +39,6 @@ _BY_KEYS = (
 
 def _with_keys(pointer: Pointer, held: Qt.KeyboardModifier, **changes: bool) -> Pointer:
     """Return the pointer with the modifier keys that are held, but for `changes`."""
-    # As whole numbers: Python's own flags are slow, and every move of the mouse comes by here.
     bits = held.value
     if not (bits or changes):
         return pointer
@@ -98,10 +98,13 @@ class PlotWidget(PaintedPlot):
 
     def pointer_at(self, event: QMouseEvent | QPointF) -> Pointer:
         """Return the record of a mouse event (or of a bare viewport position)."""
-        position = event if isinstance(event, QPointF) else event.position()
-        held = Qt.KeyboardModifier.NoModifier if isinstance(event, QPointF) else event.modifiers()
-        pixel = self.camera.area_pixel(position)
-        return _with_keys(Pointer(self.pixel_map.plane(*pixel), pixel, scale=self.pixel_map.sx), held)
+        position, held = (
+            (event, _NO_KEYS) if isinstance(event, QPointF) else (event.position(), event.modifiers())
+        )
+        shown, pixel = self.camera.pixel_map, self.camera.area_pixel(position)
+        pointer = Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
+        # Python's own flags are slow, and every move of the mouse comes by here.
+        return pointer if held is _NO_KEYS else _with_keys(pointer, held)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._press_by(event, is_double=False)
@@ -135,10 +138,10 @@ class PlotWidget(PaintedPlot):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self._panning.move(event):
             self._pointer = self.pointer_at(event)
-            held = event.buttons().value
-            if held & _LEFT:
+            held = event.buttons()
+            if held is _LEFT or held.value & _LEFT.value:
                 self._moved(self._pointer)
-            elif not held:
+            elif not held.value:
                 if self._is_held:
                     # The release went elsewhere: to a list that a key has opened, for instance.
                     self._release()

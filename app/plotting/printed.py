@@ -7,11 +7,13 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
 
 from curvecore.arrays import FloatArray
 
+from ..document.gradient import Gradient
 from ..document.style import LineCap, LineJoin, Style
+from ..qt.gradients import brush_of
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pictures import transparent
@@ -39,11 +41,20 @@ class Part(msgspec.Struct, frozen=True, eq=False):
 
 
 class Ink(msgspec.Struct, frozen=True, eq=False):
-    """Colours of a shape as they are on the screen, and the width of its line in pixels."""
+    """Colours of a shape as they are on the screen, and the width of its line in pixels.
+
+    Attributes
+    ----------
+    stroke, fill, width
+        Of line and inside.
+    ink
+        What stops of gradients without a colour have.
+    """
 
     stroke: QColor
     fill: QColor
     width: float
+    ink: QColor
 
 
 def paint_printed(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
@@ -53,7 +64,7 @@ def paint_printed(painter: QPainter, parts: Sequence[Part], style: Style, ink: I
         _paint_together(painter, parts, style, ink, shown)
         return
     if style.has_fill:
-        _fill(painter, parts, style, ink.fill, shown)
+        _fill(painter, parts, style, ink, shown)
     if style.has_stroke and ink.width > 0:
         _stroke(painter, parts, style, ink, shown)
 
@@ -72,7 +83,7 @@ def _paint_together(
     painter.setOpacity(before)
 
 
-def _fill(painter: QPainter, parts: Sequence[Part], style: Style, colour: QColor, shown: PixelMap) -> None:
+def _fill(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
     area = QPainterPath()
     area.setFillRule(FILL_RULES[style.fill_rule])
     for part in parts:
@@ -80,7 +91,15 @@ def _fill(painter: QPainter, parts: Sequence[Part], style: Style, colour: QColor
         if len(ring) > 2:
             area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
             area.closeSubpath()
-    painter.fillPath(area, with_opacity(colour, style.fill_opacity * style.opacity))
+    opacity = style.fill_opacity * style.opacity
+    if style.fill_gradient is None:
+        painter.fillPath(area, with_opacity(ink.fill, opacity))
+    else:
+        painter.fillPath(area, _brush(style.fill_gradient, ink, opacity, shown))
+
+
+def _brush(gradient: Gradient, ink: Ink, opacity: float, shown: PixelMap) -> QBrush | QColor:
+    return brush_of(gradient, ink.ink, opacity, lambda place: shown.point(*place))
 
 
 def _stroke(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
@@ -90,10 +109,15 @@ def _stroke(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, sh
     if style.dash and not is_dashed:
         opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)
     pen = pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
+    is_opaque = opacity == 1.0
+    if style.stroke_gradient is not None:
+        # Its stops may let through what pieces that overlap have twice.
+        is_opaque = False
+        pen.setBrush(_brush(style.stroke_gradient, ink, opacity, shown))
     reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
     if is_dashed:
         _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
-    elif opacity == 1.0 and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
+    elif is_opaque and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
         painter.setPen(pen)
         for part in parts:
             stroke = Stroke(reach)

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple
 
-from PySide6.QtCore import QPoint, QRect
+from PySide6.QtCore import QPoint, QPointF, QRect
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from ..appearance.theme import Theme
+from ..appearance.theme import LIGHT, Theme
 from .axes import Axes, Side
 from .camera import Camera
 from .pixel_map import PixelMap
+from .sprites import Sprites
 
 _MARK = 6.0
 """Pixels from the plot area to the far end of the pointer's mark."""
@@ -52,6 +54,8 @@ class Rulers:
         self.extent: Extent | None = None
         # The colour of bands, and the theme that it is of.
         self._band: tuple[QColor, Theme | None] = (QColor(), None)
+        # The marks of the pointer on both rulers, and the theme that they are of.
+        self._marks, self._marks_of = Sprites[int](partial(_paint_mark, LIGHT), _MARK), LIGHT
         # The plot area with the marks beside it, and the area that it was found for.
         self._spread, self._spread_of = QRect(), QRect()
 
@@ -103,12 +107,11 @@ class Rulers:
         if self.extent is not None:
             self._paint_bands(painter, sides, self.extent, theme)
         if self.pointer is not None:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-            painter.setPen(theme.surface)
-            painter.setBrush(theme.ink)
-            for side, along in zip(sides, self.pointer, strict=True):
-                if 0 <= along <= side.length:
-                    painter.drawPolygon(_triangle(side, along))
+            if self._marks_of is not theme:
+                self._marks, self._marks_of = Sprites(partial(_paint_mark, theme), _MARK), theme
+            x, y = self.pointer
+            marks = [(0, x, 0.0)] * (0 <= x <= shown.width) + [(1, 0.0, y)] * (0 <= y <= shown.height)
+            self._marks.draw(painter, marks)
 
     def _paint_bands(self, painter: QPainter, sides: Sequence[Side], extent: Extent, theme: Theme) -> None:
         """Paint how far the selection reaches, with a line at each end of it."""
@@ -126,7 +129,10 @@ class Rulers:
                     painter.drawLine(side.point(end, 0), side.point(end, _MARK))
 
 
-def _triangle(side: Side, along: float) -> QPolygonF:
-    """Return a triangle that points at the drawing."""
+def _paint_mark(theme: Theme, painter: QPainter, axis: int) -> None:
+    """Draw a triangle beside the plot area that points at the drawing: above it for x, left of it for y."""
     half = 0.7 * _MARK
-    return QPolygonF([side.point(along, 0), side.point(along - half, _MARK), side.point(along + half, _MARK)])
+    corners = [(0.0, 0.0), (-half, -_MARK), (half, -_MARK)]
+    painter.setPen(theme.surface)
+    painter.setBrush(theme.ink)
+    painter.drawPolygon(QPolygonF([QPointF(y, x) if axis else QPointF(x, y) for x, y in corners]))

@@ -6,29 +6,45 @@ from collections.abc import Callable
 
 from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QLineF, QRectF
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QPainter, QPixmap
 
 from curvecore.arrays import FloatArray
 
 
 class _Batch:
-    """Many shapes of four numbers each, drawn in one call with the painter's pen and brush."""
+    """Many shapes of some numbers each, drawn in one call."""
 
-    def __init__(self, shape: type[QLineF | QRectF], draw: Callable[..., None]) -> None:
-        self._shapes, self._draw = PrimitiveArray(shape, 4), draw
+    def __init__(
+        self,
+        shape: type[QLineF | QRectF | QPainter.PixmapFragment],
+        draw: Callable[..., None],
+        numbers: int = 4,
+    ) -> None:
+        self._shapes, self._draw = PrimitiveArray(shape, numbers), draw
+        # The room for shapes, and the first of them as Qt takes it: both stay until there must be more room.
+        self._room: FloatArray = self._shapes.ndarray()
+        self._first, self._count = None, 0
 
     def __len__(self) -> int:
-        return len(self._shapes)
+        return self._count
 
     def fill(self, shapes: FloatArray) -> None:
-        """Take shapes (m, 4)."""
-        self._shapes.resize(len(shapes))
-        self._shapes.ndarray()[:] = shapes
+        """Take shapes (m, numbers)."""
+        self.room_for(len(shapes))[:] = shapes
 
-    def draw(self, painter: QPainter) -> None:
-        """Draw them."""
-        if len(self._shapes):
-            self._draw(painter, *self._shapes.drawargs())
+    def room_for(self, count: int) -> FloatArray:
+        """Return the array (count, numbers) of the shapes, to be filled."""
+        if count > len(self._room):
+            self._shapes.resize(count)
+            self._room = self._shapes.ndarray()
+            self._first, _ = self._shapes.drawargs()
+        self._count = count
+        return self._room[:count]
+
+    def draw(self, painter: QPainter, *drawn_with: QPixmap) -> None:
+        """Draw them with the painter's pen and brush; pictures, out of a sheet of them."""
+        if self._count:
+            self._draw(painter, self._first, self._count, *drawn_with)
 
 
 class Segments(_Batch):
@@ -43,3 +59,10 @@ class Bars(_Batch):
 
     def __init__(self) -> None:
         super().__init__(QRectF, QPainter.drawRects)
+
+
+class Fragments(_Batch):
+    """Many parts of a sheet of pictures, each of the ten numbers of Qt's `QPainter.PixmapFragment`."""
+
+    def __init__(self) -> None:
+        super().__init__(QPainter.PixmapFragment, QPainter.drawPixmapFragments, 10)

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
@@ -14,6 +13,7 @@ from curvecore.arrays import FloatArray, IntArray
 
 from ..appearance.colours import point_colours
 from ..appearance.theme import Theme
+from .segments import Fragments
 
 _COLOURS = 256
 """Colours that are told apart; with more points, neighbours on the ramp share one."""
@@ -45,8 +45,7 @@ class Stamps:
         self._made_of: tuple[object, ...] = ()
         self._sheet = QPixmap()
         self._cell = 0
-        self._fragments = PrimitiveArray(QPainter.PixmapFragment, 10)
-        self._arguments = self._fragments.drawargs()
+        self._fragments = Fragments()
         # What the fragments were made for: under a drag most points stay where they are.
         self._places, self._indices = np.empty((0, 2)), np.empty(0, dtype=np.intp)
 
@@ -73,16 +72,14 @@ class Stamps:
         ):
             self._places, self._indices = places, indices
             self._fill(places, indices, ratio)
-        fragments, length = self._arguments
-        painter.drawPixmapFragments(fragments, length, self._sheet)
+        self._fragments.draw(painter, self._sheet)
 
     def _fill(self, places: FloatArray, indices: IntArray, ratio: float) -> None:
         finer = _places_within_a_pixel(len(self._looks))
         steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
         whole, within = np.divmod(steps, finer)
         cells = (self._look_of[indices] * finer + within[:, 1]) * finer + within[:, 0]
-        self._fragments.resize(len(indices))
-        data = self._fragments.ndarray()
+        data = self._fragments.room_for(len(indices))
         data[:, :2] = whole / ratio
         data[:, 2] = cells % _COLUMNS * self._cell
         data[:, 3] = cells // _COLUMNS * self._cell
@@ -90,7 +87,6 @@ class Stamps:
         data[:, 6:8] = 1.0 / ratio
         data[:, 8] = 0.0
         data[:, 9] = 1.0
-        self._arguments = self._fragments.drawargs()
 
     def _prepare(
         self, count: int, theme: Theme, radius: float, rim: float, ratio: float, forms: IntArray | None

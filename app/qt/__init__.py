@@ -4,6 +4,6 @@
 - ``keys``: keys that a widget takes before its window does.
 - ``labels``: words of others as they are written, not as HTML.
 - ``glyphs``: outlines of letters, as the fonts of the system have them.
-- ``strokes``: pens and fill rules of styles, for the screen and for print.
+- ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise.
 - ``sources``: imports without a search through the source of every module.
 """

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
-from ..document.edits import delete_points
 from ..document.model import Document
-from ..document.point_group import NO_POINTS, PointGroup
+from ..document.point_group import NO_POINTS, PointGroup, PointsEdit
 from ..document.several_curves import name_of, named, remove_curves
 
 
@@ -51,10 +50,10 @@ class Highlight(msgspec.Struct, frozen=True):
         name = name_of(document, self.curves)
         return named(document, self.curves) if name is None else f"“{name}”"
 
-    def removed_from(self, document: Document) -> Document:
-        """Return the document without it."""
+    def removed_from(self, document: Document, delete: PointsEdit) -> Document:
+        """Return the document without it; `delete` deletes points of one curve."""
         whole = self.curves_of(document)
         for curve, indices in self.points.parts:
             if curve not in whole:
-                document = delete_points(document, curve, indices)
+                document = delete(document, curve, indices)
         return remove_curves(document, whole)

@@ -14,6 +14,7 @@ from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
 from ..document.shapes import tidy_shapes
+from ..document.steps import reshaped
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
@@ -237,6 +238,7 @@ class Session(QObject):
             return False
         if self._home is None:
             self._home = self.selected.choice
+            self._views.leave()
         if active is not None and active != self.active_index:
             self.selected.enter(active)
         self._show(document)
@@ -322,6 +324,8 @@ class Session(QObject):
 
     def _restore(self, state: State, views: Sequence[CurveView] | None = None) -> None:
         self.history.end_run()
+        if not self.is_previewing:
+            self._views.leave()
         self._home = None
         self.interrupted.emit()
         if state.active != self.active_index:
@@ -333,9 +337,15 @@ class Session(QObject):
         self._show(state.document)
 
     def _show(self, document: Document) -> None:
-        before, self._shown = self._shown.curves, document
-        self.active_index = min(self.active_index, len(document.curves) - 1)
+        shown, self._shown = self._shown, document
         selected = self.selected
+        if self.active_index in selected.curves and reshaped(shown, document) is not None:
+            # As under most drags: all that is selected, or pointed at, is where it was.
+            self.document_changed.emit(document)
+            selected.keep_scrub()
+            return
+        before = shown.curves
+        self.active_index = min(self.active_index, len(document.curves) - 1)
         points, has_moved = selected.followed_group(before), selected.follow_curves(before)
         # Nobody who is told of the document finds something named that it does not have.
         selected.keep_group(selected.group)

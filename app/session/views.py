@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections import deque
+from collections.abc import Collection, Iterable, Sequence
+from itertools import chain, compress, repeat
+from operator import is_not
 
 from ..document.model import Curve
 from ..families import Family
-from ..view_model.curve_view import CurveView, view_of
+from ..view_model.curve_view import CurveView, same_line, view_of
+
+_STATES = 2
+"""States of the history beside the present one, whose views are kept: for an undo, and a redo after it."""
 
 
 class Views:
@@ -16,23 +22,50 @@ class Views:
         self._views: list[CurveView] = []
         self._curves: tuple[Curve, ...] = ()
         self._ahead: Sequence[CurveView] = ()
+        self._left = deque[list[CurveView]](maxlen=_STATES)
 
     def of(self, curves: tuple[Curve, ...]) -> list[CurveView]:
         """Return the views of `curves`."""
-        if self._curves is not curves:
-            known = {id(view.source): view for view in (*self._views, *self._ahead)}
+        if self._curves is curves:
+            return self._views
+        place = self._only_moved(curves)
+        if place is not None:
+            self._views = [*self._views]
+            self._views[place] = view_of(curves[place], self._views[place])
+        else:
+            known = list(self._known())
             self._ahead = ()
+            by_curve = {id(view.source): view for view in known}
+            by_points = {id(view.source.points): view for view in known}
             # A curve that was changed takes its last good shape from its place in the list.
-            same_places = len(curves) == len(self._views)
+            before = self._views if len(curves) == len(self._views) else repeat(None, len(curves))
             self._views = [
-                known.get(id(curve)) or view_of(curve, self._views[place] if same_places else None)
-                for place, curve in enumerate(curves)
+                by_curve.get(id(curve)) or _changed(curve, by_points.get(id(curve.points)), previous)
+                for curve, previous in zip(curves, before, strict=True)
             ]
-            self._curves = curves
+        self._curves = curves
         return self._views
+
+    def _only_moved(self, curves: tuple[Curve, ...]) -> int | None:
+        """Return the place of the one curve that has other points, as under most drags; None otherwise."""
+        if self._ahead or len(curves) != len(self._curves):
+            return None
+        others = list(compress(range(len(curves)), map(is_not, curves, self._curves)))
+        if len(others) != 1 or curves[others[0]].points is self._curves[others[0]].points:
+            return None
+        return others[0]
+
+    def _known(self) -> Iterable[CurveView]:
+        """Return all views that there are, the best of them last."""
+        return chain(*self._left, self._views, self._ahead)
+
+    def leave(self) -> None:
+        """Keep the views as those of a state that undo or redo goes back to."""
+        self._left.append(self._views)
 
     def renew(self, families: Collection[Family]) -> None:
         """Make the views of curves of these families anew: their functions are other ones."""
+        self._left.clear()
         self._views = [
             view_of(view.source, view) if view.source.family in families else view for view in self._views
         ]
@@ -43,4 +76,10 @@ class Views:
 
     def take(self, views: Sequence[CurveView] = ()) -> None:
         """Go on with `views`, as far as they are of the curves that are asked for, and with no others."""
+        self._left.clear()
         self._views, self._curves = list(views), ()
+
+
+def _changed(curve: Curve, alike: CurveView | None, previous: CurveView | None) -> CurveView:
+    """Return the view of a new curve; one of the same points may run as it does."""
+    return (alike and same_line(curve, alike)) or view_of(curve, previous)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QSettings
 
 from .. import exchange
 from ..appearance.theme import ThemeMode
+from ..tools.pen_click import PenClick
 from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
 from .file import SettingsFile
@@ -96,6 +97,15 @@ class Preferences:
         "pencilBox",
     )
     """The distance of a curve from what the pencil draws."""
+
+    pen = Choice(
+        "pen/click",
+        PenClick.BY_DOCUMENT,
+        "Pen",
+        "What a click makes; as the document is: corners where it has a page, or a unit of paper such as mm",
+        "penBox",
+    )
+    """Whether a click of the pen makes corners or smooth points."""
 
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""

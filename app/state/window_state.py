@@ -11,6 +11,7 @@ from ..document.transforms import Reference
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
+from ..tools.pen_click import PenClick
 from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
 from ..tools.tool import ToolRecord
@@ -59,7 +60,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, with_estimates, theme_mode, pencil
+    snap_on, snap_kinds, with_estimates, theme_mode, pencil, pen
         As the preferences remember them.
     transform_box, keep_proportions, measure_strokes, scale_strokes
         As the preferences remember them.
@@ -104,6 +105,7 @@ class WindowState(msgspec.Struct, frozen=True):
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
     pencil: PencilDetail = PencilDetail.MEDIUM
+    pen: PenClick = PenClick.BY_DOCUMENT
     analysis: AnalysisSettings = AnalysisSettings()
     error_plot: bool = False
     motion: MotionSettings = MotionSettings()

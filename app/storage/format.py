@@ -8,6 +8,7 @@ place in the file and the requirement. `validate` states the requirements that g
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import cache
 from itertools import count
 from typing import Literal, TypeVar
 
@@ -104,9 +105,14 @@ def _curve_pieces(curve: Curve) -> Iterator[bytes]:
 
 def _without_defaults(value: Values) -> Values:
     """Return a value that has the very default where it has an equal one: msgspec leaves out no other."""
-    fields = msgspec.structs.fields(value)
-    given = {each.name: getattr(value, each.name) for each in fields}
-    return type(value)(**{each.name: given[each.name] for each in fields if given[each.name] != each.default})
+    given = {name: (getattr(value, name), default) for name, default in _defaults_of(type(value))}
+    return type(value)(**{name: here for name, (here, default) in given.items() if here != default})
+
+
+@cache
+def _defaults_of(kind: type[msgspec.Struct]) -> list[tuple[str, object]]:
+    """Return the names and the defaults of what a kind of value holds; msgspec reads its annotations anew."""
+    return [(each.name, each.default) for each in msgspec.structs.fields(kind)]
 
 
 def _members(value: Value) -> Iterable[tuple[str, msgspec.Raw]]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from itertools import chain
-from operator import attrgetter
+from itertools import chain, repeat
+from operator import attrgetter, is_
 
 from ..document.derivatives import VECTORS
 from ..document.model import MAX_MAGNITUDE, Curve, Document, ParametrizationKind, Point
@@ -34,14 +34,19 @@ def validate(document: Document) -> None:
 def validate_changes(before: Document | None, after: Document) -> None:
     """Raise FormatError, as `validate` does, for what in `after` is not the same object as in `before`."""
     known = {id(curve) for curve in before.curves} if before is not None else set()
-    for index, curve in enumerate(after.curves):
+    same_places = before is not None and len(before.curves) == len(after.curves)
+    old = before.curves if before is not None and same_places else repeat(None, len(after.curves))
+    for index, (curve, was) in enumerate(zip(after.curves, old, strict=True)):
         if id(curve) not in known:
-            _validate_curve(curve, f"curves[{index}]")
+            _validate_curve(curve, f"curves[{index}]", was)
     check_fields(after, before=before)
 
 
-def _validate_curve(curve: Curve, place: str) -> None:
-    check_fields(curve, place)
+def _validate_curve(curve: Curve, place: str, before: Curve | None) -> None:
+    """Raise FormatError for what is not the same object as in the curve that was there `before`."""
+    check_fields(curve, place, before)
+    if before is not None and all(map(is_, _what_runs(curve), _what_runs(before))):
+        return
     rule = curve.parametrization
     if not rule.start < rule.end:
         raise FormatError(
@@ -52,6 +57,9 @@ def _validate_curve(curve: Curve, place: str) -> None:
         for index, point in enumerate(curve.points):
             check_fields(point, f"{place}.points[{index}]")
     _validate_parameters(curve, place)
+
+
+_what_runs = attrgetter("points", "parametrization", "closed")
 
 
 def _validate_ties(curve: Curve, place: str) -> None:

@@ -17,6 +17,8 @@
 - ``below``: Alt+click on what lies below the topmost curve.
 - ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.
+- ``gradient_places``: what of a gradient is dragged.
+- ``pen_click``: what a click of the pen makes.
 - ``pencil_detail``: how near a curve comes to what the pencil draws.
 - ``background``: what takes a tool longer than a moment.
 - ``hints``: what a press would do, in words.

@@ -74,7 +74,7 @@ class Background:
     @property
     def lines(self) -> tuple[tuple[Vector, ...], ...]:
         """The lines of the errands, to be seen meanwhile."""
-        return tuple(errand.line for errand in self._errands)
+        return tuple([errand.line for errand in self._errands]) if self._errands else ()
 
     def do(self, errand: Errand) -> None:
         """Do this after those that there are."""

@@ -252,7 +252,7 @@ class DragMachine:
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
         """Go on with another drag from the same press: an axis was locked, an amount typed."""
         if self._press is not None:
-            self._press.drag = drag
+            self._press.drag, self._press.moving = drag, True
             self._step(pointer)
 
     def progress_at(self, pointer: Pointer) -> str:

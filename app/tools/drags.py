@@ -10,8 +10,7 @@ from ..document import edits, words
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.several_curves import moved
-from ..document.transforms import step_points
+from ..document.several_curves import moved, stepped
 from ..view_model.bend import Bend
 from ..view_model.curve_view import CurveView
 from ..view_model.handles import derivative_from_handle
@@ -113,9 +112,7 @@ class NudgePoints(Drag, frozen=True):
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
-        return self.group.changed(
-            self.document, lambda each, curve, indices: step_points(each, curve, indices, self.step)
-        )
+        return stepped(self.document, self.group, self.step)
 
 
 def what_handle_sets(hit: Hit, view: CurveView) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from ..document.model import Curve
 from ..document.point_group import PointGroup
 from ..view_model.curve_view import CurveView
 from ..view_model.point_kinds import toggled
@@ -49,7 +50,8 @@ def on_part(hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps:
     """Return the hint over a point or a handle; see `to_select`."""
     if hit.part is not Part.POINT:
         keys = handle_keys(hit, view, _snap_word(snaps))
-        return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
+        retracts = " · Ctrl+click: retract it" if hit.kind == 1 else ""
+        return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}{retracts}", grab=True)
     if pointer.alt and view.source.family.derivatives:
         text = f"Drag to pull out the velocity of point {hit.index}{_with_snap(pointer, snaps=snaps)}"
         return Hint(text, grab=True)
@@ -89,7 +91,14 @@ def to_bend(view: CurveView, pointer: Pointer) -> Hint:
 
 
 def to_add_on_part(
-    hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool, finished: bool
+    hit: Hit,
+    view: CurveView,
+    dragged: str,
+    pointer: Pointer,
+    *,
+    snaps: bool,
+    finished: bool,
+    corners: bool = False,
 ) -> Hint:
     """Return the hint of the Add tool over a point or a handle."""
     if finished and is_end(hit, view):
@@ -98,23 +107,31 @@ def to_add_on_part(
         if not view.source.family.curve_class.can_close:
             # A click says why, and which families can.
             return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
-        line = " · Alt: by a straight line" if view.source.family.derivatives else ""
+        line = f" · Alt: {'smoothly' if corners else 'by a straight line'}"
+        line = line if view.source.family.derivatives else ""
         return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
     return on_part(hit, view, dragged, pointer, snaps=snaps)
 
 
-def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
-    """Return the hint of the Add tool, on the curve or beside it."""
+def to_add(act: PenAct, view: CurveView, fresh: Curve, *, snaps: bool, corners: bool) -> Hint:
+    """Return the hint of the Add tool, on the curve or beside it.
+
+    `fresh` is a curve that would be begun; `corners` tells whether clicks make such.
+    """
     if act is PenAct.INSERT:
         return Hint("Click to insert a point here · Shift: add at the end")
     keys, index = f"Ctrl: {_snap_word(snaps)}", len(view.source.points)
     if act is PenAct.BEGIN:
-        return Hint(f"Click to begin another curve · Shift: add point {index} to this one · {keys}")
-    if view.source.family.derivatives:
-        drag = "Alt: after a straight line · Drag to set its velocity, Shift: steps of 15°"
-    else:
+        other = "" if fresh.family == view.source.family else f", {fresh.family.title}"
+        return Hint(f"Click to begin another curve{other} · Shift: add point {index} to this one · {keys}")
+    what, finish = f"Click to add point {index}", _ENTER if can_finish(view) else ""
+    if not view.source.family.derivatives:
         drag = "On the curve: insert between neighbours"
-    parts = (f"Click to add point {index}", _ENTER if can_finish(view) else "", drag, keys)
+    elif corners:
+        what, drag = f"{what}, a corner", "Drag: its handles, Shift: steps of 15° · Alt: smooth"
+    else:
+        drag = "Alt: after a straight line · Drag to set its velocity, Shift: steps of 15°"
+    parts = (what, finish, drag, keys)
     return Hint(" · ".join(part for part in parts if part))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import msgspec
 from msgspec.structs import asdict, replace
 
+from ..document.gradient import Gradient
 from ..document.model import Vector
 from ..view_model.curve_view import CurveView
 from .snapping import Snap
@@ -62,6 +63,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         Lines of which curves are being made.
     guide
         The guide under the pointer, or that is dragged: its place in the document.
+    gradients
+        Those whose places can be dragged.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -77,6 +80,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     line: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
+    gradients: tuple[Gradient, ...] = ()
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""

@@ -9,6 +9,7 @@ from ..document.curve_edits import replace_curve
 from ..document.model import Document
 from ..document.point_group import points_of
 from ..view_model.point_kinds import toggled
+from ..view_model.retracting import with_handle_retracted
 from . import hints
 from .drag import Drag
 from .drags import DragHandle, MovePoints, PullVelocity, Refuse
@@ -24,6 +25,7 @@ GESTURES = (
         selected=True,
         needs_derivatives=True,
     ),
+    GestureRow("Ctrl+click a handle", "retract it into its point", selected=True, needs_derivatives=True),
 )
 """Rows of the sheet of keys and mouse."""
 
@@ -101,8 +103,21 @@ def _press_on_handle(context: ToolContext, hit: Hit) -> None:
     snapper = context.snappers.for_handle(hit.index)
     handle = DragHandle(host.document, host.active_index, context.view, hit, pointer.position, snapper)
     # A drag drags the handle; a click means what lies below it, for a click does nothing to a handle.
-    below = click_on(context, hit.over) if hit.over >= 0 else None
-    context.drags.press(pointer, unless_locked(context, handle), below)
+    click = click_on(context, hit.over) if hit.over >= 0 else None
+    if pointer.ctrl and not (pointer.shift or pointer.alt) and hit.kind == 1:
+        click = partial(_retract, context, hit)
+    context.drags.press(pointer, unless_locked(context, handle), click)
+
+
+def _retract(context: ToolContext, hit: Hit) -> None:
+    """Retract the handle that was clicked into its point."""
+    host, view, active = context.host, context.view, context.host.active_index
+
+    def edit(document: Document) -> Document:
+        return replace_curve(document, active, with_handle_retracted(view, hit.index, ahead=hit.ahead))
+
+    if host.change(f"Retract handle of point {hit.index}", edit):
+        host.say(f"Retracted the handle of point {hit.index}; Alt+drag the point pulls it out again.")
 
 
 def _point_drag(context: ToolContext, hit: Hit) -> MovePoints | PullVelocity:

@@ -16,8 +16,8 @@ from ..document.ties import tied_to_line
 from ..view_model.appending import Appending, with_point_appended
 from ..view_model.curve_view import CurveView, view_of
 from ..view_model.handles import derivative_from_handle
+from ..view_model.pen_corners import with_corner_appended, with_own_lengths, with_segment_by_handles
 from ..view_model.reshape import Reshaped, with_point_inserted
-from ..view_model.straight import with_line_appended
 from .drag import CurveDrag, plus
 from .drags import in_steps
 from .pointer import Hit, Part, Pointer
@@ -54,12 +54,20 @@ def _is_away(pointer: Pointer, press: Pointer) -> bool:
 class AppendPoint(CurveDrag, frozen=True):
     """New last point at the press; dragging sets its velocity, or moves it where there is none.
 
-    With Alt the handle behind the point stays where it was, and only the one ahead of it follows; pressed
-    with Alt, a straight line leads to the point.
+    With Alt the handle behind the point stays where it was, and only the one ahead of it follows.
+
+    Attributes
+    ----------
+    append
+        What a press there makes that does not become a drag.
+    corners
+        Whether clicks make corners: then a drag bends what leads to the point, unless Alt is held.
     """
 
     press: Pointer
     snapper: Snapper
+    append: Appending = with_point_appended
+    corners: bool = False
     # The velocity when Alt was not held.
     _whole: list[Vector] = msgspec.field(default_factory=list)
 
@@ -76,16 +84,12 @@ class AppendPoint(CurveDrag, frozen=True):
             return "Ctrl: snap, or not"
         return "Shift: steps of 15° · Alt: the handle ahead alone"
 
-    @property
-    def _append(self) -> Appending:
-        return with_line_appended if self.press.alt else with_point_appended
-
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes, and where its velocity points."""
         place = self._place(pointer)
         note = f"{self.name} at {words.vector(place)}"
         if not self._sets_velocity(pointer):
-            return note
+            return f"{note} · a corner" if self.append is with_corner_appended else note
         x, y = self._displacement(pointer, place)
         note = f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
         if pointer.alt:
@@ -115,18 +119,31 @@ class AppendPoint(CurveDrag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
-        place = self._place(pointer)
-        document = self._append(self.document, self.curve, self.view, place)
+        place, index = self._place(pointer), len(self.view.source.points)
         if not self._sets_velocity(pointer):
-            return document
-        index = len(self.view.source.points)
-        view = view_of(document.curves[self.curve])
+            return self.append(self.document, self.curve, self.view, place)
+        if not self.corners:
+            return self._with_handles(
+                self.append(self.document, self.curve, self.view, place), index, pointer
+            )
+        if self.press.alt and pointer.alt:
+            # The handle ahead alone is drawn out of a corner.
+            document = with_corner_appended(self.document, self.curve, self.view, place)
+            return self._with_handles(document, index, pointer)
+        document = with_point_appended(self.document, self.curve, self.view, place)
+        document = self._with_handles(document, index, pointer)
+        return with_segment_by_handles(document, self.curve, index - 1) if index else document
+
+    def _with_handles(self, document: Document, index: int, pointer: Pointer) -> Document:
+        """Return the document with the handle of the new point drawn out."""
+        view, place = view_of(document.curves[self.curve]), self._place(pointer)
         tip = plus(place, self._displacement(pointer, place))
         velocity = derivative_from_handle(view, index, 1, tip, ahead=True)
         if pointer.alt:
             return self._with_handle_ahead(document, index, velocity)
         self._whole[:] = [velocity]
-        return edits.set_velocity(document, self.curve, index, velocity)
+        document = edits.set_velocity(document, self.curve, index, velocity)
+        return with_own_lengths(document, self.curve, index) if self.corners else document
 
     def _with_handle_ahead(self, document: Document, index: int, velocity: Vector) -> Document:
         """Return the document with another velocity ahead of the new point alone."""

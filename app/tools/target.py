@@ -48,7 +48,11 @@ class TransformTarget:
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         host = self._host
-        views, selection, chosen = host.views, host.selected.group, host.selected.chosen
+        selection = host.selected.group
+        if len(selection.parts) == 1 and len(selection.parts[0][1]) == 1:
+            # As under most drags; a single point has no box.
+            return selection, None
+        views, chosen = host.views, host.selected.chosen
         live, strokes, turns = host.is_previewing, self._strokes(), host.selected.turns
         now = (selection, chosen, live, strokes, turns)
         if not self._known or self._known[0] is not views or self._known[1:] != now:
@@ -130,7 +134,7 @@ class TransformTarget:
     @property
     def pivot(self) -> Vector | None:
         """The pivot that was chosen, where it is by now; None for the middle."""
-        pivot = self._pivot()
+        pivot = self._pivot() if self._host.selected.pivot is not None else None
         return pivot.place if pivot is not None else None
 
     @pivot.setter

@@ -16,6 +16,7 @@ from .background import Background
 from .drag_machine import DragMachine, EditingHost
 from .drags import NudgePoints
 from .marks import GestureMarks, Note
+from .pen_click import PenClick
 from .pencil_detail import PencilDetail
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
 from .snappers import Snappers
@@ -40,6 +41,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether no key moves or removes a guide: they are locked, or not seen.
     pencil
         How near a curve comes to what the pencil draws.
+    pen
+        What a click of the pen makes.
     """
 
     snapping: Snapping = Snapping()
@@ -48,6 +51,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     strokes: Strokes = Strokes()
     guides_stay: bool = False
     pencil: PencilDetail = PencilDetail.MEDIUM
+    pen: PenClick = PenClick.BY_DOCUMENT
 
 
 class ToolContext(msgspec.Struct, frozen=True):

@@ -21,7 +21,7 @@ from .snapping import Snapper
 from .transform import TransformKind
 
 PADDING = 16.0
-"""Pixels between the points and the box: the grips must not lie on the points."""
+"""Pixels between the box and its grips, which must not lie on points and handles."""
 
 _ARM = 26.0
 """Pixels from the box to the grip that rotates."""
@@ -63,7 +63,7 @@ _TURNING_GRIPS = tuple(
 
 
 class TransformBox(Bounds, frozen=True):
-    """The bounds of selected points, or of selected curves, without padding.
+    """The bounds of selected points, or of selected curves; its grips stand around it.
 
     Attributes
     ----------
@@ -76,21 +76,19 @@ class TransformBox(Bounds, frozen=True):
     grows: tuple[bool, bool] = (True, True)
     turns: bool = False
 
-    def padded(self, scale: float) -> tuple[Vector, Vector]:
-        """Return the corners as drawn, at `scale` pixels per unit."""
-        pad = PADDING / scale
-        return (self.low[0] - pad, self.low[1] - pad), (self.high[0] + pad, self.high[1] + pad)
-
     def holds(self, pointer: Pointer) -> bool:
-        """Whether a pointer lies inside, as the box is drawn."""
-        (x, y), (low, high) = pointer.position, self.padded(pointer.scale)
-        return low[0] <= x <= high[0] and low[1] <= y <= high[1]
+        """Whether a pointer lies inside; of a flat box, or a tiny one, as near to it as its grips."""
+        least = PADDING / pointer.scale
+        return all(
+            abs(at - middle) <= max(size / 2, least)
+            for at, middle, size in zip(pointer.position, self.centre, self.size, strict=True)
+        )
 
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale or skew a side without length."""
-        low, high = self.padded(scale)
+        pad, (left, low), (right, high) = PADDING / scale, self.low, self.high
         middle, useful = self.centre, self.grows
-        columns, rows = (low[0], middle[0], high[0]), (low[1], middle[1], high[1])
+        columns, rows = (left - pad, middle[0], right + pad), (low - pad, middle[1], high + pad)
         grips = [
             (grip, (columns[grip.x + 1], rows[grip.y + 1]))
             for grip in (_TURNING_GRIPS if self.turns else _GRIPS)
@@ -98,7 +96,7 @@ class TransformBox(Bounds, frozen=True):
         ]
         if self.turns:
             return grips
-        return [*grips, (Grip(0, 1, TransformKind.ROTATE), (middle[0], high[1] + _ARM / scale))]
+        return [*grips, (Grip(0, 1, TransformKind.ROTATE), (middle[0], high + pad + _ARM / scale))]
 
     def grip_at(self, pointer: Pointer) -> Grip | None:
         """Return the grip under the pointer."""

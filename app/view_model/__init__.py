@@ -24,14 +24,19 @@ A curve:
 A curve changed:
 
 - ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
+- ``cutting_out``: segments deleted.  ``retracting``: handles retracted.
+- ``deleting``: points deleted with the shape kept.  ``segment_fit``: one segment for several.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
+  ``pen_corners``: the same with corners.
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.
 - ``reshape``, ``splitting``, ``joining``: other points for the same curve, two curves of one, one of several.
   ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``point_kinds``: the kinds of
   points.  ``midpoints``: a point more in the middle of segments.  ``measure``: the change of shape.
 - ``least_squares``: curves of few points near many.
+- ``regions``: boolean operations on shapes.  ``stroke_shapes``: larger and smaller ones, strokes as shapes.
+  ``cubics``, ``cubic_joints``: curves as cubic pieces, and back.
 - ``bounds``: the box of points or curves.  ``stroked``: with strokes.  ``stretch``: what fills another.
-- ``fixed_point``: equations whose values take a while.
+- ``fixed_point``: equations whose values take a while.  ``shape_boxes``: the box of a whole shape.
   ``alignment``: curves by theirs.  ``pivot``: the place that transforms are about, and what they did.
 - ``pasting``: points carried from one curve to another.  ``arrivals``: curves from elsewhere.
 - ``point_columns``: the columns of the point table.

@@ -16,7 +16,7 @@ from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
 from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.pieces import BezierPieces, alike
-from curvecore.scaling import scale_by_power
+from curvecore.scaling import LARGEST, scale_by_power
 
 from .plane import polygon_length
 from .sampling import all_along
@@ -66,4 +66,4 @@ def _least_length(core: ParametricCurve) -> float:
     with np.errstate(all="ignore"):
         points = core.evaluate(all_along(core.parameters, _PARTS))
         length = polygon_length(points)
-    return length if np.isfinite(length) else float(np.finfo(float).max)
+    return length if np.isfinite(length) else LARGEST

@@ -34,6 +34,16 @@ __all__ = [
 
 TOO_FEW = "A curve needs at least two points."
 
+_LOOKS = ("stroke_bounds",)
+"""What is kept with a view, and is another when the curve looks otherwise."""
+
+_LINE = tuple(
+    name
+    for name in Curve.__struct_fields__
+    if name not in ("name", "style", "shape", "groups", "visible", "locked", "other_settings")
+)
+"""What decides where a curve runs."""
+
 
 class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
     """One curve of the document with everything that a canvas or panel draws of it."""
@@ -174,6 +184,23 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
             words += " The last curve that could be drawn is shown."
         return CurveView(curve, points, arrays, Core(last_good, words, is_overdue=is_overdue))
     return CurveView(curve, points, arrays, core, None, *handed_on)
+
+
+def same_line(curve: Curve, other: CurveView) -> CurveView | None:
+    """Return the view of `curve` where nothing but its looks and its name is another than in a view's curve.
+
+    It shares all that was computed of the other; None where the curve may run elsewhere.
+    """
+    if other.motion is not None or other.problem or not _lends(other):
+        return None
+    if any(getattr(curve, name) != getattr(other.source, name) for name in _LINE):
+        return None
+    kept = {name: value for name, value in other.__dict__.items() if name not in _LOOKS}
+    view = CurveView(
+        curve, other.points, other.arrays, other._made, None, Flattener(), other._cardinals, other._flattened
+    )
+    view.__dict__.update(kept)
+    return view
 
 
 def _motion_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Motion | None:

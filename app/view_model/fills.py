@@ -41,8 +41,11 @@ def fills_holes(outlines: Sequence[FloatArray]) -> bool:
 
     It does where both run the same way.
     """
+    low, high = (np.array([ends(outline, axis=0) for outline in outlines]) for ends in (np.min, np.max))
     for number, outline in enumerate(outlines):
-        others = [*outlines[:number], *outlines[number + 1 :]]
+        # An outline runs around nothing outside of its box: of thousands few are asked.
+        near = np.flatnonzero(((low <= high[number]) & (low[number] <= high)).all(axis=1)).tolist()
+        others = [outlines[other] for other in near if other != number]
         around = windings(others, outline[:: max(1, len(outline) // _ASKED)])
         # Where it crosses the others it lies in none of them.
         if len(set(around.tolist())) == 1 and around[0] % 2 == 1 and around[0] + _turn(outline) != 0:

@@ -29,6 +29,8 @@ class Flattener:
     What is drawn of it, and the whole of it for its extent, are asked for in turn: each has its own.
     """
 
+    __slots__ = ("_drawn", "_whole")
+
     def __init__(self) -> None:
         self._drawn, self._whole = _Follower(), _Follower()
 
@@ -40,6 +42,8 @@ class Flattener:
 
 class _Follower:
     """Samples, or places on segments, that follow a curve as long as it is asked for with the same key."""
+
+    __slots__ = ("_frozen", "_last", "_pause")
 
     def __init__(self) -> None:
         self._last: FlatteningKey | None = None

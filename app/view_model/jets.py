@@ -107,7 +107,7 @@ def _dividing_knots(arrays: PointArrays, count: int) -> list[int]:
 
 
 def _knots_where(holds: BoolArray, count: int) -> list[int]:
-    knots: list[int] = np.flatnonzero(holds).tolist()
+    knots: list[int] = holds.nonzero()[0].tolist()
     if count > len(holds) and holds[0]:
         knots.append(count - 1)
     return knots
@@ -167,7 +167,7 @@ def _estimate(
 
 def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntArray:
     """Return the knots, of `count`, whose derivative was set; a closed curve ends at its first point."""
-    rows = np.flatnonzero(~np.isnan(arrays.given[:, side, order - 1, 0]))
+    (rows,) = (~np.isnan(arrays.given[:, side, order - 1, 0])).nonzero()
     return np.append(rows, count - 1) if len(rows) and rows[0] == 0 and count > len(arrays.given) else rows
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from ..document.derivatives import DERIVATIVES
-from ..document.edits import EditError, set_closed
+from ..document.edits import EditError, set_closed, set_position
 from ..document.lines import line_beside
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_group import PointGroup
@@ -289,6 +289,21 @@ def joined_by(
     residual = max(whole.residual, *(residual for _, residual in made))
     _refuse_another_shape(chain, residual)
     return replace(whole, residual=residual)
+
+
+def brought_together(views: Sequence[CurveView], link: Link) -> tuple[list[CurveView], float]:
+    """Return the views of all curves with two ends in the middle between them, and how far each end went.
+
+    Their handles go along.
+    """
+    met = list(views)
+    one, other = (views[end.curve].source.points[-1 if end.is_last else 0].position for end in link)
+    middle = ((one[0] + other[0]) / 2, (one[1] + other[1]) / 2)
+    for end in link:
+        curve = met[end.curve].source
+        index = len(curve.points) - 1 if end.is_last else 0
+        met[end.curve] = view_of(set_position(Document((curve,)), 0, index, middle).curves[0])
+    return met, math.dist(one, other) / 2
 
 
 def _beyond(end: End, partners: Mapping[End, End]) -> Iterator[End]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import compress
-from operator import is_, is_not
+from operator import is_not
 from typing import Any
 
 import msgspec
@@ -15,6 +15,7 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Point, Vector, vectors_of
+from ..document.steps import has_only_moved
 
 _NONE = (np.nan, np.nan)
 
@@ -55,7 +56,7 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     old = (previous.positions, previous.times, previous.corners, previous.ties, previous.given)
     if not rows:
         return PointArrays(points, *old)
-    if all(_has_only_moved(points[row], previous.points[row]) for row in rows):
+    if all(map(has_only_moved, [previous.points[row] for row in rows], [points[row] for row in rows])):
         # As under nearly every drag.
         positions = previous.positions.copy()
         for row in rows:
@@ -69,15 +70,6 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
 def rows_changed(points: Sequence[Point], before: Sequence[Point]) -> list[int]:
     """Return which of as many points as before are other values."""
     return list(compress(range(len(points)), map(is_not, points, before)))
-
-
-def _has_only_moved(point: Point, before: Point) -> bool:
-    return (
-        point.t is before.t
-        and point.corner is before.corner
-        and point.tied is before.tied
-        and all(map(is_, vectors_of(point), vectors_of(before)))
-    )
 
 
 def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray, FloatArray]:

@@ -17,6 +17,7 @@ from curvecore.arrays import FloatArray
 from curvecore.drag.moved_points import MovedPoints
 
 from ..document.model import Curve, Vector
+from ..document.steps import differ_in_points
 from .flattener import FlatteningKey, Polyline
 from .jets import Sides, moved_with_points
 from .plane import at_knots
@@ -74,7 +75,7 @@ class PointMoves:
         sides: Sides | None,
         rows: Sequence[int],
     ) -> None:
-        self._rules, self._arrays = _rules(source), arrays
+        self._source, self._arrays = source, arrays
         self.curve, self.rows = curve, list(rows)
         points, is_closed = at_knots(arrays.positions, closed=source.is_closed), source.is_closed
         self.at_rest = sides or Sides(points[:, None], points[:, None])
@@ -105,7 +106,7 @@ class PointMoves:
             or arrays.corners is not old.corners
             or arrays.ties is not old.ties
             or arrays.times is not old.times
-            or _rules(curve) != self._rules
+            or not (differ_in_points(self._source, curve) or _rules(self._source) == _rules(curve))
             or not curve.family.makes(self.curve)
         ):
             return None

@@ -65,7 +65,7 @@ def split(view: CurveView, t: float) -> Split:
     parts = _restricted(view, t)
     if parts is None:
         parts = _split_polynomial(view, t) if family.curve_class.is_one_polynomial else _split_pieces(view, t)
-    made = Split(parts, _residual_of_parts(view, parts))
+    made = Split(parts, residual_of_parts(view, parts))
     if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
         within = view_model.convert.outlook(view, HERMITE).within
         kept = f"within {number(within, 1)}" if within else "keeping the shape"
@@ -161,7 +161,8 @@ def _names_of_parts(name: str) -> tuple[str, str]:
     return f"{name} a", f"{name} b"
 
 
-def _residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
+def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
+    """Return how far parts of a curve are from it; beyond its end it goes on from its start."""
     start, end = view.parameters[[0, -1]].tolist()
     residual = 0.0
     for part in map(view_of, parts):

@@ -15,8 +15,8 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray
 from curvecore.bezier.pieces import BezierPieces
+from curvecore.regions.miters import are_pointed, miter_tips
 from curvecore.scaling import scale_by_power
-from curvecore.vectors import cross
 
 from ..document.style import LineCap, LineJoin, Style
 from .plane import to_the_left, unit_tangents
@@ -151,10 +151,5 @@ def _miters(
     points: FloatArray, before: FloatArray, after: FloatArray, half: float, limit: float
 ) -> FloatArray:
     """Return the tips of the joints that are not too sharp for one."""
-    cosine = (before * after).sum(axis=1)
-    # The tip is 1 / cos(φ/2) as far away as the sides, φ being the turn.
-    is_pointed = (1.0 + cosine) * limit * limit >= 2.0
-    points, before, after, cosine = (each[is_pointed] for each in (points, before, after, cosine))
-    outwards = -np.sign(cross(before, after))[:, None] * to_the_left(before + after)
-    tips: FloatArray = points + half * outwards / (1.0 + cosine)[:, None]
-    return tips
+    is_pointed = are_pointed(before, after, limit)
+    return miter_tips(points[is_pointed], before[is_pointed], after[is_pointed], half)

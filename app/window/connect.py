@@ -52,6 +52,7 @@ class Commands:
         self._sets = {kind: kind(context) for kind in command_sets}
         context.central.fill(self._sets)
         self._follow, self._render = self._hooks("follow"), self._hooks("render")
+        self._show_document = self._hooks("show_document")
         self.drops = Drops(context, self._sets.values())
         self.context_menus = ContextMenus(context, self._sets, self.attempt)
         self._had_scrub = False
@@ -125,6 +126,11 @@ class Commands:
         """Show what follows a drag frame by frame."""
         for follow in self._follow:
             follow(view)
+
+    def show_document(self) -> None:
+        """Show what a document has beside its curves."""
+        for show in self._show_document:
+            show()
 
     def render(self, view: CurveView) -> None:
         """Check and enable actions, and show the line on the canvas, as `view` has it."""

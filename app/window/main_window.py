@@ -13,7 +13,6 @@ from PySide6.QtGui import (
     QDragMoveEvent,
     QDropEvent,
     QKeyEvent,
-    QStatusTipEvent,
 )
 from PySide6.QtWidgets import (
     QApplication,
@@ -94,7 +93,7 @@ class MainWindow(Guarded, QMainWindow):
         restore_layout(self, self.splitter, self.preferences)
         self._render_theme()
         self._rendering = Rendering(self.context, self.commands)
-        self.actions_by_name.attach(self)
+        self.actions_by_name.attach(self.splitter)
         self.central.fit()
         # Not what is usual: a lesson may be open, which has chosen what is shown.
         when_first_shown(self, self.central.fit_again)
@@ -208,13 +207,6 @@ class MainWindow(Guarded, QMainWindow):
         hide_floating(self)
 
     # Qt's events
-
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QStatusTipEvent):
-            # Qt's own way hides what stands in the status line, for good where a button goes away.
-            self.status_line.show_tip(event.tip())
-            return True
-        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, QTimer
 
+from ..document.model import Document
+from ..document.steps import reshaped
 from ..session import Message, MessageKind
 from ..view_model.curve_view import CurveView
 from ..workbench.context import WindowContext
@@ -23,6 +25,8 @@ class Rendering(QObject):
         self._canvas = context.central.canvas
         # What the panels show; behind the session while it tells that what was selected is there no more.
         self._rendered: CurveView | None = None
+        # The document that is drawn, and its curve that is edited.
+        self._drawn: tuple[Document, int] | None = None
         self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
         self._panels_due.timeout.connect(self._render_panels)
         self._connect()
@@ -48,16 +52,29 @@ class Rendering(QObject):
 
     def _render_document(self) -> None:
         session = self._session
-        view = self._rendered = session.active_view
+        views = session.views
+        view = self._rendered = views[session.active_index]
         if not session.is_previewing:
             view.settle()
         self._canvas.drawing.render_view(view)
-        self._render_others()
+        if self._rests_but_for_edited():
+            self._canvas.drawing.follow(views)
+        else:
+            self._render_others()
+            self._commands.show_document()
         self._commands.follow(view)
         if not session.is_previewing:
             self._render_panels()
         elif not self._panels_due.isActive():
             self._panels_due.start()
+
+    def _rests_but_for_edited(self) -> bool:
+        """Whether only points of the curve that is edited are others than are drawn, as under a drag."""
+        document, active = self._session.document, self._session.active_index
+        drawn, self._drawn = self._drawn, (document, active)
+        if drawn is None or drawn[1] != active:
+            return False
+        return reshaped(drawn[0], document) in ([], [active])
 
     def _render_panels(self) -> None:
         """Render what need not follow a drag frame by frame."""

@@ -5,16 +5,15 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QTimer, Signal
+from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QWindow
 from PySide6.QtWidgets import QWidget
-
-from ..qt.overrides import Guarded
 
 _SETTLE_MS = 100
 """Milliseconds after the first sign: one writing of a file gives many."""
 
 
-class DiskWatch(Guarded, QObject):
+class DiskWatch(QObject):
     """Watches one file and its folder.
 
     The folder too, because a file that is replaced by another one of its name is watched no longer, and
@@ -45,8 +44,10 @@ class DiskWatch(Guarded, QObject):
 
     def watch(self, path: Path | None) -> None:
         """Watch the file at `path` instead of the one before; None: nothing."""
-        if isinstance(window := self.parent(), QWidget) and (path is None) != (self._path is None):
-            (window.removeEventFilter if path is None else window.installEventFilter)(self)
+        if path is not None and self._path is None:
+            _application().focusWindowChanged.connect(self._look_up)
+        elif path is None and self._path is not None:
+            _application().focusWindowChanged.disconnect(self._look_up)
         self._path = path
         if self._watcher is not None:
             for known in (*self._watcher.files(), *self._watcher.directories()):
@@ -87,7 +88,14 @@ class DiskWatch(Guarded, QObject):
         self._add()
         self.triggered.emit()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.WindowActivate and self._path is not None:
+    def _look_up(self, window: QWindow | None) -> None:
+        """Check when the window comes to the front."""
+        parent = self.parent()
+        if window is not None and isinstance(parent, QWidget) and window is parent.windowHandle():
             self._wait("")
-        return super().eventFilter(watched, event)
+
+
+def _application() -> QGuiApplication:
+    application = QGuiApplication.instance()
+    assert isinstance(application, QGuiApplication)
+    return application

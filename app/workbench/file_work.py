@@ -1,4 +1,4 @@
-"""Reading and writing of files beside the window."""
+"""Reading and writing of files, and long computations, beside the window."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
+from ..document.edits import EditError
 from ..exchange.errors import ExchangeError
 from ..session import Session
 from ..storage.files import StorageError
@@ -65,6 +66,22 @@ class FileWork:
         if self.refuse_second():
             return False
         self._stopped = lambda: leave("")
+        return self.jobs.start(title, work, done, failed)
+
+    def compute(self, title: str, work: Work, done: Callable[[Any], object]) -> bool:
+        """Compute something for the document; the sentence of an `EditError` is said, and nothing changes.
+
+        Returns False, and does nothing but to say so, while there is other work.
+        """
+
+        def failed(problem: Exception) -> None:
+            if not isinstance(problem, EditError):
+                raise problem
+            self._session.refuse(str(problem))
+
+        if self.refuse_second():
+            return False
+        self._stopped = lambda: None
         return self.jobs.start(title, work, done, failed)
 
     def refuse_second(self) -> bool:

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
 from typing import Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QApplication
 
+from ..document.edits import delete_points
+from ..document.model import Document
 from ..document.several_curves import active_after_removal
+from ..document.words import number
 from ..session import Change, Session
 from ..session.highlight import Highlight
+from ..view_model.deleting import Deletion, without_points
+from ..view_model.measure import is_kept
 from .context import WindowContext
 
 
@@ -34,15 +40,38 @@ def highlighted_curves(context: WindowContext) -> frozenset[int]:
     return focus.meant if isinstance(focus, ListsCurves) else context.session.selected.whole
 
 
-def remove(session: Session, what: Highlight, verb: str) -> Change:
-    """Remove what was highlighted as one step, such as "Delete 3 points"."""
+def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = True) -> Change:
+    """Remove what was highlighted as one step, such as "Delete 3 points".
+
+    The shape of curves without some of their points is kept as far as can be, or else the handles there.
+    """
     document, active = session.document, session.active_index
-    gone = what.curves_of(document)
+    gone, deleted = what.curves_of(document), list[Deletion]()
+
+    def without(document: Document, curve: int, indices: Collection[int]) -> Document:
+        deleted.append(without_points(session.views[curve], indices))
+        return document.with_curve(curve, deleted[-1].curve)
+
+    delete = without if keeps_shape else delete_points
     change = session.change(
         f"{verb} {what.words(document)}",
-        what.removed_from,
+        lambda document: what.removed_from(document, delete),
         active=active_after_removal(document, gone, active) if gone else None,
     )
     if change:
         session.selected.set_points([])
+        _say_change(session, what, deleted)
     return change
+
+
+def _say_change(session: Session, what: Highlight, deleted: Sequence[Deletion]) -> None:
+    """Say by how much curves changed that were to keep their shape."""
+    fitted = [each for each in deleted if each.residual is not None]
+    if not fitted:
+        return
+    words, most = what.points.counted, max(each.residual or 0.0 for each in fitted)
+    if is_kept(most, [each.curve for each in fitted]):
+        session.say(f"Deleted {words}: shape kept.")
+    else:
+        length = f"{number(most, 2)} {session.document.unit}".rstrip()
+        session.say(f"Deleted {words}: the shape changed by up to {length}; Ctrl+Delete leaves the handles.")

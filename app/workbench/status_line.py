@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QStatusBar, QStyle, QStyleOption, QWidget
 
 from ..appearance.theme import theme_of
+from ..qt.overrides import Guarded
 from ..widgets.elided_label import ElidedLabel
 from .readouts import Readouts
 
@@ -20,7 +22,7 @@ _SAME_PRESS_MS = 200
 """A sentence this young was said by the press that begins a gesture: the focus left a field, for instance."""
 
 
-class StatusLine(QStatusBar):
+class StatusLine(Guarded, QStatusBar):
     """Shows a sentence at the left, numbers at the right.
 
     The sentence is one of four, the first that there is: how far a gesture has come; the tip of the menu
@@ -41,7 +43,9 @@ class StatusLine(QStatusBar):
         self._label.setContentsMargins(6, 0, 6, 0)
         # A long hint is cut, it never widens the window.
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.addWidget(self._label, 1)
+        # A permanent widget: others Qt hides while there is a tip, for good where a button goes away with it.
+        self.addPermanentWidget(self._label, 1)
+        self.messageChanged.connect(self._follow_tip)
         self.readouts = Readouts(self)
         self._progress = self._tip = self._said = self._hint = self._refusal = ""
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
@@ -77,7 +81,7 @@ class StatusLine(QStatusBar):
         is_new, self._hint = text != self._hint, text
         could_be_read = self._timer.remainingTime() < _SAID_MS - _READ_MS
         if is_new and text:
-            self._tip = ""
+            self.clearMessage()
             if could_be_read:
                 self._said = self._refusal = ""
         self._render()
@@ -88,18 +92,31 @@ class StatusLine(QStatusBar):
         if not text:
             self._render()
             return
-        self._said = self._tip = ""
+        self._said = ""
+        self.clearMessage()
         if not self._soon.isActive():
             self._soon.start()
 
     def show_tip(self, text: str) -> None:
         """Show what the entry under the pointer does; empty when the pointer has left it."""
+        self.showMessage(text)
+
+    def _follow_tip(self, text: str) -> None:
+        # Qt hands the tips of menus, buttons and actions on to the status line by itself.
         self._tip = text
         self._render()
 
+    def paintEvent(self, event: QPaintEvent) -> None:
+        # Without what Qt would write over the label.
+        option = QStyleOption()
+        option.initFrom(self)
+        with QPainter(self) as painter:
+            self.style().drawPrimitive(QStyle.PrimitiveElement.PE_PanelStatusBar, option, painter, self)
+
     def say(self, text: str) -> None:
         """Show a sentence for some seconds."""
-        self._said, self._tip = text, ""
+        self._said = text
+        self.clearMessage()
         self._timer.start()
         self._render()
 
@@ -110,7 +127,7 @@ class StatusLine(QStatusBar):
 
     def begin_gesture(self) -> None:
         """Put away what was said before this press."""
-        self._tip = ""
+        self.clearMessage()
         if self._timer.remainingTime() < _SAID_MS - _SAME_PRESS_MS:
             self.clear_message()
 
@@ -127,6 +144,7 @@ class StatusLine(QStatusBar):
 
     def reset(self) -> None:
         """Put away all sentences: they were about a document that is another one now."""
-        self._progress = self._tip = self._hint = ""
+        self._progress = self._hint = ""
+        self.clearMessage()
         self.readouts.show_t(None)
         self.clear_message()

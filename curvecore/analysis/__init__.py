@@ -1,7 +1,7 @@
 """Shape, smoothness and sensitivity of curves.
 
 - ``curvature``, ``bounding_boxes``, ``lengths``, ``quadrature``, ``nearest_point``, ``nearest_on_arc``,
-  ``arc_pairs``, ``intersections``: shape.
+  ``arc_pairs``, ``clusters``, ``intersections``: shape.
 - ``continuity``: jumps at the joints, and the class that follows.
 - ``basis_checks``: what is wrong with basis functions: their sum, their values at the parameters.
 - ``stability``, ``cardinal``, ``sensitivity``, ``ensembles``, ``condition``: how errors of the data grow.

@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.analysis.arc_pairs import Pairs, close_pairs, simple_arcs
+from curvecore.analysis.clusters import connected_labels, near_pairs
 from curvecore.arrays import BoolArray, FloatArray, IntArray, require_plane, tolerance_value
 from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.pieces import bezier_pieces, size_of
@@ -248,48 +249,14 @@ def _clusters(curve: ParametricCurve, found: _Found, tolerance: float) -> IntArr
     order = np.argsort(found.parameters[:, 0], kind="stable")
     places = found.parameters[order]
     reach = 4.0 * np.maximum(found.width, np.spacing(np.abs(found.parameters)))[order]
-    one, other = _near(places, reach)
+    one, other = near_pairs(places, reach)
     way = places[other] - places[one]
     between = places[one] + way * np.array([0.25, 0.5, 0.75])[:, None, None]
     gap = curve.evaluate(between[:, :, 1].ravel()) - curve.evaluate(between[:, :, 0].ravel())
     joined = (vector_lengths(gap).reshape(3, -1) <= tolerance).all(axis=0)
     label = np.empty(count, dtype=np.intp)
-    label[order] = _connected(count, one[joined], other[joined])
+    label[order] = connected_labels(count, one[joined], other[joined])
     return label
-
-
-def _near(places: FloatArray, reach: FloatArray) -> tuple[IntArray, IntArray]:
-    """Return the pairs of places (k, 2), ordered by the first parameter, that are within reach in both.
-
-    Every step takes the pairs so many places apart: all pairs at once take many times the memory and time
-    where a curve runs along itself and most of them are near in the first parameter alone.
-    """
-    ends = np.searchsorted(places[:, 0], places[:, 0] + reach[:, 0].max(initial=0.0), side="right")
-    following = ends - np.arange(len(places)) - 1
-    pairs = [np.empty((2, 0), dtype=np.intp)]
-    for step in range(1, following.max(initial=0) + 1):
-        way = np.abs(places[step:] - places[:-step])
-        near = (way <= np.maximum(reach[step:], reach[:-step])).all(axis=1) & (following[:-step] >= step)
-        one = np.flatnonzero(near)
-        pairs.append(np.stack((one, one + step)))
-    one, other = np.concatenate(pairs, axis=1)
-    return one, other
-
-
-def _connected(count: int, one: IntArray, other: IntArray) -> IntArray:
-    """Return a label for each of so many things, the same for those that pairs connect."""
-    # Every label is the number of a thing of the same component. Until none gets smaller, the least label
-    # at either end of a pair goes to both ends and to the things whose numbers they have, and every thing
-    # takes the label of the thing whose number it has.
-    label = np.arange(count)
-    while True:
-        before = label.copy()
-        least = np.minimum(before[one], before[other])
-        for where in (one, other, before[one], before[other]):
-            np.minimum.at(label, where, least)
-        label = label[label]
-        if (label == before).all():
-            return label
 
 
 def _is_closing(curve: ParametricCurve, found: _Found, reach: float) -> bool:

@@ -255,15 +255,23 @@ def _polished(found: list[_Bracket]) -> PieceRoots:
 
 
 def _refined(bracket: _Bracket) -> FloatArray:
-    """Newton's method that falls back to halving an interval with a change of sign."""
-    count = len(bracket.piece)
-    if not count or not bracket.size:
-        return np.zeros(count)
+    if not len(bracket.piece) or not bracket.size:
+        return np.zeros(len(bracket.piece))
+    return refined_roots(bracket.coefficients, bracket.rising)
+
+
+def refined_roots(coefficients: FloatArray, rising: BoolArray, precision: float = 2.0**-49) -> FloatArray:
+    """Return where in [0, 1] polynomials (k, d + 1) change their sign, which they do once.
+
+    One that does not has its root at the end it is nearer to. `rising` says which are positive behind it.
+    Newton's method, which falls back to halving, until no step is longer than the precision.
+    """
+    count = len(coefficients)
     low, high, place = np.zeros(count), np.ones(count), np.full(count, 0.5)
-    slopes = derivative(bracket.coefficients)
-    for _ in range(_STEPS):
-        value, slope = values(bracket.coefficients, place), values(slopes, place)
-        above = (value > 0.0) == bracket.rising
+    slopes = derivative(coefficients)
+    for _ in range(_STEPS if count else 0):
+        value, slope = values(coefficients, place), values(slopes, place)
+        above = (value > 0.0) == rising
         high, low = np.where(above, place, high), np.where(above, low, place)
         with np.errstate(all="ignore"):
             step = place - value / slope
@@ -272,6 +280,6 @@ def _refined(bracket: _Bracket) -> FloatArray:
         following = np.where(value == 0.0, place, following)
         moved = np.abs(following - place).max()
         place = following
-        if moved <= 2.0**-49:
+        if moved <= precision:
             break
     return place

@@ -244,8 +244,8 @@ class ProductForm(NamedTuple):
                 yield _Part(where, hits, value_kernel(x[where], self.scaled, hits, bits, out), None)
 
     def _hits(self, t: FloatArray) -> Hits:
-        nearest = np.searchsorted(self.given[:-1], t)
-        columns = np.flatnonzero(self.given[nearest] == t)
+        nearest = self.given[:-1].searchsorted(t)
+        (columns,) = (self.given[nearest] == t).nonzero()
         return Hits(columns, nearest[columns])
 
     def _general(self, t: FloatArray, hits: Hits) -> Scaled:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QEvent, QEventLoop, QPointF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -19,16 +19,18 @@ _FEWEST = 30
 
 
 class Paints:
-    """Counts finished paints by name."""
+    """Counts finished paints by name, and knows when each of them ended last."""
 
     def __init__(self) -> None:
         self.count: dict[str, int] = {}
+        self.ended: dict[str, float] = {}
 
     def counter(self, name: str) -> Callable[[], None]:
         """Return what to call at the end of a paint."""
         self.count[name] = 0
 
         def painted() -> None:
+            self.ended[name] = time.perf_counter()
             self.count[name] += 1
 
         return painted
@@ -61,6 +63,16 @@ def pump(seconds: float) -> None:
     end = time.perf_counter() + seconds
     while time.perf_counter() < end:
         QApplication.processEvents()
+
+
+def rest(until: float) -> None:
+    """Run the event loop to a time, asleep while nothing is due: as between two moves of a mouse."""
+    QApplication.processEvents()
+    if (left := until - time.perf_counter()) > 0:
+        loop, timer = QEventLoop(), QTimer(singleShot=True, timerType=Qt.TimerType.PreciseTimer)
+        timer.timeout.connect(loop.quit)
+        timer.start(round(1e3 * left))
+        loop.exec()
 
 
 def drag(
@@ -96,10 +108,10 @@ def drag(
             QApplication.processEvents()
             if time.perf_counter() - began > _PATIENCE:
                 raise TimeoutError(f"no paint of {awaited} after a move")
-        seconds.append(time.perf_counter() - began)
+        # What the event loop did after the paint, before it came back here, is not in the frame.
+        seconds.append(max(paints.ended[name] for name in awaited) - began)
         preempted.append(_switches() > switches)
-        QApplication.processEvents()
-        time.sleep(max(0.0, began + pace - time.perf_counter()))
+        rest(began + pace)
     send(widget, QEvent.Type.MouseButtonRelease, start, held=False)
     pump(0.05)
     milliseconds, calm = 1e3 * np.array(seconds[warm:]), ~np.array(preempted[warm:])

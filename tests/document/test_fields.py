@@ -9,9 +9,10 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.fields import fields_of
+from app.document.gradient import Gradient, Stop
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
-from app.document.style import Style
+from app.document.style import GRADIENTS, Style
 from app.document.value import Value
 from app.exchange.rescaled import enlarged
 from app.families import HERMITE
@@ -19,6 +20,8 @@ from app.storage.format_error import FormatError
 from app.storage.validation import validate, validate_changes
 
 PAIR = (1.0, 2.0)
+STOPS = (Stop(0.25, "#112233", 0.5), Stop(0.75))
+GRADIENT = Gradient(STOPS, start=PAIR, end=(3.0, 4.0), side=(5.0, 6.0), focus=PAIR)
 FULL = Document(
     (
         replace(
@@ -27,7 +30,7 @@ FULL = Document(
                 Point(0.0, 0.0, 0.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
                 Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
             ),
-            style=Style(width=1.0, dash=(1.0, 2.0)),
+            style=Style(width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT),
         ),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
@@ -111,6 +114,8 @@ def test_every_length_goes_with_the_unit():
         if value_at(FULL, way) and value_at(twice, way) != 2.0 * value_at(FULL, way)
     }
     of_styles = {"miter_limit", "dash", "stroke_opacity", "fill_opacity", "opacity"}
+    of_stops = {"offset", "opacity"}
+    of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {f"style.{name}" for name in of_styles}
     of_pictures = {"image.opacity"}

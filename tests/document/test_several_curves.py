@@ -24,8 +24,7 @@ from app.document.several_curves import (
     with_appearance,
 )
 from app.document.shape_edits import moved_into, stepped
-from app.document.style import Style
-from app.document.style_edits import with_whole_style
+from app.document.style_edits import with_style
 from app.document.transforms import rotation
 from app.families import HERMITE
 
@@ -109,7 +108,7 @@ def test_looks_are_changed_as_far_as_given(four):
 
 def test_copies_come_after_the_last_in_their_order(four):
     document = with_appearance(four, {0}, visible=False, locked=True)
-    document = with_whole_style(document, {2}, Style(stroke="#0072b2", width=3.0, fill="#f0e442"))
+    document = with_style(document, {2}, stroke="#0072b2", width=3.0, fill="#f0e442")
     after = add_copies(document, {0, 2}).document
     assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
     copy = after.curves[3]

@@ -163,7 +163,7 @@ def test_the_facts_of_twice_as_many_curves_take_twice_the_evaluations(monkeypatc
 def test_the_facts_of_many_small_curves_take_few_calls_each():
     """What a small curve costs is calls, not arithmetic: 5,080 for each of these, 55 s for 20,000."""
     curves = many(60)
-    assert calls_of(lambda: facts_of(curves)) < 2300 * 60
+    assert calls_of(lambda: facts_of(curves)) < 2200 * 60
 
 
 def test_the_facts_of_many_curves_tell_how_far_they_are():

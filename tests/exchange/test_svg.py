@@ -15,13 +15,13 @@ from app.document.model import (
     Point,
     make_curve,
 )
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
 from app.exchange.svg.numbers import number
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
+from app.view_model.cubics import RELATIVE_TOLERANCE
 from app.view_model.curve_view import view_of
 from curvecore.bezier.control_points import bezier_segments, cubic_path
 

@@ -223,11 +223,6 @@ MISSED = [
         "<path> (element 2): it is a single point; left out.",
     ),
     (
-        '<linearGradient id="g"><stop stop-color="red"/><stop stop-color="blue"/></linearGradient>'
-        '<rect id="r" width="2" height="2" fill="url(#g)"/>',
-        "<rect> “r”: a gradient paints it; #800080 does.",
-    ),
-    (
         '<pattern id="p"/><rect width="2" height="2" fill="url(#p) lime"/>',
         "<rect> (element 3): a pattern paints it; #00ff00 does.",
     ),

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QMimeData, QModelIndex, QPoint, QSize, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QStatusTipEvent
+from PySide6.QtGui import QDragEnterEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
@@ -161,8 +161,6 @@ PLACES = (
     Place(PlotWidget, "mouseMoveEvent", lambda editor: editor.hover((0.5, 0.5))),
     Place(PlotWidget, "mousePressEvent", lambda editor: editor.press((0.5, 0.5))),
     Place(PlotWidget, "wheelEvent", lambda editor: editor.wheel((0.5, 0.5), 1)),
-    Place(MainWindow, "event", lambda editor: QApplication.sendEvent(editor.window, QStatusTipEvent("tip"))),
-    Place(MainWindow, "event", lambda editor: QApplication.sendEvent(editor.window, QCloseEvent())),
     Place(MainWindow, "closeEvent", lambda editor: editor.window.close()),
     Place(MainWindow, "closeEvent", lambda _editor: QApplication.closeAllWindows()),
     Place(MainWindow, "changeEvent", lambda editor: QApplication.sendEvent(editor.window, palette_change())),

@@ -275,3 +275,17 @@ def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):
     four.trigger("alignBottom")
     assert boxes(four)[[2, 3], 0, 1] == pytest.approx(2 * [before[2, 0, 1]], abs=CLOSE)
     four.trigger("alignToEachOther")
+
+
+def test_a_curve_that_is_edited_is_aligned_to_the_page(four):
+    """What was just drawn could not be aligned before it was chosen as a whole."""
+    document = replace(four.session.document, page=Page(-3, -4, 20, 16))
+    four.session.commit(document, "Begin", active=2)
+    four.session.selected.activate(2)
+    assert not four.action("alignLeft").isEnabled()
+    four.trigger("alignToPage")
+    four.trigger("alignLeft")
+    assert printed_bounds(four, 2)[0][0] == pytest.approx(-3, abs=CLOSE)
+    assert four.session.selected.is_editing
+    assert undo_text(four) == "Align C left"
+    four.trigger("alignToEachOther")

@@ -155,3 +155,31 @@ def test_an_empty_curve_becomes_it_and_a_flat_box_none(editor):
 def test_other_words_find_them(editor, word, tool):
     editor.run_command(word)
     assert editor.action(tool).isChecked()
+
+
+def test_width_and_height_are_typed_while_it_is_dragged(drawing):
+    """A digit threw the drag away and made another family of the curve below."""
+    drawing.trigger("rectangleTool")
+    drawing.press(FROM)
+    drawing.move((2.0, -2.0))
+    drawing.key(Qt.Key.Key_6)
+    drawing.key(Qt.Key.Key_0)
+    assert drawing.status.startswith("60| × ")
+    drawing.key(Qt.Key.Key_Backspace)
+    drawing.key(Qt.Key.Key_Tab)
+    drawing.type_amount("2.5")
+    assert drawing.status.startswith("6 × 2.5| mm")
+    drawing.release((2.0, -2.0))
+    left, top = at(drawing, FROM)
+    assert box_of(drawing.curve) == pytest.approx([left, top - 2.5, left + 6, top], abs=1e-12)
+    assert drawing.session.undo_stack.undoText() == "Draw rectangle"
+    before = drawing.session.document
+    drawing.key(Qt.Key.Key_6)
+    assert drawing.session.document is before, "too late, and no reason for another family"
+    assert "while you drag" in drawing.status
+    drawing.press(TO)
+    drawing.move((5.0, 2.0), keys=CTRL)
+    drawing.key(Qt.Key.Key_1)
+    drawing.escape()
+    drawing.release((5.0, 2.0))
+    assert drawing.session.document is before

@@ -13,9 +13,9 @@ from pathlib import Path
 import msgspec
 import pytest
 import shiboken6
-from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
+from PySide6.QtCore import QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton, QWidget
 
 from app.appearance.theme import ThemeMode
 from app.document.edits import move_points, set_position
@@ -450,14 +450,21 @@ def test_a_gesture_in_flight_survives_the_news(saved, path, until):
     assert saved.session.document is document
 
 
-def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(saved, path, save_loudly, until):
+def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(
+    saved, path, save_loudly, until, qtbot
+):
     """Some file systems of a network tell nothing of changes."""
+    other = QWidget()
+    qtbot.addWidget(other)
+    other.show()
+    other.activateWindow()
+    qtbot.waitUntil(other.isActiveWindow)
     watcher = saved.window.findChild(QFileSystemWatcher)
     watcher.removePaths([*watcher.files(), *watcher.directories()])
     save_loudly(path, THEIRS)
     assert not saved.window.findChild(DiskWatch)._soon.isActive()
     assert saved.file_bar.text == ""
-    QApplication.sendEvent(saved.window, QEvent(QEvent.Type.WindowActivate))
+    saved.window.activateWindow()
     until(lambda: saved.file_bar.text)
 
 

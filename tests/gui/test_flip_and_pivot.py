@@ -183,6 +183,20 @@ def test_a_double_click_puts_it_back_to_the_middle(two):
     assert two.session.document is document
 
 
+@pytest.mark.parametrize("turns", [False, True])
+def test_it_is_taken_over_the_fill_of_what_is_chosen(two, turns):
+    """The curve was dragged instead."""
+    document = two.session.document
+    filled = replace(document.curves[0], closed=True, style=replace(document.curves[0].style, fill="#ffcc00"))
+    two.session.commit(document.with_curve(0, filled), "Fill")
+    two.session.selected.choose({0})
+    two.session.selected.set_turns(turns)
+    before = two.session.document
+    drag_pivot(two, (-1.0, 1.0))
+    assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
+    assert two.session.document is before
+
+
 def test_in_the_middle_of_a_small_box_a_drag_moves_what_is_in_it(two):
     two.window.canvas.camera.show_box((-100, 100), (-60, 60))
     two.session.selected.choose({0})

@@ -107,3 +107,17 @@ def test_what_a_person_does_is_put_away(editor, kept_editor, way):
     editor.settle()
     kept_editor._reset()
     assert not kept_editor.differences()
+
+
+def test_it_is_not_painted_to_find_out_that_it_is_as_new(editor, kept_editor):
+    """What the drawing keeps of a frame was told of: each test had its window painted once more."""
+    paints = []
+
+    def count():
+        paints.append(1)
+
+    kept_editor._reset()
+    editor.window.canvas.painted.connect(count)
+    assert not kept_editor.differences()
+    editor.window.canvas.painted.disconnect(count)
+    assert not paints

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog
 
 from app.cli.windows import open_windows
@@ -155,3 +156,26 @@ def test_many_curves_are_painted_in_steps(editor, large, qtbot):
     place = canvas.to_pixel(9.4, 11.7) * picture.devicePixelRatio()  # the last curve's crest
     around = [picture.pixelColor(place.x(), place.y() + step).lightness() for step in range(-3, 4)]
     assert min(around) < 200
+
+
+def test_what_was_done_to_many_curves_is_undone_and_hidden_without_computing_them_anew(editor, large):
+    """Undo made all views anew, the list asked every row for those above it, Combine each for all others."""
+    editor.window.open_file(large)
+    editor.wait_for_work()
+    editor.show_dock("curvesDock")
+    editor.session.selected.choose(range(COUNT))
+    editor.settle()
+    views = editor.session.views
+    moved = calls_of(lambda: editor.key(Qt.Key.Key_Right))
+    assert all(new is not old for new, old in zip(editor.session.views, views, strict=True))
+    undone = calls_of(lambda: editor.trigger("undo"))
+    assert all(new is old for new, old in zip(editor.session.views, views, strict=True))
+    hidden = calls_of(lambda: editor.trigger("curveVisible"))
+    assert not any(curve.visible for curve in editor.session.document.curves)
+    assert all(new.polyline is old.polyline for new, old in zip(editor.session.views, views, strict=True))
+    combined = calls_of(lambda: editor.trigger("combineCurves"))
+    # 2,200, 2,130, 1,760 and 9,690 for each curve before.
+    assert moved < 1550 * COUNT
+    assert undone < 450 * COUNT
+    assert hidden < 450 * COUNT
+    assert combined < 600 * COUNT

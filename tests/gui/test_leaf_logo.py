@@ -69,6 +69,7 @@ def sheet(editor, point_locale):
 def test_five_leaves_around_a_foot_seventy_millimetres_wide(sheet):
     hands = Hands(sheet)
     hands.press(Key.Key_P)
+    hands.press(Key.Key_P, SHIFT)
     for place in LEAF:
         hands.click(place)
     hands.click(LEAF[0])

@@ -140,3 +140,13 @@ def test_a_digit_leaves_curves_that_are_chosen_as_wholes_and_the_toolbar_changes
     none.session.selected.activate(2)
     none.key(Qt.Key.Key_5)
     assert none.curve.family.name == "septic_hermite"
+
+
+def test_all_curves_can_be_chosen_also_where_there_is_one(waves):
+    """It said that none was left to choose, beside "Nothing is chosen"."""
+    one = waves("A")
+    one.escape()
+    one.escape()
+    assert not one.session.selected.marked
+    one.key(Qt.Key.Key_A, CTRL | SHIFT)
+    assert one.session.selected.chosen == {0}

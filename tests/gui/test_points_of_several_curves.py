@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 
 from app.document.model import Document, make_curve
 from app.document.style import Style
-from app.document.style_edits import with_whole_style
+from app.document.style_edits import with_style
 from app.families import HERMITE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -259,7 +259,7 @@ def test_tab_walks_through_the_points_of_both_contours(letter):
 
 
 def test_the_stroke_is_scaled_with_the_whole_shape_alone(letter):
-    letter.session.change("Wide", lambda document: with_whole_style(document, [0], Style(width=2.0)))
+    letter.session.change("Wide", lambda document: with_style(document, [0], width=2.0))
     letter.drag((-1.7, 1.7), (1.7, -1.8))
     for keys, width in (([], 2.0), ([(Key.Key_A, CTRL)], 4.0)):
         for key in keys:

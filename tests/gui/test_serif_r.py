@@ -23,7 +23,7 @@ ALT, CTRL, SHIFT = (
     Qt.KeyboardModifier.ShiftModifier,
 )
 
-# Places, and where a handle is drawn out to: after a line (Alt), or on a curve.
+# Places, and where a handle is drawn out to: ahead alone, after a line (Alt), or on both sides.
 LINE, CURVE = ALT, Qt.KeyboardModifier.NoModifier
 OUTER = (
     ((0, 0), None, LINE), ((14, 0), None, LINE), ((14, 2), (12, 2), LINE), ((10, 5), (10, 8), CURVE),
@@ -60,10 +60,10 @@ def sheet(editor):
 def trace(hands, contour):
     for place, to, held in contour:
         if to is None:
-            hands.click(place, held)
+            hands.click(place)
         else:
             hands.drag(place, to, held)
-    hands.click(contour[0][0], LINE)
+    hands.click(contour[0][0])
 
 
 def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sheet, tmp_path):

@@ -365,6 +365,22 @@ def test_a_drag_inside_the_box_of_points_moves_them(three):
     assert three.session.selection == {0, 1, 2, 3}
 
 
+def test_the_box_hugs_what_it_is_around_and_its_grips_stand_outside(three):
+    """It stood 16 pixels off, and looked as if the shape did not reach the edge of a page."""
+    three.select([0, 1, 2, 3])
+    canvas, box = three.window.canvas, three.window.canvas.marks.box
+    right, middle = box.high[0], (box.low[1] + box.high[1]) / 2
+    assert three.grip(1, 0) == pytest.approx((right + 16 * three.pixel, middle))
+    with_box = pixels_of(canvas)
+    three.trigger("toggleTransformBox")
+    is_drawn = (pixels_of(canvas) != with_box).any(axis=-1)
+    three.trigger("toggleTransformBox")
+    (x, top), bottom = canvas.to_pixel(*box.high).toTuple(), canvas.to_pixel(*box.low).y()
+    assert is_drawn[top:bottom, x - 1 : x + 2].any(axis=1).mean() > 0.4, "dashes along the side"
+    three.hover((right + 6 * three.pixel, middle - 30 * three.pixel))
+    assert three.window.status_line.hint.startswith("Drag to select points")
+
+
 def test_a_drag_inside_the_box_of_curves_moves_them(whole):
     whole.session.selected.choose({1, 2})
     before = whole.session.document

@@ -637,3 +637,25 @@ def test_the_line_on_the_canvas_takes_no_press_from_it(editor):
     QTest.mouseClick(words, Qt.MouseButton.LeftButton)
     assert [editor.point(index) for index in range(len(editor.curve.points))] == [canvas.to_plane(middle)]
     assert editor.message == ""
+
+
+def test_what_is_typed_on_the_help_is_looked_for_and_acts_on_nothing_behind_it(editor):
+    """The letters of "pivot" chose other tools, showed the scrub line and let go of what was selected."""
+    editor.select([2])
+    before, state, choice = editor.session.document, editor.window.store.state, editor.session.selected.choice
+    sheet = open_sheet(editor)
+    QTest.keyClicks(QApplication.focusWidget(), "pivot")
+    for key, held in (
+        (Qt.Key.Key_D, Qt.KeyboardModifier.ControlModifier),
+        (Qt.Key.Key_F8, Qt.KeyboardModifier.NoModifier),
+    ):
+        QTest.keyClick(QApplication.focusWidget(), key, held)
+    assert sheet.isVisible()
+    shown = [text for text in words_of(sheet) if "<b>" not in text]
+    assert any("move the pivot" in text for text in shown)
+    assert len(shown) < 20
+    assert editor.session.document is before
+    assert editor.window.store.state == state
+    assert editor.session.selected.choice == choice
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_F1)
+    assert not sheet.isVisible()

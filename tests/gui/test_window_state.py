@@ -55,6 +55,7 @@ REMEMBERED = {
     "snap_on",
     "snap_kinds",
     "pencil",
+    "pen",
     "transform_box",
     "rulers",
     "keep_proportions",

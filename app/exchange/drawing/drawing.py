@@ -13,18 +13,16 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
-from ...document.model import Curve, Document, Guide
+from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
+from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve_view import ParametricCurve, view_of
 from ...view_model.refusals import in_words
 from ..errors import ExchangeError
 from .extents import extent_of
 from .outlines import Outline, by_shape
-
-RELATIVE_TOLERANCE = 1e-5
-"""Default tolerance against the drawing's larger side: a fiftieth of a pixel on a screen of 2000."""
 
 MARGIN = 0.06
 """Free space on every side of the drawing, against its larger side."""
@@ -168,7 +166,7 @@ class Drawing(msgspec.Struct, frozen=True):
                 outline,
                 control_points=moved(outline.control_points),
                 points=moved(outline.points),
-                style=_scaled(outline.style, scale),
+                style=_scaled(outline.style, scale).mapped(lambda place: _pair(moved(np.array(place)))),
             )
             for outline in self.outlines
         )
@@ -257,6 +255,10 @@ def _beyond(outlines: Iterable[Outline], page: Frame) -> list[str]:
     names = [name for name, (least, most) in extents.items() if (least < low).any() or (most > high).any()]
     verb = "reaches" if len(names) == 1 else "reach"
     return [f"{names_of(names)} {verb} beyond the page; pictures end there."] if names else []
+
+
+def _pair(point: FloatArray) -> Vector:
+    return float(point[0]), float(point[1])
 
 
 def _scaled(style: Style, scale: float) -> Style:

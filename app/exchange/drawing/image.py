@@ -134,7 +134,7 @@ def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     moved = [
         each
         for each in drawing.outlines
-        if not each.style.has_fill and adjustment_of(style.paper, each.colour)
+        if not (each.style.has_fill or each.style.is_placed) and adjustment_of(style.paper, each.colour)
     ]
     if not moved:
         return ""

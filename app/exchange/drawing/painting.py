@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterable
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from msgspec.structs import replace
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import (
+    QBrush,
     QColor,
     QImage,
     QPaintEngine,
@@ -20,7 +22,9 @@ from PySide6.QtGui import (
 
 from curvecore.arrays import FloatArray
 
+from ...document.gradient import Gradient
 from ...document.style import Style
+from ...qt.gradients import brush_of
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
 from .drawing import POINT_RADIUS, Annotation, Drawing
@@ -29,6 +33,11 @@ from .styles import PictureStyle
 
 _MOST_DASHES = 100_000
 """In a line: Qt makes a line of each, also where nothing is seen of them."""
+
+
+_PICTURE = QImage.Format.Format_ARGB32_Premultiplied
+_FINEST = 1000
+"""Pixels along the longer side of a gradient that goes into a PDF as a picture."""
 
 
 class Painting:
@@ -65,43 +74,61 @@ class Painting:
 
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
         style, path = shape[0].style, self._path(shape)
-        pen = self._pen(style, _length(shape))
-        brush = (
-            with_opacity(QColor(self._style.fill_of(style)), style.fill_opacity) if style.has_fill else None
-        )
-        if pen is not None and brush is not None and style.opacity < 1:
-            self._paint_together(path, pen, brush, style.opacity)
+        is_together = style.opacity < 1 and style.has_fill and style.has_stroke
+        if is_together and _is_raster(self._painter):
+            self._paint_layer(path, replace(style, opacity=1.0), _length(shape), style.opacity)
             return
-        self._painter.save()
-        self._painter.setOpacity(style.opacity)
+        pen = self._pen(style, _length(shape))
+        brush = self._brush(style) if style.has_fill else None
+        if is_together and pen is not None:
+            # As outlines: what lies below the stroke is taken out of the area.
+            path_below = path.subtracted(QPainterPathStroker(pen).createStroke(path))
+            self._fill_and_stroke(self._painter, path_below, None, brush)
+            brush = None
         self._fill_and_stroke(self._painter, path, pen, brush)
-        self._painter.restore()
 
-    @staticmethod
     def _fill_and_stroke(
-        painter: QPainter, path: QPainterPath, pen: QPen | None, brush: QColor | None
+        self, painter: QPainter, path: QPainterPath, pen: QPen | None, brush: QBrush | QColor | None
     ) -> None:
         if brush is not None:
-            painter.fillPath(path, brush)
-        if pen is not None:
+            self._fill(painter, path, brush)
+        if pen is None:
+            return
+        if _has_alpha(pen.brush()) and not _is_raster(painter):
+            self._fill(painter, QPainterPathStroker(pen).createStroke(path), pen.brush())
+        else:
             painter.strokePath(path, pen)
 
-    def _paint_together(self, path: QPainterPath, pen: QPen, brush: QColor, opacity: float) -> None:
-        """Paint stroke and fill so that nothing of the fill is seen through the stroke."""
-        painter = self._painter
-        engine = painter.paintEngine()
+    def _fill(self, painter: QPainter, path: QPainterPath, brush: QBrush | QColor) -> None:
+        """Fill an area; what a gradient lets through is lost in Qt's PDF files (6.11), of a picture not."""
+        if isinstance(brush, QColor) or not _has_alpha(brush) or _is_raster(painter):
+            painter.fillPath(path, brush)
+            return
+        place = path.boundingRect().intersected(QRectF(0, 0, self._drawing.frame.width, self._height))
+        if place.isEmpty():
+            return
+        scale = min(1.0, _FINEST / max(place.width(), place.height()))
+        picture = QImage((place.size() * scale).toSize().expandedTo(QSize(1, 1)), _PICTURE)
+        picture.fill(Qt.GlobalColor.transparent)
+        with QPainter(picture) as inner:
+            inner.scale(picture.width() / place.width(), picture.height() / place.height())
+            inner.translate(-place.topLeft())
+            inner.fillRect(place, brush)
         painter.save()
-        painter.setOpacity(opacity)
-        if engine is not None and engine.type() == QPaintEngine.Type.Raster:
-            place = self._bounds(path, pen)
-            if not place.isEmpty():
-                painter.drawImage(place.topLeft(), self._layer(place, path, pen, brush))
-        else:
-            # As outlines: what lies below the stroke is taken out of the area.
-            stroker = QPainterPathStroker(pen)
-            painter.fillPath(path.subtracted(stroker.createStroke(path)), brush)
-            painter.strokePath(path, pen)
+        painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
+        painter.setClipPath(path)
+        painter.drawImage(place, picture)
         painter.restore()
+
+    def _paint_layer(self, path: QPainterPath, style: Style, length: float, opacity: float) -> None:
+        """Paint stroke and fill so that nothing of the fill is seen through the stroke."""
+        painter, pen = self._painter, self._pen(style, length)
+        place = self._bounds(path, pen or QPen(Qt.PenStyle.NoPen))
+        if not place.isEmpty():
+            painter.save()
+            painter.setOpacity(opacity)
+            painter.drawImage(place.topLeft(), self._layer(place, path, pen, self._brush(style)))
+            painter.restore()
 
     def _bounds(self, path: QPainterPath, pen: QPen) -> QRect:
         """Return the pixels of the device that a shape can reach."""
@@ -112,9 +139,9 @@ class Painting:
             path.controlPointRect().adjusted(-reach, -reach, reach, reach).intersected(within).toAlignedRect()
         )
 
-    def _layer(self, place: QRect, path: QPainterPath, pen: QPen, brush: QColor) -> QImage:
+    def _layer(self, place: QRect, path: QPainterPath, pen: QPen | None, brush: QBrush | QColor) -> QImage:
         """Return a picture of one shape in a part of the device."""
-        layer = QImage(place.size(), QImage.Format.Format_ARGB32_Premultiplied)
+        layer = QImage(place.size(), _PICTURE)
         layer.fill(Qt.GlobalColor.transparent)
         with QPainter(layer) as painter:
             painter.setRenderHints(self._painter.renderHints())
@@ -139,9 +166,23 @@ class Painting:
         # A pen of no width would be one of a pixel.
         if not style.has_stroke or width <= 0:
             return None
-        colour = with_opacity(QColor(self._style.stroke_of(style)), style.stroke_opacity)
+        colour = with_opacity(QColor(self._style.stroke_of(style)), style.stroke_opacity * style.opacity)
         is_dashed = length <= _MOST_DASHES * sum(style.dash) * width
-        return pen_of(style, colour, width, is_dashed=is_dashed)
+        pen = pen_of(style, colour, width, is_dashed=is_dashed)
+        if style.stroke_gradient is not None:
+            pen.setBrush(self._served(style.stroke_gradient, style.stroke_opacity * style.opacity))
+        return pen
+
+    def _brush(self, style: Style) -> QBrush | QColor:
+        # A painter's own opacity is nothing to the gradients of a PDF.
+        opacity = style.fill_opacity * style.opacity
+        if style.fill_gradient is not None:
+            return self._served(style.fill_gradient, opacity)
+        return with_opacity(QColor(self._style.fill_of(style)), opacity)
+
+    def _served(self, gradient: Gradient, opacity: float) -> QBrush | QColor:
+        ink = QColor(self._style.ink)
+        return brush_of(gradient, ink, opacity, lambda place: (place[0], self._height - place[1]))
 
     # What goes with them
 
@@ -179,6 +220,16 @@ class Painting:
 
     def _places(self, points: FloatArray) -> list[QPointF]:
         return [QPointF(x, self._height - y) for x, y in points.tolist()]
+
+
+def _has_alpha(brush: QBrush) -> bool:
+    """Whether a gradient lets something through."""
+    return brush.gradient() is not None and not brush.isOpaque()
+
+
+def _is_raster(painter: QPainter) -> bool:
+    engine = painter.paintEngine()
+    return engine is not None and engine.type() == QPaintEngine.Type.Raster
 
 
 def _length(shape: Iterable[Outline]) -> float:

@@ -18,7 +18,16 @@ from ..drawing.drawing import Frame, drawing_of
 from ..drawing.outlines import Outline
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
-from ..parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
+from ..parts import (
+    Source,
+    accuracy,
+    bezier_values,
+    beziers_of,
+    measured,
+    one_line,
+    said_of_gradients,
+    sources_of,
+)
 from ..tikz_style import tikz_command
 from ..units import MILLIMETRES, known_unit, size_in_words
 from . import Format, Written
@@ -89,7 +98,8 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
-    return _picture(lines, deviation, drawing.remarks, "tikz")
+    remarks = drawing.remarks + said_of_gradients((each.name, each.style) for each in drawing.outlines)
+    return _picture(lines, deviation, remarks, "tikz")
 
 
 def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:

@@ -1,13 +1,15 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``numbers``: styles and numbers as text.
+  ``style_attributes``, ``gradient_elements``, ``numbers``: styles
+  and numbers as text.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
-- ``cascade``, ``properties``, ``paint``: the style of an element, from attributes and rules.
+- ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
+  and rules.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """

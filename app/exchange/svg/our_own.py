@@ -54,7 +54,15 @@ class OurOwn:
         """Return a style as it was before it had the ink and the line of a picture."""
         if not self._is_so:
             return style
-        stroke, fill = (INK if paint in _INKS else paint for paint in (style.stroke, style.fill))
+        stroke, fill = map(_restored_paint, (style.stroke, style.fill))
+        for name, gradient in style.gradients.items():
+            stops = (replace(stop, colour=_restored_paint(stop.colour)) for stop in gradient.stops)
+            style = replace(style, **{name: replace(gradient, stops=tuple(stops))})
         usual = self._usual_width
         is_usual = style.width is not None and abs(style.width - usual) <= _ROUNDING * usual
         return replace(style, stroke=stroke, fill=fill, width=None if is_usual else style.width)
+
+
+def _restored_paint(paint: str) -> str:
+    """Return a paint that is the ink of a picture as the ink."""
+    return INK if paint in _INKS else paint

@@ -1,4 +1,4 @@
-"""Paints of SVG: colours as CSS writes them, and what becomes of gradients and patterns."""
+"""Paints of SVG: colours as CSS writes them, gradients, and what becomes of patterns."""
 
 from __future__ import annotations
 
@@ -10,12 +10,11 @@ from functools import lru_cache
 
 from tinycss2.color4 import parse_color
 
-from .xml_tree import reference_of, tag_of
+from ...document.gradient import Gradient, Stop
+from .gradients import KINDS, Gradients, Ground, UnplacedError
+from .xml_tree import tag_of
 
 _SERVER = re.compile(r"url\(\s*['\"]?#?([^'\")]*)['\"]?\s*\)\s*(.*)", re.DOTALL)
-_GRADIENTS = ("linearGradient", "radialGradient")
-_LONGEST_CHAIN = 20
-"""Gradients that take their stops from each other."""
 
 
 @dataclass(frozen=True)
@@ -30,12 +29,15 @@ class Paint:
         From 0 to 1.
     why, instead
         What could not be taken as it is, and what was done; empty if nothing.
+    gradient
+        What paints in place of the colour.
     """
 
     colour: str
     opacity: float = 1.0
     why: str = ""
     instead: str = ""
+    gradient: Gradient | None = None
 
 
 NONE = Paint("none")
@@ -73,61 +75,50 @@ class Paints:
         self, by_id: dict[str, ET.Element], declared: Callable[[ET.Element], dict[str, str]]
     ) -> None:
         self._by_id, self._declared = by_id, declared
+        self._gradients = Gradients(by_id, self._stop)
 
-    def paint(self, text: str, current: str) -> Paint:
-        """Return the paint of a value, where `currentColor` is this."""
+    def paint(self, text: str, current: str, ground: Ground) -> Paint:
+        """Return the paint of a value on a ground, where `currentColor` is this."""
         word = text.strip()
         if word.lower() == "currentcolor":
             word = current
         if match := _SERVER.fullmatch(word):
-            return self._served(match[1], match[2].strip(), current)
+            return self._served(match[1], match[2].strip(), current, ground)
         if word.lower().startswith("context-"):
             return Paint("none", why="it takes its colour from where it is used", instead="has none")
         return NONE if word.lower() == "none" else colour_of(word) or NONE
 
-    def _served(self, name: str, fallback: str, current: str) -> Paint:
-        """Return what stands for a gradient or a pattern."""
+    def _served(self, name: str, fallback: str, current: str, ground: Ground) -> Paint:
+        """Return a gradient, or what stands for it or for a pattern."""
         server = self._by_id.get(name)
-        if server is not None and tag_of(server) in _GRADIENTS:
-            return self._mean(server, current)
+        if server is not None and tag_of(server) in KINDS:
+            return self._gradient(server, current, ground)
         kind = "a pattern" if server is not None else f"“{name}”, which is not in the file,"
-        plain = self.paint(fallback, current) if fallback and "url(" not in fallback else NONE
+        plain = self.paint(fallback, current, ground) if fallback and "url(" not in fallback else NONE
         return Paint(plain.colour, plain.opacity, f"{kind} paints it", _instead(plain.colour))
 
-    def _mean(self, gradient: ET.Element, current: str) -> Paint:
-        """Return the mean of the colours of a gradient."""
-        stops = self._stops(gradient, current)
+    def _gradient(self, element: ET.Element, current: str, ground: Ground) -> Paint:
+        stops = self._gradients.stops(element, current)
         if not stops:
             return NONE
-        share = 1.0 / len(stops)
-        opacity = sum(stop.opacity for stop in stops) * share
-        # Colours count as much as is seen of them.
-        weights = [stop.opacity / (opacity * len(stops)) if opacity else share for stop in stops]
-        levels = [bytes.fromhex(stop.colour[1:]) for stop in stops]
-        mean = (
-            round(sum(weight * level[channel] for weight, level in zip(weights, levels, strict=True)))
-            for channel in range(3)
-        )
-        colour = "#" + "".join(f"{min(level, 255):02x}" for level in mean)
-        same = all(stop == stops[0] for stop in stops)
-        return Paint(colour, opacity, *(("", "") if same else ("a gradient paints it", _instead(colour))))
+        if all((stop.colour, stop.opacity) == (stops[0].colour, stops[0].opacity) for stop in stops):
+            return Paint(stops[0].colour, stops[0].opacity)
+        try:
+            found = self._gradients.gradient(element, stops, ground)
+        except UnplacedError:
+            mean = Gradient(stops).mean
+            opacity = sum(stop.opacity for stop in stops) / len(stops)
+            return Paint(mean, opacity, "a gradient paints it that has no place", _instead(mean))
+        has_disc = self._gradients.begins_with_a_disc(element)
+        said = ("its gradient begins with a disc", "it begins in a point") if has_disc else ("", "")
+        return Paint(found.mean, 1.0, *said, gradient=found)
 
-    def _stops(self, gradient: ET.Element, current: str) -> list[Paint]:
-        for _ in range(_LONGEST_CHAIN):
-            stops = [each for each in gradient if tag_of(each) == "stop"]
-            if stops:
-                return [self._stop(each, current) for each in stops]
-            target = self._by_id.get(reference_of(gradient).removeprefix("#"))
-            if target is None or tag_of(target) not in _GRADIENTS:
-                break
-            gradient = target
-        return []
-
-    def _stop(self, stop: ET.Element, current: str) -> Paint:
+    def _stop(self, stop: ET.Element, current: str) -> Stop:
         declared = self._declared(stop)
         text = declared.get("stop-color", "#000000")
         plain = colour_of(current if text.lower() == "currentcolor" else text) or Paint("#000000")
-        return Paint(plain.colour, plain.opacity * share_of(declared.get("stop-opacity", "1")))
+        opacity = plain.opacity * share_of(declared.get("stop-opacity", "1"))
+        return Stop(share_of(stop.get("offset", "0"), 0.0), plain.colour, round(opacity, 6))
 
 
 def share_of(text: str, default: float = 1.0) -> float:

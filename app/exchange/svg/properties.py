@@ -14,6 +14,7 @@ from ...document.model import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
+from .gradients import Ground
 from .lengths import Viewport, length
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
@@ -88,19 +89,17 @@ class StyleReader:
     def __init__(self, paints: Paints) -> None:
         self._paints = paints
 
-    def style(
-        self, properties: Properties, viewport: Viewport, scale: float
-    ) -> tuple[Style, tuple[Flaw, ...]]:
-        """Return the style of a shape whose lengths are scaled so, and what of it is lost.
+    def style(self, properties: Properties, ground: Ground, scale: float) -> tuple[Style, tuple[Flaw, ...]]:
+        """Return the style of a shape on its ground, whose lengths are scaled so, and what of it is lost.
 
         Raises
         ------
         ExchangeError
             For a width that is no length.
         """
-        values = properties.values
+        values, viewport = properties.values, ground.viewport
         current = values["color"]
-        stroke, fill = (self._paints.paint(values[name], current) for name in ("stroke", "fill"))
+        stroke, fill = (self._paints.paint(values[name], current, ground) for name in ("stroke", "fill"))
         width = _length(values, "stroke-width", viewport) * scale
         if not 0 < width <= MAX_MAGNITUDE:
             stroke = Paint("none")
@@ -112,6 +111,7 @@ class StyleReader:
             fill_rule=_one_of(FillRule, values["fill-rule"], FillRule.NONZERO),
             fill_opacity=_rounded(fill.opacity * share_of(values["fill-opacity"])),
             opacity=_rounded(properties.opacity),
+            fill_gradient=fill.gradient,
         )
         if stroke.colour == "none":
             return style, tuple(flaws)
@@ -134,6 +134,7 @@ def _with_stroke(
         dash=dash,
         dash_offset=offset,
         stroke_opacity=_rounded(stroke.opacity * share_of(values["stroke-opacity"])),
+        stroke_gradient=stroke.gradient,
     )
 
 

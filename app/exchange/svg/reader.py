@@ -7,7 +7,7 @@ read, and no DTD or entity inside it. What does not come in as it is drawn is to
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import msgspec
@@ -24,6 +24,7 @@ from ..errors import ExchangeError
 from ..missed import Missed
 from .cascade import Cascade
 from .clips import clip_box
+from .gradients import Ground
 from .groups import Drawn, Group, Settled, settled
 from .guides import guides_of
 from .lengths import Viewport
@@ -290,7 +291,7 @@ class _Reader:
             return
         self._shapes.append(element)
         name = name_of(element) or f"{tag.capitalize()} {self._number[element]}"
-        look = self._look(element, declared, state)
+        look = self._look(element, declared, state, [each.controls for each in drawn])
         look = replace(look, shape=name) if len(drawn) > 1 else look
         for index, subpath in enumerate(drawn, start=1):
             self._found += 1
@@ -306,10 +307,13 @@ class _Reader:
             yield Drawn(path, len(self._shapes), state.groups)
             self._miss_beyond(element, path, state)
 
-    def _look(self, element: ET.Element, declared: Mapping[str, str], state: State) -> Look:
+    def _look(
+        self, element: ET.Element, declared: Mapping[str, str], state: State, outlines: Sequence[FloatArray]
+    ) -> Look:
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
-        style, flaws = self._styles.style(state.properties, state.viewport, scale)
+        ground = Ground(state.matrix, state.viewport, outlines)
+        style, flaws = self._styles.style(state.properties, ground, scale)
         if style.has_stroke and not keeps_width and is_uneven(state.matrix):
             flaws = (*flaws, _UNEVEN)
         if state.properties.is_visible:

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
+from ...document.style import GRADIENTS, NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ..drawing.styles import PictureStyle
+from .gradient_elements import GradientElements
 from .numbers import number
 
 
-def style_attributes(style: Style, picture: PictureStyle, usual_width: float) -> str:
+def style_attributes(
+    style: Style, picture: PictureStyle, usual_width: float, gradients: GradientElements
+) -> str:
     """Return a style as attributes, each after a blank; what SVG takes for granted is left out."""
-    pairs = [("fill", picture.fill_of(style) if style.has_fill else NO_PAINT), *_of_fill(style)]
-    pairs += _of_stroke(style, picture, usual_width)
+    flat = {"fill": picture.fill_of(style), "stroke": picture.stroke_of(style)}
+    served = {name: gradients.reference(each) for name, each in style.gradients.items()}
+    paints = {name: served.get(GRADIENTS[name], colour) for name, colour in flat.items()}
+    pairs = [("fill", paints["fill"] if style.has_fill else NO_PAINT), *_of_fill(style)]
+    pairs += _of_stroke(style, paints["stroke"], usual_width)
     if style.opacity < 1:
         pairs.append(("opacity", number(style.opacity)))
     return "".join(f' {name}="{value}"' for name, value in pairs)
@@ -37,11 +43,11 @@ def _of_fill(style: Style) -> list[tuple[str, str]]:
     return pairs
 
 
-def _of_stroke(style: Style, picture: PictureStyle, usual_width: float) -> list[tuple[str, str]]:
+def _of_stroke(style: Style, paint: str, usual_width: float) -> list[tuple[str, str]]:
     if not style.has_stroke:
         return []
     width = usual_width if style.width is None else style.width
-    pairs = [("stroke", picture.stroke_of(style)), ("stroke-width", number(width))]
+    pairs = [("stroke", paint), ("stroke-width", number(width))]
     if style.cap is not LineCap.BUTT:
         pairs.append(("stroke-linecap", str(style.cap.value)))
     if style.join is not LineJoin.MITER:

@@ -13,6 +13,7 @@ from curvecore.arrays import FloatArray
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
+from .gradient_elements import GradientElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
@@ -49,20 +50,26 @@ class Tree:
                 self._layers[name].add(outline)
         self._open: tuple[str, ...] = ()
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
+        self._gradients = GradientElements(style, self._ids)
         self.lines: list[str] = []
+
+    @property
+    def definitions(self) -> list[str]:
+        """The gradients that paint what was written, in an element of their own."""
+        gradients = self._gradients.lines
+        return ["  <defs>", *gradients, "  </defs>"] if gradients else []
 
     def add(self, shape: tuple[Outline, ...]) -> None:
         """Write the outlines of a shape as one path."""
         first = shape[0]
         self._go_into(first.groups)
         data = path_data(shape)
-        style = style_attributes(first.style, self._style, self._usual_width)
+        style = style_attributes(first.style, self._style, self._usual_width, self._gradients)
         around = [self._layers[name] for name in self._layers_of(first)]
         # What a layer says goes for all in it.
-        unseen = first.visible or any(each.is_hidden for each in around)
-        free = not first.locked or any(each.is_locked for each in around)
-        state = ("" if unseen else ' display="none"') + ("" if free else _LOCKED)
-        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{state}/>')
+        unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
+        locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
+        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{unseen}{locked}/>')
 
     def close(self) -> None:
         """Close all groups."""

@@ -94,6 +94,7 @@ def svg_text(
     """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
     frame = drawing.frame
     wide, high = _size_attributes(drawing, width, unit)
+    curves = _curves(drawing, style, report)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
     parts = [
@@ -106,8 +107,10 @@ def svg_text(
         *guide_elements(drawing.guides, frame),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
+        # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
+        *curves.definitions,
         *(["  <g>"] if in_group else []),
-        *_curves(drawing, style, report),
+        *curves.lines,
         *(["  </g>"] if in_group else []),
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
@@ -139,13 +142,13 @@ def _paper(frame: Frame, colour: str) -> str:
     return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
 
 
-def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
+def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> Tree:
     shapes = drawing.all_shapes
     tree = Tree(style, drawing.usual_width, drawing.layers, [each for shape in shapes for each in shape])
     for shape in told(shapes, report, "Writing"):
         tree.add(shape)
     tree.close()
-    return tree.lines
+    return tree
 
 
 def _points(drawing: Drawing, style: PictureStyle) -> list[str]:

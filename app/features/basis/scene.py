@@ -174,7 +174,12 @@ def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
 
     Those of a family depend on it, its settings and the parameters alone; cardinal ones on the rules, too.
     """
-    if basis is None or not view.is_current or len(view.source.points) <= basis.owners[-1]:
+    if basis is None:
+        return False
+    if view.motion is not None and not cardinals and basis.curve is view.motion.moves.curve:
+        # As under most drags: points move, and the functions rest.
+        return not isinstance(basis, CardinalView)
+    if not view.is_current or len(view.source.points) <= basis.owners[-1]:
         return False
     if cardinals or isinstance(basis, CardinalView):
         return cardinals and isinstance(basis, CardinalView) and basis.cardinal is view.cardinal

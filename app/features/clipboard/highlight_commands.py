@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...actions.declaration import action, also
-from ...actions.needs import HIGHLIGHTED
+from ...actions.needs import HIGHLIGHTED, Need
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE
 from ...actions.strips import POINT_MENU
 from ...document.several_curves import named
@@ -40,8 +40,20 @@ class HighlightCommands:
     @action("deleteSelection", "Delete", EDIT_DELETE, "Del, Backspace", "delete", needs=HIGHLIGHTED)
     @also(POINT_MENU(40))
     def _delete(self) -> None:
-        """Delete the selected points, or else the curve or all chosen ones."""
+        """Delete the selected points, keeping the shape, or else the curve or all chosen ones."""
         session, what = self._session, highlighted(self._context)
         words = what.said(session.document)
         if remove(session, what, "Delete") and not what.points.parts:
             session.say(f"Deleted {words}.")
+
+    @action(
+        "deleteLeavingHandles",
+        "Delete, Leaving the Handles",
+        EDIT_DELETE,
+        "Ctrl+Del",
+        needs=Need("selected points", lambda now: bool(now.group.parts)),
+        keywords="nodes without keeping the shape",
+    )
+    def _delete_plainly(self) -> None:
+        """Delete the selected points; the handles beside them stay as they are."""
+        remove(self._session, self._session.selected.highlight(), "Delete", keeps_shape=False)

@@ -13,7 +13,6 @@ from ...document.model import Document
 from ...document.shapes import tidy_shapes
 from ...exchange.errors import ExchangeError
 from ...exchange.formats import Written
-from ...exchange.options import Options
 from ...qt.overrides import Guarded
 from ...storage.format import encode
 from ...workbench.clipboard import INKSCAPE, SVG
@@ -77,7 +76,7 @@ def _svg(document: Document) -> Written:
 
 
 def _png(document: Document) -> bytes:
-    return exchange.png_file(document, Options(width=_WIDTH, transparent=True)).data
+    return exchange.png_file(document, exchange.options.Options(width=_WIDTH, transparent=True)).data
 
 
 _MAKERS: dict[str, Callable[[Document], object]] = {

@@ -198,7 +198,8 @@ class CurveListCommands:
         EDIT_SELECT,
         "Ctrl+Shift+A",
         needs=Need(
-            "a curve that is not chosen yet", lambda now: len(now.selected) < len(now.session.document.curves)
+            "a curve that is not chosen yet",
+            lambda now: len(now.session.selected.marked) < len(now.session.document.curves),
         ),
     )
     @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))

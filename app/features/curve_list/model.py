@@ -81,6 +81,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         self.has_folds = False
         self._rows: list[Row] = []
         self._row_of: dict[int, int] = {}
+        self._rows_around: list[int | None] = []
         self._open: set[_Key] = set()
         self._edited: int | None = 0
         self._chosen: frozenset[int] = frozenset()
@@ -130,6 +131,7 @@ class CurveListModel(Guarded, QAbstractListModel):
     def _take(self, entries: list[Entry], rows: list[Row]) -> None:
         self.entries, self._rows = entries, rows
         self.has_folds = any(entry.opens for entry in entries)
+        self._rows_around = list(_rows_around(entries))
         self._row_of = {
             place: row
             for row, entry in enumerate(entries)
@@ -175,8 +177,7 @@ class CurveListModel(Guarded, QAbstractListModel):
 
     def row_around(self, row: int) -> int | None:
         """Return the row of the shape or group that the entry of a row is in; None for none."""
-        depth = self.entries[row].node.depth
-        return next((up for up in range(row - 1, -1, -1) if self.entries[up].node.depth < depth), None)
+        return self._rows_around[row]
 
     def row_about(self, places: frozenset[int], place: int) -> int:
         """Return the row about these curves, one of which is at `place`; or else that of the one."""
@@ -253,6 +254,15 @@ def _entries(nodes: Sequence[Node], are_open: Collection[_Key]) -> Iterator[Entr
         yield Entry(node, is_open)
         if is_open:
             yield from _entries(node.parts, are_open)
+
+
+def _rows_around(entries: Sequence[Entry]) -> Iterator[int | None]:
+    """Yield for each entry the row of the open one that it is in."""
+    opened: list[int] = []
+    for row, entry in enumerate(entries):
+        del opened[entry.node.depth :]
+        yield opened[-1] if opened else None
+        opened.append(row)
 
 
 def _row_of_curve(curve: Curve) -> Row:

@@ -10,7 +10,7 @@ from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAP
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits
-from ...document.model import Curve, Document, Parametrization
+from ...document.model import Document, Parametrization
 from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import at_end, stepped
@@ -24,6 +24,7 @@ from ...view_model.splitting import Split, split
 from ...view_model.straight import segments_between
 from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
+from .segment_commands import SegmentCommands
 
 Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
 """Returns the order of curves in which some are elsewhere, towards the front (1) or the back (−1)."""
@@ -196,7 +197,7 @@ class CurveCommands:
 
         def edit(document: Document) -> Document:
             done.append(split(session.active_view, t))
-            return _with_parts(document, session.active_index, *done[0].curves)
+            return curve_edits.with_parts(document, session.active_index, *done[0].curves)
 
         if session.change(f"Split {session.active_curve.name}", edit):
             verb = "Split" if len(done[0].curves) > 1 else "Opened"
@@ -294,11 +295,4 @@ def _has_curve_beside(now: Situation, step: int) -> bool:
     return 0 <= beside < len(curves) and curves[beside].groups[: len(groups)] == groups
 
 
-def _with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:
-    document = curve_edits.replace_curve(document, index, first)
-    for offset, curve in enumerate(others, start=1):
-        document = curve_edits.add_curve(document, index + offset, curve)
-    return document
-
-
-COMMAND_SETS = (CurveCommands, JoinCommands)
+COMMAND_SETS = (CurveCommands, JoinCommands, SegmentCommands)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 
 from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
-from ...actions.sections import CURVE_SHAPE
+from ...actions.sections import CURVE_POINTS, CURVE_SHAPE
 from ...actions.situation import Situation
 from ...actions.strips import CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits
@@ -16,7 +16,8 @@ from ...document.model import Document
 from ...document.several_curves import remove_curves
 from ...document.words import number
 from ...view_model.appending import with_closed
-from ...view_model.joining import End, Joined, Link, joined_by, link_of, nearest_links
+from ...view_model.curve_view import CurveView
+from ...view_model.joining import End, Joined, Link, brought_together, joined_by, link_of, nearest_links
 from ...view_model.measure import is_kept
 from ...workbench.context import WindowContext
 
@@ -37,7 +38,7 @@ class JoinCommands:
         "joinCurve",
         "Join Ends",
         CURVE_SHAPE,
-        "Ctrl+J",
+        "Ctrl+J, Alt+J",
         "join",
         full_name="Join Ends of Curves",
         needs=Need("two selected ends, or a second curve", _is_joinable),
@@ -57,17 +58,43 @@ class JoinCommands:
         else:
             self._join_to_nearest_start()
 
-    def _join_ends(self, link: Link) -> None:
-        session, view = self._session, self._session.active_view
+    @action(
+        "mergeEnds",
+        "Merge Ends",
+        CURVE_POINTS,
+        "Shift+J",
+        "merge",
+        full_name="Merge Ends into One Point",
+        needs=Need(
+            "two selected ends of open curves", lambda now: link_of(now.session.views, now.group) is not None
+        ),
+        keywords="join nodes weld close path middle",
+    )
+    @also(POINT_MENU(23))
+    def _merge(self) -> None:
+        """Make one point of two selected ends, in the middle between them; their handles go along."""
+        session = self._session
+        link = link_of(session.views, session.selected.group)
+        if link is not None:
+            met, way = brought_together(session.views, link)
+            if self._join_ends(link, met):
+                length = f"{number(way, 2)} {session.document.unit}".rstrip()
+                session.say(f"Merged two ends into one point: each moved by {length}.")
+
+    def _join_ends(self, link: Link, views: Sequence[CurveView] | None = None) -> bool:
+        """Join two ends, of these views of the curves; return whether they are joined."""
+        session, active = self._session, self._session.active_index
+        views = session.views if views is None else views
         ends = {end.curve for end in link}
-        if len(ends) == 1 and not view.source.family.derivatives:
+        if len(ends) > 1 or views[active].source.family.derivatives:
+            return self._make(ends, active, lambda kept: joined_by(views, [link], kept))
+
+        def closed(document: Document) -> Document:
             # Nothing keeps its shape there: it closes as its rules have it.
-            session.change(
-                _step_name(session.document, ends),
-                lambda document: with_closed(document, session.active_index, view, closed=True),
-            )
-            return
-        self._make(ends, session.active_index, lambda kept: joined_by(session.views, [link], kept))
+            moved = document.with_curve(active, views[active].source)
+            return with_closed(moved, active, views[active], closed=True)
+
+        return session.change(_step_name(session.document, ends), closed).is_done
 
     def _join_chosen(self) -> None:
         session, views = self._session, self._session.views
@@ -101,8 +128,8 @@ class JoinCommands:
         ]
         return min(others)[1] if others else None
 
-    def _make(self, curves: Collection[int], kept: int, make: Callable[[int], Joined]) -> None:
-        """Put what `make` returns in the place of the curve `kept`, and remove the others."""
+    def _make(self, curves: Collection[int], kept: int, make: Callable[[int], Joined]) -> bool:
+        """Put what `make` returns in the place of the curve `kept`, and remove the others, if it can be."""
         session, made = self._session, list[Joined]()
         others = set(curves) - {kept}
         names = [session.document.curves[place].name for place in (*sorted(others), kept)]
@@ -114,7 +141,7 @@ class JoinCommands:
 
         active = kept - sum(place < kept for place in others)
         if not session.change(_step_name(session.document, curves, kept), edit, active=active):
-            return
+            return False
         if session.selected.is_editing:
             session.selected.set_points(made[0].seams)
         else:
@@ -122,6 +149,7 @@ class JoinCommands:
         what = f"with “{names[0]}”" if len(names) == 2 else f"{len(names)} curves" if others else "both ends"
         shapes = "shapes kept" if is_kept(made[0].residual, (made[0].curve,)) else "the shapes are others"
         session.say(f"Joined {what}: {shapes}, largest change {number(made[0].residual, 2)}.")
+        return True
 
 
 def _step_name(document: Document, curves: Collection[int], kept: int = 0) -> str:

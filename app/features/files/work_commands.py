@@ -1,4 +1,4 @@
-"""Progress of reading and writing, and stopping it."""
+"""Progress of reading, writing and computing, and stopping it."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ class WorkCommands:
         FILE_WORK,
         "Ctrl+.",
         "stop",
-        needs=Need("a file that is being read or written", lambda now: now.state.is_working),
+        needs=Need("something that is being read, written or computed", lambda now: now.state.is_working),
     )
     def _cancel(self) -> None:
-        """Stop reading or writing; nothing changes."""
+        """Stop reading, writing or computing; nothing changes."""
         self._context.work.cancel()
 
     def _show_bar(self, title: str) -> None:

@@ -11,7 +11,6 @@ from ...actions.strips import CANVAS_MENU, GUIDE_MENU
 from ...document.guide_edits import add_guide, clear_guides, move_guide, place_words, remove_guide
 from ...document.model import Axis, Guide
 from ...state.window_state import WindowState
-from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .. import guides
 
@@ -35,7 +34,7 @@ class GuideCommands:
         self._canvas.guide_drawn.connect(lambda: context.store.change(guides_shown=True))
         self._canvas.guide_opened.connect(self._open)
 
-    def follow(self, _view: CurveView) -> None:
+    def show_document(self) -> None:
         """Show the guides of the document."""
         self._guides.render(self._session.document.guides, self._unit)
 

@@ -29,7 +29,9 @@ class HelpCommands:
         context = self._context
         if self._sheet is None:
             self._sheet = help_feature.shortcut_sheet.ShortcutSheet(
-                context.window, over=context.window.centralWidget() or context.window
+                context.window,
+                over=context.window.centralWidget() or context.window,
+                toggle=context.actions["showShortcuts"],
             )
         if self._sheet.isVisible():
             self._sheet.dismiss()

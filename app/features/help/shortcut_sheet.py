@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import msgspec
 from PySide6.QtCore import QEvent, QMargins, QObject, Qt
-from PySide6.QtGui import QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QLineEdit, QScrollArea, QSizePolicy, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
@@ -16,6 +16,7 @@ from ...qt.labels import Label, html_of
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, GestureRow, ToolRecord
 from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import named
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import ICON, tool_button
 
@@ -114,17 +115,29 @@ _WITH_ANY_TOOL = (
 
 
 class ShortcutSheet(OverlayFrame):
-    """Lies over the drawing; Escape, F1 or a click beside it puts it away.
+    """Lies over the drawing; Escape, F1 or a click beside it puts it away. What is typed is looked for in it.
 
     It is a part of the window and no window of its own: it needs no place on the desktop, and Escape reaches
-    it wherever the focus is.
+    it wherever the focus is. All other keys are its own while it has the focus, and act on nothing behind it.
+
+    Parameters
+    ----------
+    toggle
+        The action that shows it, whose keys put it away.
     """
 
-    def __init__(self, window: QWidget, over: QWidget) -> None:
+    def __init__(self, window: QWidget, over: QWidget, toggle: QAction) -> None:
         super().__init__("shortcutSheet", window)
         self.setAccessibleName("Keys and mouse")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._over = over
+        self._over, self._toggle = over, toggle
+        self._sections: Sequence[tuple[str, Rows]] = ()
+        self._search = named(
+            QLineEdit(), "shortcutSearch", "Find keys and gestures", "Type to find keys and gestures"
+        )
+        self._search.setPlaceholderText("Find")
+        self._search.textEdited.connect(self._show_found)
+        self.setFocusProxy(self._search)
         self._focus_before: QWidget | None = None
         words = "Put the sheet away"
         self._close = tool_button("closeShortcuts", words, f"{words} (Esc)", icon_size=ICON, flat=True)
@@ -136,7 +149,7 @@ class ShortcutSheet(OverlayFrame):
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         heading = Label("<b>Keys and mouse</b>", is_html=True)
-        top = row_of((heading, 1), self._close, margins=(16, 8, 8, 4))
+        top = row_of(heading, (self._search, 1), self._close, margins=(16, 8, 8, 4), spacing=16)
         column_of(top, self._area, margins=(1, 1, 1, 8), spacing=0, parent=self)
         self.follow_theme()
         self.hide()
@@ -144,13 +157,25 @@ class ShortcutSheet(OverlayFrame):
     def open(self, moment: Moment, menus: Sequence[tuple[str, Rows]]) -> None:
         """Show what applies at `moment`, then the other gestures, then the keys of each menu."""
         now, rest = moment.rows()
-        self._area.setWidget(_grid([(moment.title, now), ("Otherwise", rest), *menus]))
-        self.place()
+        self._sections = [(moment.title, now), ("Otherwise", rest), *menus]
+        self._search.clear()
+        self._show_found("")
         self._focus_before = QApplication.focusWidget()
         self.show()
         self.raise_()
         self.setFocus()
         _application().installEventFilter(self)
+
+    def _show_found(self, text: str) -> None:
+        """Show the rows in which all words of a text are."""
+        words = text.casefold().split()
+        found = [
+            (title, [row for row in rows if all(word in " ".join(row).casefold() for word in words)])
+            for title, rows in self._sections
+        ]
+        nothing = [("Nothing is called that; Ctrl+Shift+P finds by other words, too.", (("", ""),))]
+        self._area.setWidget(_grid(found if any(rows for _, rows in found) else nothing))
+        self.place()
 
     def dismiss(self) -> None:
         """Hide, and give the focus back."""
@@ -169,7 +194,8 @@ class ShortcutSheet(OverlayFrame):
         content = self._area.widget()
         # A vertical scroll bar takes its width from the rows.
         rows = content.heightForWidth(width - 24) if content is not None else 0
-        height = min(room.height(), rows + self._close.sizeHint().height() + 24)
+        top = max(each.sizeHint().height() for each in (self._close, self._search))
+        height = min(room.height(), rows + top + 24)
         self.setGeometry(corner.x() + (self._over.width() - width) // 2, corner.y() + _MARGIN, width, height)
 
     def set_theme(self, theme: Theme) -> None:
@@ -182,15 +208,20 @@ class ShortcutSheet(OverlayFrame):
 
     # Qt's events
 
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            if QKeySequence(event.keyCombination()) not in self._toggle.shortcuts():
+                event.accept()
+            return True
+        return bool(super().event(event))
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         scroll = self._area.verticalScrollBar()
         step, page = scroll.singleStep(), scroll.pageStep()
         keys = Qt.Key
         steps = {keys.Key_Down: step, keys.Key_Up: -step, keys.Key_PageDown: page, keys.Key_PageUp: -page}
         by = steps.get(keys(event.key()))
-        if by is None:
-            super().keyPressEvent(event)
-        else:
+        if by is not None:
             scroll.setValue(scroll.value() + by)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

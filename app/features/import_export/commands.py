@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import SignalInstance
 from PySide6.QtWidgets import QFileDialog
 
 from ... import exchange
@@ -28,9 +29,6 @@ from ...exchange.formats import (
     is_document,
     with_ending,
 )
-from ...exchange.options import Options
-from ...exchange.reading import import_file
-from ...exchange.writing import export
 from ...storage.files import StorageError, read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
@@ -44,6 +42,7 @@ from .overwrite_commands import OverwriteCommands
 if TYPE_CHECKING:
     from ...exchange.choice import ExportChoice
     from ...exchange.cubics_in import Imported
+    from ...exchange.options import Options
     from ...exchange.table.prepared import PreparedTable
     from ...exchange.table.source import TableSource
     from ...exchange.table.table import Preview
@@ -72,9 +71,6 @@ class ExchangeCommands:
         context.files.open_foreign = self._open
         self._work.jobs.ended.connect(self._series.go_on)
         context.session.opened.connect(self._count_document)
-        context.session.document_changed.connect(self._show_in_dialog)
-        context.session.active_changed.connect(self._show_in_dialog)
-        context.session.selected_curves_changed.connect(self._show_in_dialog)
 
     # In
 
@@ -109,11 +105,11 @@ class ExchangeCommands:
         def work(report: Report) -> Imported | _OpenTable:
             form = format_of(path, FORMATS.read)
             if form.kind is not ContentKind.TABLE:
-                return import_file(path, report=report)
+                return exchange.reading.import_file(path, report=report)
             report(0.0, "Reading")
             data = read(path)
             if is_document(data):
-                return import_file(path, report=report)
+                return exchange.reading.import_file(path, report=report)
             source = table.source.TableSource(data, ending_in(path, form))
             return _OpenTable(source, source.preview())
 
@@ -276,6 +272,8 @@ class ExchangeCommands:
             )
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._release_dialog)
+            for changed in self._shown_in_dialog:
+                changed.connect(self._show_in_dialog)
         self._show_in_dialog()
         self._dialog.bring_up()
 
@@ -286,8 +284,16 @@ class ExchangeCommands:
         usual = usual or remembered.choice_from(self._preferences.export_choice)
         return usual.of_chosen() if session.selected.chosen else usual
 
+    @property
+    def _shown_in_dialog(self) -> tuple[SignalInstance, ...]:
+        """What tells that the dialog shows something else from now on."""
+        session = self._session
+        return (session.document_changed, session.active_changed, session.selected_curves_changed)
+
     def _release_dialog(self) -> None:
         self._dialog = None
+        for changed in self._shown_in_dialog:
+            changed.disconnect(self._show_in_dialog)
 
     def _show_in_dialog(self) -> None:
         if self._dialog is not None:
@@ -328,10 +334,10 @@ class ExchangeCommands:
     def export(self, path: Path, options: Options | None = None, document: Document | None = None) -> None:
         """Write the document, or a part of it, in the format that the ending names; say how exactly."""
         document = document or self._session.document
-        options = options or Options(unit=document.unit)
+        options = options or exchange.options.Options(unit=document.unit)
 
         def work(report: Report) -> Written:
-            return export(document, path, options.reporting(report))
+            return exchange.writing.export(document, path, options.reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"

@@ -16,7 +16,6 @@ from ...actions.sections import EDIT_COPY_AS
 from ...document.model import Document
 from ...document.several_curves import alone, named
 from ...exchange.formats import Written
-from ...exchange.options import Options
 from ...tasks.progress import Report, part
 from ...workbench.clipboard import INKSCAPE, SVG, put_on_clipboard
 from ...workbench.context import WindowContext
@@ -69,7 +68,7 @@ class CopyCommands:
             self._session.say(f"Copied {what} as an image: PNG without paper, and SVG.")
 
         def work(document: Document, report: Report) -> tuple[bytes, bytes]:
-            options = Options(width=_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
+            options = exchange.options.Options(width=_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
             png = exchange.png_file(document, options).data
             svg = exchange.svg.for_clipboard.svg_for_clipboard(document, part(report, 0.5, 1.0))
             return png, svg.data
@@ -88,7 +87,7 @@ class CopyCommands:
             self._context.work.warn_of(written.remarks)
 
         def work(document: Document, report: Report) -> Written:
-            return exchange.svg_path_data(document, Options(report=report))
+            return exchange.svg_path_data(document, exchange.options.Options(report=report))
 
         self._start("Writing path data", "The path data", work, put)
 

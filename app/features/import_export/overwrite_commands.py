@@ -6,13 +6,12 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
+from ... import exchange
 from ...actions.declaration import action
 from ...actions.needs import Need
 from ...actions.sections import FILE_SAVE
 from ...actions.situation import Situation
 from ...exchange.formats import Written
-from ...exchange.options import DEFAULT
-from ...exchange.writing import export
 from ...storage.foreign import Foreign
 from ...storage.reasons import shown
 from ...tasks.progress import Report
@@ -49,11 +48,11 @@ class OverwriteCommands:
         session, foreign = self._session, self._session.files.foreign
         assert foreign is not None
         document, beginning = session.committed, session.files.beginning
-        options = replace(DEFAULT, unit=document.unit)
+        options = replace(exchange.options.DEFAULT, unit=document.unit)
 
         def work(report: Report) -> tuple[Path | None, Written, Foreign]:
             kept = foreign.keep_what_would_be_lost()
-            written = export(document, foreign.path, options.reporting(report))
+            written = exchange.writing.export(document, foreign.path, options.reporting(report))
             return kept, written, foreign.as_it_is()
 
         def done(found: tuple[Path | None, Written, Foreign]) -> None:

@@ -62,7 +62,8 @@ class OverlayCommands:
         """Draw the figures of `view` that are switched on."""
         settings = self._context.analysis.settings
         if settings.is_empty:
-            self._clear()
+            if self._is_drawn:
+                self._clear()
             return
         waits = analysis.picture.settling(view, settings)
         self._settle(view, settings, waits)

@@ -40,7 +40,8 @@ class OwnFamilyCommands(QObject):
         self._asked = set[Path]()
         self._news = ""
         self._dismissed = ""
-        self._show()
+        if self._sentence()[0]:
+            self._show()
 
     # What can be done
 

@@ -10,7 +10,6 @@ from ...document.plane_edits import set_page
 from ...document.words import number
 from ...exchange import drawing
 from ...exchange.errors import ExchangeError
-from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 
 
@@ -20,9 +19,9 @@ class PageCommands:
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
         self._layer = context.central.canvas.drawing.page
-        self.follow(context.session.active_view)
+        self.show_document()
 
-    def follow(self, _view: CurveView) -> None:
+    def show_document(self) -> None:
         """Show the page of the document."""
         self._layer.render(self._session.document.page)
 

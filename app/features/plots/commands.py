@@ -65,9 +65,11 @@ class PlotCommands:
 
     def follow(self, view: CurveView) -> None:
         """Plot `view`; during a drag the scales only grow."""
-        calm = self._session.is_previewing
         pane = self._shown
-        if pane is not None and not (self._shows_same(view) and calm == self._was_calm):
+        if pane is None:
+            return
+        calm = self._session.is_previewing
+        if not (self._shows_same(view) and calm == self._was_calm):
             self._plot(pane, view, calm=calm)
 
     def _shows_same(self, view: CurveView) -> bool:

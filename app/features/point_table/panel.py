@@ -87,7 +87,7 @@ class PointTable(FollowsTheme, QWidget):
             icon_size=ICON,
             flat=True,
         )
-        self._timer = QTimer(self, singleShot=True, interval=INTERVAL_MS)
+        self._timer = QTimer(self, singleShot=True)
         self._add_actions()
         self._lay_out()
         self._connect()
@@ -163,14 +163,19 @@ class PointTable(FollowsTheme, QWidget):
         While the previews of a gesture are `streaming`, the columns keep their widths.
         """
         self._pending = view, streaming
-        self._clear_message()
-        if self.isVisible() and not self._timer.isActive():
+        if self._said:
+            self._clear_message()
+        if self._timer.isActive() or not self.isVisible():
+            return
+        if streaming:
+            # The eye is on the curve: the table is filled once that has been painted.
+            self._timer.start(0)
+        else:
             self._show_pending()
-            self._timer.start()
 
     def _show_pending(self) -> None:
         if self._pending is not None:
-            self._timer.start()
+            self._timer.start(INTERVAL_MS)
             view, streaming = self._pending
             self.show_now(view, streaming=streaming)
 

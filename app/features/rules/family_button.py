@@ -37,6 +37,7 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         self._is_on = is_on
         self._words: dict[QAction, str] = {}
         self._is_compact = False
+        self._shown: tuple[object, ...] = ()
         self.button = named(QToolButton(), "familiesButton", _TIP)
         self.button.setCheckable(True)
         self.button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -78,11 +79,17 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         action = next((each for each in self._words if self._is_on(each.objectName())), None)
         button, word = self.button, _WORD if action is None else self._words[action]
         button.setChecked(action is not None)
-        button.setIcon(
-            (action or next(iter(self._words))).icon() if self._words else icon("spline", self.theme)
-        )
+        seen = action or next(iter(self._words), None)
+        picture = icon("spline", self.theme) if seen is None else seen.icon()
+        text = "" if action is None else plain(action.text())
+        # Every action of a family calls, for each of its changes.
+        shown = picture.cacheKey(), text, self._words, self._is_compact, button.font()
+        if shown == self._shown:
+            return
+        self._shown = shown
+        button.setIcon(picture)
         button.setText(word)
-        button.setToolTip(_TIP if action is None else f"{_TIP}; in use: {plain(action.text())}")
+        button.setToolTip(_TIP if action is None else f"{_TIP}; in use: {text}")
         style = Qt.ToolButtonStyle
         button.setToolButtonStyle(
             style.ToolButtonIconOnly if self._is_compact else style.ToolButtonTextBesideIcon

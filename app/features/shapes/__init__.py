@@ -1,4 +1,5 @@
-"""Shapes and groups: curves combined, with holes, and taken apart; grouped and ungrouped.
+"""Shapes and groups: curves combined, with holes, and taken apart; grouped and ungrouped; boolean operations.
 
-- ``commands``: the actions.
+- ``commands``: combining and grouping.  ``path_commands``: union, difference and the like.
+- ``chosen_shapes``: the shapes that actions mean.
 """

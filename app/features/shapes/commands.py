@@ -14,27 +14,23 @@ from ...document.several_curves import active_after_removal, named
 from ...document.shape_edits import Gathered, broken_apart, combined, grouped, groups_meant, ungrouped
 from ...document.shapes import shape_of
 from ...document.words import count_of
-from ...session import Session
 from ...view_model.fills import fills_holes
 from ...workbench.context import WindowContext
-
-
-def _meant(session: Session) -> frozenset[int]:
-    """Return the chosen curves, or the one that is edited, with all others of their shapes."""
-    return session.selected.highlight(whole_curves=True).curves
+from .chosen_shapes import meant
+from .path_commands import PathCommands
 
 
 def _is_several(now: Situation) -> bool:
-    document, curves = now.session.document, _meant(now.session)
+    document, curves = now.session.document, meant(now.session)
     return len(curves) > 1 and set(shape_of(document, min(curves))) != curves
 
 
 def _are_in_shapes(now: Situation) -> bool:
-    return any(now.session.document.curves[place].shape for place in _meant(now.session))
+    return any(now.session.document.curves[place].shape for place in meant(now.session))
 
 
 def _are_in_groups(now: Situation) -> bool:
-    return bool(groups_meant(now.session.document, _meant(now.session)))
+    return bool(groups_meant(now.session.document, meant(now.session)))
 
 
 class ShapeCommands:
@@ -58,7 +54,7 @@ class ShapeCommands:
     @also(CURVE_MENU(40), CURVE_LIST_MENU(50))
     def _combine(self) -> None:
         """Make one shape of the chosen curves: one fill, with holes where one lies within another."""
-        session, curves = self._session, _meant(self._session)
+        session, curves = self._session, meant(self._session)
         views = [session.views[place] for place in sorted(curves)]
         has_holes = fills_holes([view.polyline for view in views if view.has_curve])
         made = combined(session.document, curves, alternate=has_holes)
@@ -80,7 +76,7 @@ class ShapeCommands:
     @also(CURVE_MENU(41), CURVE_LIST_MENU(51))
     def _break_apart(self) -> None:
         """Make a curve of its own of each curve of the shape."""
-        session, curves = self._session, _meant(self._session)
+        session, curves = self._session, meant(self._session)
         what = named(session.document, curves)
         if session.change(f"Break {what} apart", lambda document: broken_apart(document, curves)):
             self._choose(curves)
@@ -114,12 +110,12 @@ class ShapeCommands:
         "Ctrl+G",
         "group",
         full_name="Group Curves",
-        needs=Need("two chosen curves or more", lambda now: len(_meant(now.session)) > 1),
+        needs=Need("two chosen curves or more", lambda now: len(meant(now.session)) > 1),
     )
     @also(CURVE_MENU(42), CURVE_LIST_MENU(53))
     def _group(self) -> None:
         """Gather the chosen curves in a group, which is chosen and moved as one."""
-        session, curves = self._session, _meant(self._session)
+        session, curves = self._session, meant(self._session)
         made = grouped(session.document, curves)
         if self._put(f"Group {named(session.document, curves)}", made):
             name = named(session.document, made.places)
@@ -137,7 +133,7 @@ class ShapeCommands:
     @also(CURVE_MENU(43), CURVE_LIST_MENU(54))
     def _ungroup(self) -> None:
         """Take the chosen group apart, or the one around the curve; shapes stay whole."""
-        session, curves = self._session, _meant(self._session)
+        session, curves = self._session, meant(self._session)
         nodes = groups_meant(session.document, curves)
         what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
         if session.change(f"Ungroup {what}", lambda document: ungrouped(document, curves)):
@@ -159,4 +155,4 @@ class ShapeCommands:
         self._session.selected.choose(curves)
 
 
-COMMAND_SETS = (ShapeCommands,)
+COMMAND_SETS = (ShapeCommands, PathCommands)

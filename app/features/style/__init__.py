@@ -3,6 +3,7 @@
 - ``commands``: the panel in the window, Copy Style and Paste Style.
 - ``view_commands``: thin lines, and paper as it prints.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
+- ``gradient_field``: the kind of a paint, and what a gradient has.  ``stop_bar``: its stops.
 """
 
 import lazy_loader as lazy

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,11 +18,21 @@ from ...actions.needs import CHOSEN
 from ...actions.sections import CURVE_STYLE, EDIT_STYLE
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import Theme
+from ...document.gradient import Spread, Stop
+from ...document.gradient_edits import (
+    PaintKind,
+    in_unit_box,
+    out_of_unit_box,
+    with_gradient,
+    with_paint_kind,
+    with_shape_styles,
+    with_stops,
+)
 from ...document.model import Document
 from ...document.several_curves import named
-from ...document.shapes import whole_shapes
-from ...document.style import Style
-from ...document.style_edits import STYLE_WORDS, with_style, with_whole_style
+from ...document.shapes import shape_of, whole_shapes
+from ...document.style import GRADIENTS, Style
+from ...document.style_edits import STYLE_WORDS, with_style
 from ...features import style
 from ...storage.field_check import check_fields
 from ...storage.format import decode
@@ -29,6 +40,8 @@ from ...storage.format_error import FormatError
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...view_model.palette import adjustment_of
+from ...view_model.shape_boxes import box_of_first_shape, box_of_shape
+from ...widgets.percent_field import STEPS
 from ...workbench.clipboard import CURVES, POINTS, clipboard_data, drawing_in, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
@@ -37,6 +50,7 @@ from .view_commands import StyleViewCommands
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
+    from .gradient_field import GradientField
     from .panel import StylePanel
 
 STYLE = "application/x-curvebench-style"
@@ -46,6 +60,9 @@ _NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one the
 _HOW_TO_CHOOSE = "Click a curve, or press Ctrl+A for all."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 _MOST_REMEMBERED = 12
+
+_StopsAt = Callable[[int], tuple[Stop, ...]]
+"""Tells the stops for a position of a slider."""
 
 
 class StyleCommands:
@@ -63,19 +80,42 @@ class StyleCommands:
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
-        panel = self._panel = style.panel.StylePanel(buttons, parent)
+        tool = self._context.actions["gradientTool"]
+        panel = self._panel = style.panel.StylePanel(buttons, tool, parent)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
+        panel.kind_wanted.connect(self._choose_kind)
+        panel.stops_wanted.connect(self._change_stops)
+        panel.stops_looked_at.connect(self._look_at_stops)
+        panel.spread_wanted.connect(self._choose_spread)
+        panel.coloured.connect(self._remember)
         panel.given_up.connect(self._give_up)
         panel.shown.connect(self._render)
         panel.refused.connect(self._session.refuse)
         for name, field in panel.opacities.items():
             edit, words = partial(self._with_share, name), partial(self._words_of_share, name)
             self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
+        for name, gradient in panel.gradients.items():
+            self._follow_sliders(name, gradient)
+            self._session.interrupted.connect(gradient.abandon)
         for paint in (panel.fill, panel.stroke):
             self._session.interrupted.connect(paint.abandon)
         return panel
+
+    def _follow_sliders(self, paint: str, field: GradientField) -> None:
+        """Move the chosen stop of a gradient, and let more or less of it be seen, by sliders."""
+        edits = {
+            field.offset: lambda position: field.moved_to(position / STEPS),
+            field.opacity: lambda position: field.seen_as(opacity=position / STEPS),
+        }
+        for share, stops in edits.items():
+
+            def edit(document: Document, position: int, stops: _StopsAt = stops) -> Document:
+                return with_stops(document, self._session.selected.marked, paint, stops(position))
+
+            words = partial(self._words_of_share, GRADIENTS[paint])
+            self._gestures.append(SliderGesture(self._session, share.slider, edit, words))
 
     # What is shown
 
@@ -106,7 +146,11 @@ class StyleCommands:
             return "Thin Lines is on (in View, Display Mode): widths, dashes and fills are not shown."
         if state.as_printed:
             return ""
-        moved = [adjustment_of(paper, each.stroke) for each in styles if each.has_stroke]
+        moved = [
+            adjustment_of(paper, each.stroke)
+            for each in styles
+            if each.has_stroke and each.stroke_gradient is None
+        ]
         if not any(moved):
             return ""
         return f"The line is {next(filter(None, moved))}. {_SHOWN_EXACTLY}"
@@ -114,19 +158,49 @@ class StyleCommands:
     # Changes
 
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
-        session, curves = self._session, self._session.selected.marked
-        self._remember(fields)
+        self._remember(*(fields[name] for name in GRADIENTS if name in fields))
+        self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
+
+    def _choose_kind(self, paint: str, kind: PaintKind) -> None:
+        views = self._session.views
+        box_of = partial(box_of_shape, views)
+        self._edit([paint], lambda document, curves: with_paint_kind(document, curves, paint, kind, box_of))
+
+    def _change_stops(self, paint: str, stops: tuple[Stop, ...]) -> None:
+        self._edit([GRADIENTS[paint]], lambda document, curves: with_stops(document, curves, paint, stops))
+
+    def _look_at_stops(self, paint: str, stops: tuple[Stop, ...]) -> None:
+        session = self._session
+        session.preview(with_stops(session.committed, session.selected.marked, paint, stops))
+
+    def _choose_spread(self, paint: str, spread: Spread) -> None:
+        self._edit(
+            [GRADIENTS[paint]],
+            lambda document, curves: with_gradient(
+                document, curves, paint, lambda gradient: msgspec.structs.replace(gradient, spread=spread)
+            ),
+        )
+
+    def _edit(
+        self,
+        fields: Iterable[str],
+        edit: Callable[[Document, frozenset[int]], Document],
+        *,
+        is_step: bool = False,
+    ) -> None:
+        """Change the selected curves; the step is named by the fields of the styles."""
+        session, curves, fields = self._session, self._session.selected.marked, list(fields)
         words = self._words(fields)
         if session.is_previewing:
             # The document before what was looked at, which locked curves may have refused.
             session.cancel()
         run = ("style", curves, *fields) if is_step else None
-        change = session.change(words, lambda document: with_style(document, curves, **fields), run=run)
+        change = session.change(words, lambda document: edit(document, curves), run=run)
         if change.refusal and self._panel is not None:
             self._panel.refuse(change.refusal)
         self._render()
 
-    def _words(self, fields: dict[str, object]) -> str:
+    def _words(self, fields: Iterable[str]) -> str:
         what = " and ".join(STYLE_WORDS[name] for name in fields)
         return f"{what} of {named(self._session.committed, self._session.selected.marked)}"
 
@@ -143,16 +217,15 @@ class StyleCommands:
         return with_style(document, self._session.selected.marked, **{name: position / 100})
 
     def _words_of_share(self, name: str, _position: int) -> str:
-        return self._words({name: None})
+        return self._words([name])
 
     # Colours that were used last
 
     def _recent(self) -> list[str]:
         return re.findall("#[0-9a-f]{6}", self._context.preferences.recent_colours)
 
-    def _remember(self, fields: dict[str, object]) -> None:
-        used = [value for name, value in fields.items() if name in ("fill", "stroke")]
-        codes = [code for code in used if isinstance(code, str) and code.startswith("#")]
+    def _remember(self, *paints: object) -> None:
+        codes = [code for code in paints if isinstance(code, str) and code.startswith("#")]
         if codes:
             found = list(dict.fromkeys([*codes, *self._recent()]))[:_MOST_REMEMBERED]
             self._context.preferences.recent_colours = " ".join(found)
@@ -187,7 +260,9 @@ class StyleCommands:
     def _copy(self) -> None:
         """Copy stroke and fill of the curve that is edited."""
         session, data = self._session, QMimeData()
-        data.setData(STYLE, msgspec.json.encode(session.active_curve.style))
+        shape = shape_of(session.document, session.active_index)
+        copied = in_unit_box(session.active_curve.style, box_of_shape(session.views, shape))
+        data.setData(STYLE, msgspec.json.encode(copied))
         put_on_clipboard(data)
         session.say(f"Copied the style of “{session.active_curve.name}”.")
 
@@ -218,13 +293,19 @@ class StyleCommands:
     def _give_first(self, drawing: Imported) -> None:
         """Give the style of the first element of a drawing, in the unit of the document."""
         unit = self._session.document.unit
-        self._give(exchange.rescaled.in_unit(drawing.document, unit).curves[0].style)
+        self._give(_style_of_first(exchange.rescaled.in_unit(drawing.document, unit)))
 
     def _give(self, found: Style) -> None:
+        """Give a style, its gradients laid over each shape as they lay over that which it was copied from."""
         session, curves = self._session, self._session.selected.marked
         subject = named(session.document, curves)
         words = f"Paste style to {subject}"
-        if session.change(words, lambda document: with_whole_style(document, curves, found)):
+        views = session.views
+
+        def fitted(shape: range, _style: Style) -> Style:
+            return out_of_unit_box(found, box_of_shape(views, shape)) if found.is_placed else found
+
+        if session.change(words, lambda document: with_shape_styles(document, curves, fitted)):
             session.say(f"Pasted the style to {subject}.")
 
 
@@ -236,10 +317,16 @@ def _style_in(data: QMimeData) -> Style | None:
             check_fields(found, "style")
             return found
         for kind in filter(data.hasFormat, (CURVES, POINTS)):
-            return decode(bytes(data.data(kind).data())).curves[0].style
+            return _style_of_first(decode(bytes(data.data(kind).data())))
     except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
         pass
     return None
+
+
+def _style_of_first(document: Document) -> Style:
+    """Return the style of the first shape, as one for a shape in the unit box."""
+    style = document.curves[0].style
+    return in_unit_box(style, box_of_first_shape(document.curves)) if style.is_placed else style
 
 
 COMMAND_SETS = (StyleCommands, StyleViewCommands)

@@ -23,6 +23,7 @@ from ...widgets.paint_field import PaintField
 from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
 from .dash_field import DashField
+from .gradient_field import GradientField
 
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
@@ -44,6 +45,14 @@ class StylePanel(FieldForm):
         The same by an arrow key or the wheel: what follows quickly is meant as one.
     looked_at
         How that would be is to be seen, until something is wanted or given up.
+    kind_wanted
+        The "fill" or the "stroke" shall be of another kind of paint.
+    stops_wanted, stops_looked_at
+        Gradients of "fill" or "stroke" shall have other stops, or are to be seen with them.
+    spread_wanted
+        Likewise, what lies beyond their stops.
+    coloured
+        A colour was chosen for a stop.
     given_up
         What was looked at is not wanted.
     shown
@@ -53,21 +62,32 @@ class StylePanel(FieldForm):
     ----------
     opacities
         The fields of shares, by the field of a style that they show.
+    gradients
+        The fields of gradients, by the field of the paint.
     """
 
     wanted = Signal(object)
     stepped = Signal(object)
     looked_at = Signal(object)
+    kind_wanted = Signal(str, object)
+    stops_wanted = Signal(str, object)
+    stops_looked_at = Signal(str, object)
+    spread_wanted = Signal(str, object)
+    coloured = Signal(str)
     given_up = Signal()
     shown = Signal()
 
-    def __init__(self, buttons: Sequence[QAction], parent: QWidget | None = None) -> None:
+    def __init__(self, buttons: Sequence[QAction], tool: QAction, parent: QWidget | None = None) -> None:
         super().__init__("stylePanel", "styleProblem", parent)
         self._unit = ""
         self._subject = Label(name="styleSubject")
         self._note = Label(name="styleNote", wordWrap=True)
         self.fill = PaintField("fillPaint", "Fill", "stroke")
         self.stroke = PaintField("strokePaint", "Stroke", "fill")
+        self.gradients = {
+            "fill": GradientField("fill", "Fill", tool),
+            "stroke": GradientField("stroke", "Stroke", tool),
+        }
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
@@ -97,6 +117,7 @@ class StylePanel(FieldForm):
             "opacity": PercentField("styleOpacity", "Opacity", "How much is seen of line and fill together"),
         }
         self._shown: tuple[object, ...] = ()
+        self._values: dict[str, object] = {}
         self._lay_out(buttons)
         self._connect()
         self.follow_theme()
@@ -110,11 +131,11 @@ class StylePanel(FieldForm):
         for label in (self._subject, self.problem, self._note):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._form = form_of(
-            ("Fill", self.fill),
+            ("Fill", column_of(self.gradients["fill"], self.fill, margins=0, spacing=4)),
             ("Inside", self._rule),
             ("Opacity", self.opacities["fill_opacity"]),
             ("", _rule_line()),
-            ("Stroke", self.stroke),
+            ("Stroke", column_of(self.gradients["stroke"], self.stroke, margins=0, spacing=4)),
             ("Width", self._width),
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
@@ -135,10 +156,13 @@ class StylePanel(FieldForm):
     def _connect(self) -> None:
         numbers = (self._width, self._limit, self._offset, self._dash.edit)
         shares = [field.edit for field in self.opacities.values()]
+        for gradient in self.gradients.values():
+            shares += [gradient.offset.edit, gradient.opacity.edit]
         self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
         for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
             other = "stroke" if name == "fill" else "fill"
             self._connect_paint(paint, name, other)
+            self._connect_gradient(name, self.gradients[name])
         parts = ((self._rule, "fill_rule"), (self._cap, "cap"), (self._join, "join"), (self._dash, "dash"))
         for part, name in parts:
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
@@ -149,10 +173,35 @@ class StylePanel(FieldForm):
             edit.stepped.connect(lambda value, name=name: self.stepped.emit({name: value}))
 
     def _connect_paint(self, paint: PaintField, name: str, other: str) -> None:
-        paint.chosen.connect(lambda value: self.wanted.emit({name: value}))
+        paint.chosen.connect(lambda value: self._choose_colour(name, value))
         paint.chosen_for_other.connect(lambda value: self.wanted.emit({other: value}))
-        paint.previewed.connect(lambda value: self.looked_at.emit({name: value}))
+        paint.previewed.connect(lambda value: self._look_at_colour(name, value))
         paint.cancelled.connect(self.given_up)
+
+    def _connect_gradient(self, paint: str, field: GradientField) -> None:
+        field.connect_fields()
+        field.kind_chosen.connect(lambda kind: self.kind_wanted.emit(paint, kind))
+        field.stops_wanted.connect(lambda stops: self.stops_wanted.emit(paint, stops))
+        field.stops_looked_at.connect(lambda stops: self.stops_looked_at.emit(paint, stops))
+        field.spread_chosen.connect(lambda spread: self.spread_wanted.emit(paint, spread))
+        field.given_up.connect(self.given_up)
+        field.picked.connect(self._render_colours)
+
+    def _choose_colour(self, paint: str, colour: str) -> None:
+        """Ask for a colour, of the chosen stop where there is one; there is no stop of nothing."""
+        field = self.gradients[paint]
+        if field.stop is not None and colour != NO_PAINT:
+            self.coloured.emit(colour)
+            self.stops_wanted.emit(paint, field.seen_as(colour=colour))
+        else:
+            self.wanted.emit({paint: colour})
+
+    def _look_at_colour(self, paint: str, colour: str) -> None:
+        field = self.gradients[paint]
+        if field.stop is not None:
+            self.stops_looked_at.emit(paint, field.seen_as(colour=colour))
+        else:
+            self.looked_at.emit({paint: colour})
 
     def _read_width(self, text: str) -> float | None:
         if text.strip().casefold() in ("", AUTO):
@@ -175,8 +224,10 @@ class StylePanel(FieldForm):
         values = common_values(styles)
         self._subject.setText(subject)
         self._subject.setToolTip(tip_of(subject))
-        self.fill.render_value(values.get("fill"))
-        self.stroke.render_value(values.get("stroke"))
+        self._values = values
+        for gradient in self.gradients.values():
+            gradient.render_styles(styles)
+        self._render_colours()
         self._rule.render_value(values.get("fill_rule"))
         self._cap.render_value(values.get("cap"))
         self._join.render_value(values.get("join"))
@@ -188,6 +239,11 @@ class StylePanel(FieldForm):
         self._note.setText(note)
         self._note.setVisible(bool(note))
         self.show_problem("")
+
+    def _render_colours(self) -> None:
+        for paint, shows in (("fill", self.fill), ("stroke", self.stroke)):
+            stop = self.gradients[paint].stop
+            shows.render_value(self._values.get(paint) if stop is None else stop.colour)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -35,7 +35,7 @@ def filled(style: Style) -> Style:
     What is not filled elsewhere has the colour of the line.
     """
     fill = style.fill if style.has_fill else style.colour
-    return replace(style, stroke=NO_PAINT, fill=fill, fill_rule=FillRule.NONZERO)
+    return replace(style.flat, stroke=NO_PAINT, fill=fill, fill_rule=FillRule.NONZERO)
 
 
 def with_text(

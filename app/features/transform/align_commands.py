@@ -12,7 +12,9 @@ from ...actions.situation import Situation
 from ...actions.strips import ALIGN_BUTTONS
 from ...document.model import Document
 from ...document.several_curves import named
+from ...document.shapes import whole_shapes
 from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
+from ...session import Session
 from ...view_model.alignment import align_curves, distribute_curves
 from ...workbench.context import WindowContext
 
@@ -60,8 +62,13 @@ _DISTRIBUTIONS = tuple(
 
 
 def _can_align(now: Situation) -> bool:
-    is_one_enough = now.state.align_to.is_around and bool(now.chosen)
+    is_one_enough = now.state.align_to.is_around and not now.group.parts and bool(_curves(now.session))
     return _count(now) > 1 or is_one_enough
+
+
+def _curves(session: Session) -> frozenset[int]:
+    """Return the curves to align while no points are selected: those chosen, or the one that is edited."""
+    return session.selected.chosen or whole_shapes(session.document, session.selected.marked)
 
 
 def _count(now: Situation) -> int:
@@ -105,7 +112,7 @@ class AlignCommands:
                 f"Align {group.words} {edge.value}", lambda document: align_points(document, group, edge)
             )
             return
-        curves, state = session.selected.chosen, self._store.state
+        curves, state = _curves(session), self._store.state
         reference, strokes = state.align_to, self._tools.settings.strokes
 
         first, last = session.active_index, session.selected.last

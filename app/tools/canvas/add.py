@@ -8,10 +8,12 @@ from functools import partial
 from msgspec.structs import replace
 
 from ...document.curve_edits import add_curve, fresh_curve
-from ...document.model import Vector
+from ...document.model import Curve, Parametrization, Vector
 from ...document.point_group import points_of
-from ...view_model.appending import closed_by_pen, view_with_point, with_point_appended
+from ...families import HERMITE
+from ...view_model.appending import Appending, closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
+from ...view_model.pen_corners import closed_by_handles, with_corner_appended
 from ...view_model.reshape import inserted_index
 from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
@@ -113,7 +115,7 @@ class AddTool(Tool):
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
         if hints.can_end_at(hit, context.view):
-            press_on_part(context, hit, partial(_close, context.host, by_line=context.pointer.alt))
+            press_on_part(context, hit, partial(_close, context))
         elif context.pointer.is_double and self._ends_at(hit, context.host):
             press_on_part(context, hit, partial(self._finish, context.host))
         elif self._goes_on_at(hit, context.host):
@@ -129,7 +131,15 @@ class AddTool(Tool):
         host = context.host
         index, key = len(context.view.source.points), _key(host)
         snapper = context.snappers.for_new(index)
-        append = AppendPoint(host.document, host.active_index, context.view, context.pointer, snapper)
+        append = AppendPoint(
+            host.document,
+            host.active_index,
+            context.view,
+            context.pointer,
+            snapper,
+            _appending(context),
+            _makes_corners(context),
+        )
         # Only when it is done: Escape leaves a finished curve finished.
         done = partial(self._finished.discard, key)
         context.drags.press_at_once(context.pointer, append, on_done=done, makes=index)
@@ -137,11 +147,12 @@ class AddTool(Tool):
     def _begin(self, context: ToolContext) -> None:
         """Begin another curve; it is the one that is edited from the press on."""
         host = context.host
-        model, place = context.view.source, len(host.document.curves)
-        fresh = fresh_curve(host.document, model, model.parametrization)
+        fresh, place = _fresh(context), len(host.document.curves)
         document = add_curve(host.document, place, fresh)
         self._finished.discard((place, fresh.name))
-        begin = BeginCurve(document, place, view_of(fresh), context.pointer, context.snappers.for_new(-1))
+        view, snapper = view_of(fresh), context.snappers.for_new(-1)
+        how = _appending(context), _makes_corners(context)
+        begin = BeginCurve(document, place, view, context.pointer, snapper, *how)
         context.drags.press_at_once(context.pointer, begin, active=place, makes=0)
 
     # What a press would do
@@ -157,11 +168,14 @@ class AddTool(Tool):
         snaps, finished = context.settings.snapping.on, self._is_finished(context.host)
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.name))
+        corners = _makes_corners(context)
         if act is not None or hit is None:
-            return hints.to_add(act or PenAct.APPEND, view, snaps=snaps)
+            return hints.to_add(act or PenAct.APPEND, view, _fresh(context), snaps=snaps, corners=corners)
         pointer = context.pointer
         dragged = dragged_with(context, hit)
-        return hints.to_add_on_part(hit, view, dragged, pointer, snaps=snaps, finished=finished)
+        return hints.to_add_on_part(
+            hit, view, dragged, pointer, snaps=snaps, finished=finished, corners=corners
+        )
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
@@ -173,9 +187,8 @@ class AddTool(Tool):
             self._preview = None
             return
         place = caught.position if caught is not None else context.pointer.position
-        append = with_line_appended if context.pointer.alt else with_point_appended
         self._preview = view_with_point(
-            host.document, host.active_index, view, place, self._preview, append=append
+            host.document, host.active_index, view, place, self._preview, append=_appending(context)
         )
 
     def marks(self, context: ToolContext) -> GestureMarks:
@@ -202,10 +215,34 @@ def _insert(context: ToolContext, hit: Hit) -> None:
     )
 
 
-def _close(host: EditingHost, *, by_line: bool) -> None:
+def _makes_corners(context: ToolContext) -> bool:
+    """Whether clicks make corners, where the curve has velocities."""
+    return context.settings.pen.makes_corners(context.host.document)
+
+
+def _appending(context: ToolContext) -> Appending:
+    """Return what a click makes; Alt makes the other."""
+    if _makes_corners(context):
+        return with_point_appended if context.pointer.alt else with_corner_appended
+    return with_line_appended if context.pointer.alt else with_point_appended
+
+
+def _fresh(context: ToolContext) -> Curve:
+    """Return another curve to begin: as the one that is edited, with velocities where clicks make corners."""
+    document, model = context.host.document, context.view.source
+    if model.family.derivatives or not _makes_corners(context):
+        return fresh_curve(document, model, model.parametrization)
+    return fresh_curve(document, model, Parametrization()).with_family(HERMITE)
+
+
+def _close(context: ToolContext) -> None:
     """Close the curve that is edited, or say why it cannot be closed."""
+    host, by_line = context.host, context.pointer.alt
     active, view = host.active_index, host.active_view
-    close = closed_by_line if by_line else closed_by_pen
+    if _makes_corners(context):
+        close = closed_by_pen if by_line else closed_by_handles
+    else:
+        close = closed_by_line if by_line else closed_by_pen
     host.change(f"Close {view.source.name}", lambda document: close(document, active, view))
 
 
@@ -229,7 +266,9 @@ ADD = ToolRecord(
             "add a point and set its velocity; Shift: 15° steps, Alt: ahead alone",
             needs_derivatives=True,
         ),
-        GestureRow("Alt+click", "add a point after a straight line", needs_derivatives=True),
+        GestureRow(
+            "Alt+click", "corners while clicks make smooth points, and the other way", needs_derivatives=True
+        ),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
         GestureRow("Enter, double click", "finish the curve; a click on its last point goes on with it"),

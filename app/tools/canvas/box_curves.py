@@ -21,9 +21,18 @@ from ...document.box_curves import (
 from ...document.model import Document, Vector
 from ...document.transforms import decimal_sum
 from ..drag import Drag
+from ..marks import GestureMarks, Note
 from ..pointer import Hint, Pointer
 from ..snapping import Snapper
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+from ..typed_amount import TypedAmount
+
+_TYPED = frozenset("0123456789.-") | {"backspace", "tab", "enter"}
+_SIDES = ("digits: its width, Tab: its height", "digits: its height, Tab: its width")
+_TOO_LATE = (
+    "Type width and height while you drag; later they have fields (Ctrl+Shift+M). "
+    "The toolbar changes the family, or V and then the digit."
+)
 
 
 class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
@@ -67,6 +76,8 @@ class DrawInBox(Drag, frozen=True):
     ----------
     active
         The curve that was edited at the press.
+    typed
+        Width and height as typed meanwhile.
     """
 
     active: int
@@ -74,6 +85,7 @@ class DrawInBox(Drag, frozen=True):
     start: Vector
     snapper: Snapper
     unit: str
+    typed: TypedAmount = TypedAmount()
 
     @property
     def name(self) -> str:
@@ -82,17 +94,25 @@ class DrawInBox(Drag, frozen=True):
 
     @property
     def keys(self) -> str:
-        """Effects of the modifier keys."""
-        return self.drawn.keys
+        """Effects of the modifier keys, and what else can be typed."""
+        return f"{self.drawn.keys} · {_SIDES[self.typed.at]}"
+
+    def with_key(self, key: str) -> DrawInBox | None:
+        """Return the drag after a digit, ".", "-", "backspace" or "tab"; None for any other key."""
+        typed = self.typed.after_tab(None) if key == "tab" else self.typed.after(key)
+        return None if typed is None else replace(self, typed=typed)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve."""
         return with_box_curve(self.document, self.active, self.drawn.points, self._box(pointer))
 
     def readout(self, pointer: Pointer) -> str:
-        """Return width × height."""
-        width, height = map(words.number, self._box(pointer).size)
-        return f"{width} × {height} {self.unit}".rstrip()
+        """Return width × height, with a mark where a digit goes that is typed."""
+        sides = [words.number(side) for side in self._box(pointer).size]
+        for at, text in enumerate(self.typed.fields):
+            if text or (self.typed.is_pair and at == self.typed.at):
+                sides[at] = f"{words.with_minus(text)}{'|' if at == self.typed.at else ''}"
+        return f"{' × '.join(sides)} {self.unit}".rstrip()
 
     def _box(self, pointer: Pointer) -> Box:
         end = self.snapper.at(_snapping_as_set(pointer))
@@ -101,7 +121,25 @@ class DrawInBox(Drag, frozen=True):
             side = max(map(abs, way))
             way = (math.copysign(side, way[0]), math.copysign(side, way[1]))
             end = _after(self.start, way)
+        if self.typed.counts:
+            way = self._as_typed(way, pointer)
+            end = _after(self.start, way)
         return Box(_after(self.start, (-way[0], -way[1])) if pointer.shift else self.start, end)
+
+    def _as_typed(self, way: Vector, pointer: Pointer) -> Vector:
+        """Return a way as long across and up as was typed, towards the pointer; what was not typed stays."""
+        if self.typed.is_pair:
+            width, height = self.typed.pair(math.nan)
+        else:
+            width = self.typed.number(math.nan)
+            height = width if pointer.ctrl else math.nan
+        # About the centre, half of the box lies on each side of it.
+        share = 0.5 if pointer.shift else 1.0
+        across, up = (
+            along if math.isnan(side) else math.copysign(share, along) * side
+            for along, side in zip(way, (width, height), strict=True)
+        )
+        return (across, up)
 
 
 def _way(start: Vector, end: Vector) -> Vector:
@@ -123,18 +161,50 @@ class BoxCurveTool(Tool):
 
     def __init__(self, drawn: BoxCurve) -> None:
         self._drawn = drawn
+        self._drag: DrawInBox | None = None
 
     def press(self, context: ToolContext) -> None:
         """Begin at a corner of the box."""
         host, snapper = context.host, context.snappers.for_new(-1)
         start = snapper.at(_snapping_as_set(context.pointer))
         active, unit = host.active_index, context.settings.unit
-        drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit)
+        self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit)
         place = box_curve_place(host.document, active)
-        context.drags.press(context.pointer, drag, self._say_how(context), active=place)
+        context.drags.press(context.pointer, self._drag, self._say_how(context), active=place)
 
     def _say_how(self, context: ToolContext) -> Callable[[], None]:
         return lambda: context.host.say(f"{self._drawn.hint}.")
+
+    def end(self) -> None:
+        """Drop the drag."""
+        super().end()
+        self._drag = None
+
+    def claims(self, key: str) -> bool:
+        """Whether a key is for width and height: a digit also after the drag, when it would be a shortcut."""
+        return key.isdigit() or (self._drag is not None and key in _TYPED)
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Take what is typed of width and height while the box is dragged; "enter" ends that."""
+        if self._drag is None:
+            if key.isdigit():
+                context.host.refuse(_TOO_LATE)
+            return key.isdigit()
+        if key == "enter":
+            context.drags.release(context.pointer)
+            return True
+        changed = self._drag.with_key(key)
+        if changed is not None:
+            self._drag = changed
+            context.drags.exchange(context.pointer, changed)
+        return changed is not None
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return width and height beside the pointer."""
+        marks, drag, pointer = super().marks(context), self._drag, context.pointer
+        if drag is None or not context.drags.progress_at(pointer):
+            return marks
+        return replace(marks, note=Note(pointer.position, drag.readout(pointer), drag.start))
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
@@ -154,6 +224,7 @@ def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) ->
         gestures=(
             GestureRow("Drag", f"draw {drawn.phrase} from corner to corner of its box"),
             GestureRow("Ctrl, Shift", f"{drawn.regular}; about the centre"),
+            GestureRow("Digits, Tab while dragging", "type its width, and its height"),
         ),
         place=place,
         action=f"{drawn.name}Tool",

@@ -223,8 +223,8 @@ class SelectTool(Tool):
     @staticmethod
     def _box(context: ToolContext) -> TransformBox | None:
         target = context.target
-        is_shown = context.settings.shows_box and not target.refusal_of(target.group)
-        return target.box if is_shown else None
+        box = target.box if context.settings.shows_box else None
+        return box if box is not None and not target.refusal_of(target.group) else None
 
     def _inside(self, context: ToolContext) -> PointGroup | None:
         """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
@@ -243,10 +243,8 @@ class SelectTool(Tool):
         """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
         hit, box = context.hit, self._box(context)
         place = self._pivot(context, box)
-        is_plain = hit is None or hit.part in (Part.CURVE, Part.GUIDE)
-        is_free = context.target.pivot is not None or (
-            is_plain and box is not None and is_roomy(box, context.pointer)
-        )
+        is_roomy_box = box is not None and is_roomy(box, context.pointer)
+        is_free = context.target.pivot is not None or (is_roomy_box and _is_below_grips(hit))
         return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:

@@ -1,4 +1,4 @@
-"""Joints of cubic pieces that come in: smooth, tied, or corners.
+"""Joints of cubic pieces that become a curve: smooth, tied, or corners.
 
 A Hermite curve has one velocity at a smooth point, while a path has two handles of different lengths
 there. The lengths of the segments in t make up for it: the next segment is as long, in t, as makes its
@@ -6,8 +6,8 @@ first handle fit the velocity that the one before ends with. Where the handles d
 point becomes a corner with two velocities.
 
 Programs write few digits: handles that a person has drawn on one line miss it by a rounding. Where that is
-all, the shorter one is turned to the other, and both are tied, as are handles of different lengths that lie
-on one line to the last bit.
+all, and the numbers are those of a file, the shorter one is turned to the other, and both are tied, as are
+handles of different lengths that lie on one line to the last bit.
 """
 
 from __future__ import annotations
@@ -24,9 +24,12 @@ from ..document.ties import tied
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""
 
-_MOST_TURNED = math.radians(1.0)
+WRITTEN_BY_PROGRAMS = math.radians(1.0)
+EXACT = 1e-7
+"""Angles by which a handle may be turned to be tied to the other: of numbers in files, and of our own."""
+
 _TURNED = 5e-4
-"""Angle, and share of the path's size, by which a handle may be turned to be tied to the other.
+"""Share of the path's size by which the tip of such a handle may move.
 
 Coordinates of two decimals in an icon of 24 units turn one that is a unit long by 0.6°, and move its tip by
 4e-4. A corner of 1° is not seen, and the curve moves by 4/9 of that at most: a fifth of a pixel where it
@@ -55,9 +58,16 @@ class Joints:
     """
 
     def __init__(
-        self, leaving: FloatArray, arriving: FloatArray, lengths: FloatArray, tolerance: float, closed: bool
+        self,
+        leaving: FloatArray,
+        arriving: FloatArray,
+        lengths: FloatArray,
+        tolerance: float,
+        closed: bool,
+        most_turned: float,
     ) -> None:
         count = len(lengths)
+        self._most_turned = most_turned
         self._tolerance = tolerance
         self.moved = 0.0
         self.smooth = [False] * count
@@ -90,7 +100,7 @@ class Joints:
         a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
         with np.errstate(all="ignore"):
             cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / (a * b)
-        goes_on = (np.einsum("kd,kd->k", arriving, leaving) > 0) & (cross <= _MOST_TURNED)
+        goes_on = (np.einsum("kd,kd->k", arriving, leaving) > 0) & (cross <= self._most_turned)
         way = np.minimum(a, b) / 3 * cross
         # Behind and ahead of each joint.
         straight = np.abs(arriving - np.roll(leaving, 1, axis=0)).max(axis=1) <= SMOOTH * size

@@ -1,0 +1,4 @@
+"""What a click of the pen makes.
+
+- ``commands``: its action.
+"""

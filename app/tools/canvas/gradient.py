@@ -1,0 +1,254 @@
+"""The Gradient tool: a drag lays a gradient across what is chosen, and its places are dragged."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from msgspec.structs import replace
+
+from ...document import words
+from ...document.gradient import Gradient, GradientKind
+from ...document.gradient_edits import fading, gradient_of, with_gradient, with_shape_styles
+from ...document.model import Document, Vector
+from ...document.several_curves import named
+from ...document.shapes import shape_of, whole_shapes
+from ...document.style import GRADIENTS, NO_PAINT, Style
+from ..curve_picker import click_curve
+from ..drag import Drag, plus
+from ..drags import in_steps
+from ..gradient_places import GradientPlace, Grip, laid, place_at, with_place
+from ..marks import GestureMarks
+from ..pointer import Cursor, Hint, Part, Pointer
+from ..snapping import Snapper
+from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+
+_REACH = 8.0
+"""Pixels from a place of a gradient within which a press means it."""
+
+_HOW = "Drag to lay a gradient across"
+_NOTHING = "Choose a curve first: click one."
+_STEPS = "Shift: steps of 15°"
+_KEYS = {Grip.END: "Shift: both axes", Grip.SIDE: "Shift: both axes", Grip.FOCUS: "in the middle: none"}
+"""Effects of the modifier keys on the places of a radial gradient."""
+
+
+class _Held(NamedTuple):
+    """A place of a gradient, and the shape and the paint that it is of."""
+
+    shape: range
+    paint: str
+    gradient: Gradient
+    at: GradientPlace
+
+
+class MovePlace(Drag, frozen=True):
+    """A drag of a place of a gradient."""
+
+    shape: range
+    paint: str
+    gradient: Gradient
+    at: GradientPlace
+    snapper: Snapper
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        what = "Stop" if self.at.grip is Grip.STOP else "Gradient"
+        return f"{what} of {named(self.document, self.shape)}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        if self.gradient.kind is GradientKind.LINEAR:
+            return "" if self.at.grip is Grip.STOP else _STEPS
+        return _KEYS.get(self.at.grip, "")
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the place at the pointer."""
+        return with_gradient(self.document, self.shape, self.paint, lambda _: self._moved(pointer))
+
+    def _moved(self, pointer: Pointer) -> Gradient:
+        gradient, at = self.gradient, self.at
+        if at.grip is Grip.STOP:
+            return with_place(gradient, at, pointer.position)
+        if gradient.kind is GradientKind.LINEAR:
+            fixed = gradient.end if at.grip is Grip.START else gradient.start
+            return with_place(gradient, at, _stepped(pointer, fixed, self.snapper))
+        to = self.snapper.at(pointer)
+        if at.grip is Grip.FOCUS and math.dist(to, gradient.start) * pointer.scale <= _REACH:
+            return replace(gradient, focus=None)
+        return with_place(gradient, at, to, both=pointer.shift)
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return the offset of a stop; of another place, how long and in which direction the axis is."""
+        moved = self._moved(pointer)
+        if self.at.grip is Grip.STOP and self.at.stop is not None:
+            return f"Stop at {words.number(100 * moved.stops[self.at.stop].offset)} %"
+        return _measure(moved)
+
+
+class LayGradient(Drag, frozen=True):
+    """A drag that lays gradients from the press to the pointer."""
+
+    curves: frozenset[int]
+    start: Vector
+    snapper: Snapper
+    keys = _STEPS
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Gradient of {named(self.document, self.curves)}"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the gradients of these curves from the press to here."""
+        end = _stepped(pointer, self.start, self.snapper)
+
+        def edit(_shape: range, style: Style) -> Style:
+            paint = _paint_of(style)
+            return style.with_gradient(paint, laid(_begun(style, paint), self.start, end))
+
+        return with_shape_styles(self.document, self.curves, edit)
+
+    def readout(self, pointer: Pointer) -> str:
+        """Return how long it is, and its direction."""
+        end = _stepped(pointer, self.start, self.snapper)
+        return _measure(Gradient(fading(""), start=self.start, end=end))
+
+
+def _paint_of(style: Style) -> str:
+    """Return which paint of a style a new gradient is for: the fill, unless the stroke alone has one."""
+    has_stroke_alone = not style.has_fill and style.stroke_gradient is not None
+    return "stroke" if has_stroke_alone else "fill"
+
+
+def _begun(style: Style, paint: str) -> Gradient:
+    """Return a gradient with the stops of that which there is, or else of a colour that fades out."""
+    before = gradient_of(style, paint)
+    if before is not None:
+        # At right angles, and a circle: what was slanted has nothing to do with the new line.
+        return replace(before, start=(0.0, 0.0), end=(1.0, 0.0), side=(0.0, 1.0), focus=None)
+    colour: str = getattr(style, paint)
+    return Gradient(fading(style.colour if colour == NO_PAINT else colour))
+
+
+def _stepped(pointer: Pointer, fixed: Vector, snapper: Snapper) -> Vector:
+    if not pointer.shift:
+        return snapper.at(pointer)
+    # An angle that is held leaves nothing to be drawn elsewhere.
+    snapper.reset()
+    return plus(fixed, in_steps(pointer.way_from(fixed)))
+
+
+def _measure(gradient: Gradient) -> str:
+    x, y = gradient.axes[0]
+    return f"{words.number(math.hypot(x, y))} · {words.angle(math.degrees(math.atan2(y, x)))}"
+
+
+class GradientTool(Tool):
+    """Tool that lays gradients, and drags their places; a click chooses another curve."""
+
+    finds_other_curves = True
+
+    def press(self, context: ToolContext) -> None:
+        """Begin to drag a place of a gradient, or to lay a new one."""
+        held, pointer, host = _held_at(context), context.pointer, context.host
+        if held is not None:
+            snapper = context.snappers.for_new(-1)
+            context.drags.press(pointer, MovePlace(host.document, *held, snapper))
+            return
+        hit, curves = context.hit, _meant(context)
+        is_other = hit is not None and hit.part is Part.OTHER_CURVE
+        if not curves and hit is not None and is_other:
+            curves = whole_shapes(host.document, (hit.index,))
+        snapper = context.snappers.for_new(-1)
+        drag = LayGradient(host.document, curves, snapper.at(pointer), snapper) if curves else None
+
+        def click() -> None:
+            if hit is not None and is_other:
+                click_curve(context, hit)
+            elif curves:
+                host.say(f"{_HOW}.")
+            else:
+                host.refuse(_NOTHING)
+
+        context.drags.press(pointer, drag, click)
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do."""
+        held = _held_at(context)
+        if held is not None:
+            pulls = held.at.grip is Grip.START and held.gradient.kind is GradientKind.RADIAL
+            more = " · Shift: pull the focus out" if pulls else ""
+            return Hint(f"Drag the {held.at.grip.words} of the gradient{more}", cursor=Cursor.MOVE)
+        hit, curves = context.hit, _meant(context)
+        is_other = hit is not None and hit.part is Part.OTHER_CURVE
+        if not curves and not is_other:
+            return Hint(_NOTHING)
+        context.preview_snap(-1)
+        what = named(context.host.document, curves) if curves else "this curve"
+        click = " · Click: choose this one" if is_other else ""
+        return Hint(f"{_HOW} {what} · {_STEPS}{click} · V goes back to Select")
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return the gradients of what is chosen, and what is snapped to."""
+        gradients = tuple(gradient for _, _, gradient in _gradients(context))
+        return GestureMarks(gradients=gradients, snap=context.snappers.caught)
+
+
+def _meant(context: ToolContext) -> frozenset[int]:
+    """Return the curves that are chosen, or the one that is edited, with all of their shapes."""
+    host = context.host
+    alone = (host.active_index,) if host.selected.is_editing else ()
+    return whole_shapes(host.document, host.selected.chosen or alone)
+
+
+def _gradients(context: ToolContext) -> Iterator[tuple[range, str, Gradient]]:
+    """Yield the gradients of what is chosen, with the shapes and the paints that they are of."""
+    document = context.host.document
+    for place in sorted(_meant(context)):
+        shape = shape_of(document, place)
+        if place == shape.start:
+            for paint in GRADIENTS:
+                gradient = gradient_of(document.curves[place].style, paint)
+                if gradient is not None:
+                    yield shape, paint, gradient
+
+
+def _held_at(context: ToolContext) -> _Held | None:
+    """Return the place of a gradient under the pointer; with Shift that of the focus in the middle."""
+    pointer = context.pointer
+    for shape, paint, gradient in _gradients(context):
+        at = place_at(gradient, pointer.position, _REACH / pointer.scale)
+        if at is not None:
+            is_middle = at.grip is Grip.START and gradient.kind is GradientKind.RADIAL
+            if is_middle and pointer.shift:
+                at = GradientPlace(Grip.FOCUS, at.place)
+            return _Held(shape, paint, gradient, at)
+    return None
+
+
+GRADIENT = ToolRecord(
+    name="gradient",
+    make=GradientTool,
+    hint="Drag across a curve to lay a gradient; V or Escape goes back to selecting.",
+    doing="laying gradients",
+    gestures=(
+        GestureRow("Drag", "lay a gradient across what is chosen; Shift: steps of 15°"),
+        GestureRow("Drag a mark", "move the start, the end or a stop of a gradient"),
+        GestureRow("Shift+drag the middle", "pull the focus of a radial gradient out"),
+        GestureRow("Click a curve", "choose it"),
+    ),
+    place=29,
+    action="gradientTool",
+    title="Gradient",
+    full_name="Gradient Tool",
+    key="Ctrl+F1",
+    icon="gradient",
+    tip="Lay a gradient across what is chosen, or drag the marks of one",
+    in_menu=True,
+    in_toolbar=False,
+    keywords="colour fill linear radial blend fade",
+)

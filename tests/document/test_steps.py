@@ -1,0 +1,59 @@
+"""What has changed from one document to the next, as a drag asks at every move."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document.edits import delete_points, move_points, set_velocity
+from app.document.model import Axis, Document, Guide, make_curve
+from app.document.plain import plain
+from app.document.steps import has_only_moved, reshaped
+from app.document.style import Style
+from app.families import HERMITE
+
+WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
+
+
+@pytest.fixture
+def two():
+    return Document(tuple(make_curve(WAVE, name=name, family=HERMITE) for name in "ab"))
+
+
+def test_moved_points_are_all_that_has_changed(two):
+    moved = move_points(two, 1, [0, 2], (1.0, 0.0))
+    assert reshaped(two, moved) == [1]
+    assert reshaped(two, two) == []
+    pairs = zip(two.curves[1].points, moved.curves[1].points, strict=True)
+    assert all(has_only_moved(old, new) for old, new in pairs)
+
+
+def test_derivatives_are_points_but_no_move(two):
+    bent = set_velocity(two, 0, 1, (1.0, 2.0))
+    assert reshaped(two, bent) == [0]
+    assert not has_only_moved(two.curves[0].points[1], bent.curves[0].points[1])
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda document: delete_points(document, 0, [1]),
+        lambda document: replace(document, curves=document.curves[:1]),
+        lambda document: replace(document, guides=(Guide(Axis.X, 1.0),)),
+        lambda document: document.with_curve(0, replace(document.curves[0], style=Style(stroke="#ff0000"))),
+        lambda document: document.with_curve(0, replace(document.curves[0], name="c")),
+    ],
+    ids=["a point gone", "a curve gone", "a guide", "a colour", "a name"],
+)
+def test_anything_else_is_more_than_points(two, change):
+    assert reshaped(two, change(two)) is None
+
+
+def test_a_number_of_numpy_among_moved_points_becomes_a_float(two):
+    moved = move_points(two, 0, [1], (1.0, 0.0))
+    points = list(moved.curves[0].points)
+    points[1] = replace(points[1], y=np.float64(3))
+    odd = moved.with_curve(0, replace(moved.curves[0], points=tuple(points)))
+    assert type(plain(odd, two).curves[0].points[1].y) is float
+    assert plain(moved, two) is moved

@@ -1,0 +1,228 @@
+"""Gradients in the Style panel and under the Gradient tool: live, one step each, taken back by Escape."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLineEdit, QToolButton, QWidget
+
+from app.document.gradient import Gradient, GradientKind, Stop
+from app.document.model import Document, make_curve
+from app.document.style import NO_PAINT, Style
+from app.families import HERMITE
+from app.features.style.stop_bar import StopBar
+
+BLUE, RED = "#0072b2", "#d55e00"
+
+
+def square(x, y, side, name, **fields):
+    corners = [(x, y), (x + side, y), (x + side, y + side), (x, y + side)]
+    curve = make_curve(corners, name=name, family=HERMITE)
+    points = tuple(replace(point, corner=True, velocity=None) for point in curve.points)
+    style = Style(stroke=NO_PAINT, fill=BLUE)
+    return replace(curve, points=points, closed=True, style=style, **fields)
+
+
+@pytest.fixture
+def squares(editor):
+    """Two filled squares, 4 and 2 wide, the first chosen; no grid beside them."""
+    editor.window.context.store.change(grid=False)
+    editor.session.commit(Document((square(0, 0, 4, "Leaf"), square(6, 0, 2, "Root"))), "Begin")
+    editor.fit()
+    editor.session.selected.choose([0])
+    editor.settle()
+    return editor
+
+
+@pytest.fixture
+def panel(squares):
+    squares.show_dock("styleDock")
+    return squares.window.findChild(QWidget, "stylePanel")
+
+
+def click(panel, name):
+    button = panel.findChild(QToolButton, name)
+    assert button is not None, name
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def gradient(editor, place=0):
+    return editor.session.document.curves[place].style.fill_gradient
+
+
+def stops(editor, place=0):
+    return [(stop.offset, stop.colour, stop.opacity) for stop in gradient(editor, place).stops]
+
+
+def seen(editor, x, y):
+    canvas = editor.window.canvas
+    editor.settle()
+    editor.wait_for_rest()
+    return QColor(canvas.viewport().grab().toImage().pixel(canvas.to_pixel(x, y)))
+
+
+def steps(editor):
+    return editor.session.undo_stack.count()
+
+
+def on_bar(bar, offset):
+    return QPoint(round(bar.place_of(offset).x()), 8)
+
+
+# The panel
+
+
+def test_a_fill_becomes_a_gradient_across_each_shape_and_a_colour_again(squares, panel):
+    squares.session.selected.choose([0, 1])
+    before = steps(squares)
+    click(panel, "fillKind_linear")
+    assert steps(squares) == before + 1
+    assert squares.session.undo_stack.undoText() == "Fill of 2 curves"
+    assert stops(squares) == stops(squares, 1) == [(0.0, BLUE, 1.0), (1.0, BLUE, 0.0)]
+    assert [(each.start, each.end) for each in (gradient(squares, i) for i in (0, 1))] == [
+        ((0.0, 2.0), (4.0, 2.0)),
+        ((6.0, 1.0), (8.0, 1.0)),
+    ]
+    # It fades out to the right: paper is far lighter in red.
+    across = [seen(squares, x, 1.0).red() for x in (0.2, 2.0, 3.8)]
+    assert across == [pytest.approx(level, abs=25) for level in (12, 125, 238)]
+    click(panel, "fillKind_radial")
+    assert (gradient(squares).start, gradient(squares).end) == ((2.0, 2.0), (4.0, 2.0))
+    click(panel, "fillKind_flat")
+    assert squares.session.document.curves[0].style == Style(stroke=NO_PAINT, fill=BLUE)
+
+
+def test_stops_are_added_coloured_moved_and_removed(squares, panel):
+    click(panel, "fillKind_linear")
+    bar = panel.findChild(StopBar, "fillStops")
+    squares.settle()
+    QTest.mouseClick(bar, Qt.MouseButton.LeftButton, pos=on_bar(bar, 0.5))
+    assert stops(squares)[1] == (pytest.approx(0.5, abs=0.01), BLUE, pytest.approx(0.5, abs=0.01))
+    click(panel, "fillPaint_Vermillion")
+    assert [colour for _, colour, _ in stops(squares)] == [BLUE, RED, BLUE]
+    assert squares.session.undo_stack.undoText() == "Fill gradient of Leaf"
+    field = panel.findChild(QLineEdit, "fillStopOpacity")
+    field.setFocus()
+    field.selectAll()
+    squares.type_text(field, "100")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert stops(squares)[1][2] == 1.0
+    # A drag is seen at once; Escape takes it back, and a whole one is one step.
+    before, count = stops(squares), steps(squares)
+    QTest.mousePress(bar, Qt.MouseButton.LeftButton, pos=on_bar(bar, 0.5))
+    QTest.mouseMove(bar, on_bar(bar, 0.8))
+    assert stops(squares)[1][0] == pytest.approx(0.8, abs=0.01)
+    assert seen(squares, 3.2, 1.0).red() > 200
+    QTest.keyClick(bar, Qt.Key.Key_Escape)
+    assert stops(squares) == before
+    QTest.mouseRelease(bar, Qt.MouseButton.LeftButton, pos=on_bar(bar, 0.8))
+    assert (stops(squares), steps(squares)) == (before, count)
+    QTest.mousePress(bar, Qt.MouseButton.LeftButton, pos=on_bar(bar, 0.5))
+    for offset in (0.4, 0.3, 0.2):
+        QTest.mouseMove(bar, on_bar(bar, offset))
+    QTest.mouseRelease(bar, Qt.MouseButton.LeftButton, pos=on_bar(bar, 0.2))
+    assert (stops(squares)[1][0], steps(squares)) == (pytest.approx(0.2, abs=0.01), count + 1)
+    QTest.keyClick(bar, Qt.Key.Key_Delete)
+    assert [colour for _, colour, _ in stops(squares)] == [BLUE, BLUE]
+    # Two stay.
+    QTest.keyClick(bar, Qt.Key.Key_Delete)
+    assert len(stops(squares)) == 2
+
+
+def test_a_style_is_pasted_across_the_other_shape_and_svg_has_the_gradient(squares, panel):
+    click(panel, "fillKind_radial")
+    squares.trigger("copyStyle")
+    squares.session.selected.choose([1])
+    squares.trigger("pasteStyle")
+    found = gradient(squares, 1)
+    assert found.kind is GradientKind.RADIAL
+    assert (found.start, found.end, found.side) == ((7.0, 1.0), (8.0, 1.0), (7.0, 2.0))
+    squares.trigger("copySvg")
+    squares.wait_for_work()
+    assert "<radialGradient" in QGuiApplication.clipboard().text()
+
+
+# The tool
+
+
+def test_a_drag_lays_a_gradient_and_its_ends_are_dragged(squares):
+    squares.trigger("gradientTool")
+    before = steps(squares)
+    squares.drag((1.0, 1.0), (3.0, 1.0))
+    assert steps(squares) == before + 1
+    assert squares.session.undo_stack.undoText() == "Gradient of Leaf"
+    near = squares.pixel
+    assert gradient(squares).start == pytest.approx((1.0, 1.0), abs=near)
+    assert gradient(squares).end == pytest.approx((3.0, 1.0), abs=near)
+    # Live, and Escape leaves no trace.
+    laid = gradient(squares)
+    squares.press(laid.end)
+    squares.move((1.5, 3.0))
+    squares.move((1.0, 4.0))
+    assert gradient(squares).end == pytest.approx((1.0, 4.0), abs=near)
+    assert seen(squares, 0.2, 3.8).red() > 200  # far along the new axis nothing is left
+    squares.escape()
+    squares.release((1.0, 4.0))
+    assert (gradient(squares), steps(squares)) == (laid, before + 1)
+    squares.drag(laid.end, (1.0, 4.0))
+    moved = gradient(squares)
+    assert moved.end == pytest.approx((1.0, 4.0), abs=near)
+    (a, b), (c, d) = moved.axes
+    assert a * c + b * d == pytest.approx(0.0, abs=1e-9)
+    assert steps(squares) == before + 2
+    squares.drag((3.0, 0.5), (3.5, 0.7), keys=Qt.KeyboardModifier.ShiftModifier)
+    (a, b), _ = gradient(squares).axes
+    assert np.degrees(np.arctan2(b, a)) == pytest.approx(15.0)
+
+
+def test_a_radial_one_has_two_axes_stops_between_and_a_focus(squares):
+    stops = (Stop(0.0, BLUE), Stop(0.5, RED), Stop(1.0, BLUE))
+    round_ = Gradient(stops, GradientKind.RADIAL, (2.0, 2.0), (4.0, 2.0), (2.0, 4.0))
+    curve = squares.session.document.curves[0]
+    styled = replace(curve, style=curve.style.with_gradient("fill", round_))
+    squares.session.commit(squares.session.document.with_curve(0, styled), "Round")
+    squares.session.selected.choose([0])
+    squares.trigger("gradientTool")
+    near = 2 * squares.pixel
+    squares.drag((2.0, 4.0), (2.0, 3.0))
+    assert gradient(squares).side == pytest.approx((2.0, 3.0), abs=near)
+    assert gradient(squares).end == pytest.approx((4.0, 2.0), abs=near)
+    squares.drag((3.0, 2.0), (3.5, 2.2))
+    assert [stop.offset for stop in gradient(squares).stops] == [0.0, pytest.approx(0.75, abs=near), 1.0]
+    assert squares.session.undo_stack.undoText() == "Stop of Leaf"
+    squares.drag((2.0, 2.0), (1.5, 2.0), keys=Qt.KeyboardModifier.ShiftModifier)
+    assert gradient(squares).focus == pytest.approx((1.5, 2.0), abs=near)
+    squares.drag((2.0, 2.0), (2.5, 2.5))
+    assert gradient(squares).start == pytest.approx((2.5, 2.5), abs=near)
+    assert gradient(squares).focus == pytest.approx((2.0, 2.5), abs=near)
+
+
+def test_a_shape_that_is_dragged_takes_its_gradient_along(squares):
+    squares.trigger("gradientTool")
+    squares.drag((0.0, 2.0), (4.0, 2.0))
+    before = [seen(squares, x, 1.0).red() for x in (0.5, 2.0, 3.5)]
+    squares.trigger("selectTool")
+    old = gradient(squares)
+    squares.drag((1.0, 1.0), (1.0, 0.0))
+    new = gradient(squares)
+    shift = squares.session.document.curves[0].points[0].y
+    assert shift == pytest.approx(-1.0, abs=2 * squares.pixel)
+    assert new.start == pytest.approx((old.start[0], old.start[1] + shift))
+    after = [seen(squares, x, 1.0 + shift).red() for x in (0.5, 2.0, 3.5)]
+    assert after == pytest.approx(before, abs=6)
+
+
+def test_with_nothing_chosen_the_tool_says_so_and_a_press_on_a_shape_means_that(squares):
+    squares.session.selected.choose([])
+    squares.trigger("gradientTool")
+    before = steps(squares)
+    squares.drag((9.0, 3.0), (10.0, 3.0))
+    assert steps(squares) == before
+    squares.click((9.0, 3.0))
+    assert squares.status == "Choose a curve first: click one."
+    squares.drag((6.5, 1.0), (7.5, 1.0))
+    assert (gradient(squares), gradient(squares, 1) is not None) == (None, True)

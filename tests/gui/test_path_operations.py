@@ -1,0 +1,230 @@
+"""Boolean operations on shapes, larger and smaller ones, lines that become shapes; real clicks and keys."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QKeySequence
+from PySide6.QtTest import QTest
+
+from app.document.lines import is_line
+from app.document.style import LineJoin, Style
+from app.exchange.svg.reader import read_svg
+from app.view_model.regions import PATH_OPERATIONS
+
+ORANGE, BROWN = "#ff8800", "#663300"
+CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+# The disc is about (0, 0); the frame from −1 to 9 has a hole from 2 to 6, and in between lies something else.
+DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20" viewBox="-10 -10 20 20">
+<circle id="Disc" r="4" fill="#ff8800"/>
+<path id="Speck" d="M-9 -9h1v1h-1z" fill="#222222"/>
+<path id="Frame" d="M-1 -1H9V9H-1Z M2 2V6H6V2Z" fill="#0088ff"/>
+<path id="Arch" d="M-9 5C-9 -1 -5 -1 -5 5" fill="#0088ff"/></svg>"""
+
+DISC, FRAME, IN_BOTH, IN_HOLE, OUTSIDE = (-2.0, 1.3), (7.5, -1.3), (0.4, -1.7), (2.2, -2.2), (6.3, 7.2)
+
+
+@pytest.fixture
+def drawing(editor):
+    """The drawing, y up, with the disc and the frame chosen by clicks."""
+    document = read_svg(DRAWING.encode(), None).document
+    editor.session.commit(document, "Begin", active=0)
+    editor.session.selected.choose([])
+    editor.window.canvas.camera.show_box((-11, 11), (-11, 11))
+    editor.settle()
+    editor.click(DISC)
+    editor.click(FRAME, keys=SHIFT)
+    return editor
+
+
+def names(editor):
+    return [curve.name for curve in editor.session.document.curves]
+
+
+def chosen(editor):
+    return {editor.session.document.curves[place].name for place in editor.session.selected.chosen}
+
+
+def is_painted(editor, *places, colour=ORANGE):
+    """Whether the canvas has a colour, that of the disc, at places of the plane."""
+    canvas = editor.window.canvas
+    editor.settle()
+    image = canvas.viewport().grab().toImage()
+    return [QColor(image.pixel(canvas.to_pixel(*place))).name() == colour for place in places]
+
+
+def press(editor, operation):
+    """Press the first of the keys of an operation."""
+    QTest.keySequence(editor.window, QKeySequence(operation.key.split(", ")[0]))
+    editor.wait_for_work()
+    editor.settle()
+
+
+INSIDE = {
+    "pathUnion": [True, True, True, True],
+    "pathDifference": [True, False, False, True],
+    "pathIntersection": [False, False, True, False],
+    "pathExclusion": [True, True, False, True],
+    "pathDivision": [True, False, True, True],
+}
+
+
+@pytest.mark.parametrize("operation", PATH_OPERATIONS, ids=lambda each: each.name)
+def test_its_key_puts_the_outcome_in_the_place_of_the_hindmost_with_its_style(drawing, operation):
+    """What is seen is what the operation says; one step takes it back."""
+    before = drawing.session.document
+    press(drawing, operation)
+    assert drawing.session.undo_stack.undoText() == f"{operation.title} of Disc and Frame"
+    # The whole frame is one shape: its hole is none of the outcome, but where the disc is.
+    assert is_painted(drawing, DISC, FRAME, IN_BOTH, IN_HOLE) == INSIDE[operation.name]
+    made = names(drawing)
+    assert made[-2:] == ["Speck", "Arch"]
+    assert all(name.startswith("Disc") for name in made[:-2])
+    assert chosen(drawing) == set(made[:-2])
+    assert drawing.status.startswith(f"{operation.title} of Disc and Frame: ")
+    drawing.trigger("undo")
+    assert drawing.session.document == before
+
+
+def test_points_keep_their_kind_and_lines_stay_straight(drawing):
+    """The outcome has the handles of the disc and the lines of the frame, to the last digits."""
+    press(drawing, PATH_OPERATIONS[0])
+    (outer,) = [curve for curve in drawing.session.document.curves if curve.name == "Disc (1)"]
+    positions = [point.position for point in outer.points]
+    corners = {(9.0, 1.0), (9.0, -9.0), (-1.0, -9.0)}
+    assert corners <= set(positions)
+    lines = sum(is_line(outer, segment) for segment in range(len(positions)))
+    assert lines == 4
+    for place in ((-4.0, 0.0), (0.0, 4.0)):
+        point = min(outer.points, key=lambda each: math.dist(each.position, place))
+        assert point.position == pytest.approx(place, abs=1e-14)
+        assert point.tied or not point.corner
+    assert [point.corner and not point.tied for point in outer.points].count(True) == 5
+
+
+def test_an_open_curve_is_closed_by_a_straight_line(drawing):
+    drawing.click(OUTSIDE)
+    drawing.click((-7.0, -1.0))
+    press(drawing, PATH_OPERATIONS[0])
+    (arch,) = [curve for curve in drawing.session.document.curves if curve.name == "Arch"]
+    assert arch.closed
+    assert [is_line(arch, segment) for segment in range(2)].count(True) == 1
+
+
+def test_why_nothing_happens_is_said(drawing):
+    before = drawing.session.document
+    drawing.click(OUTSIDE)
+    drawing.click(DISC)
+    press(drawing, PATH_OPERATIONS[1])
+    assert drawing.status == "“Difference of Shapes” needs two chosen shapes or more."
+    drawing.click((-8.5, 8.5), keys=SHIFT)
+    press(drawing, PATH_OPERATIONS[2])
+    assert drawing.status == "Nothing would be left: intersection of “Disc” and “Speck” is empty."
+    assert drawing.session.document is before
+
+
+def extent(editor, name):
+    """The box of a curve that is called so, (2, 2)."""
+    (view,) = [view for view in editor.session.views if view.source.name == name]
+    return view.drawn_box
+
+
+@pytest.mark.parametrize(("key", "way"), [("Ctrl+)", 1.0), ("Ctrl+(", -1.0)])
+def test_shapes_grow_and_shrink_by_two_pixels_in_the_unit_of_the_document(drawing, key, way):
+    """2 px are 25.4 / 48 mm; the disc stays a disc of four smooth points, the frame one of straight lines."""
+    drawing.set_unit("mm")
+    step = way * 25.4 / 48.0
+    QTest.keySequence(drawing.window, QKeySequence(key))
+    drawing.wait_for_work()
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-4, -4], [4, 4]]) * (1 + step / 4), abs=4e-3)
+    outer = np.array([[-1.0 - step, -9.0 - step], [9.0 + step, 1.0 + step]])
+    assert extent(drawing, "Frame (1)") == pytest.approx(outer, abs=1e-12)
+    hole = np.array([[2.0 + step, -6.0 + step], [6.0 - step, -2.0 - step]])
+    assert extent(drawing, "Frame (2)") == pytest.approx(hole, abs=1e-12)
+    counts = {curve.name: len(curve.points) for curve in drawing.session.document.curves}
+    assert (counts["Disc"], counts["Frame (1)"], counts["Frame (2)"]) == (4, 4, 4)
+    assert chosen(drawing) == {"Disc", "Frame (1)", "Frame (2)"}
+    name = "Outset" if way > 0 else "Inset"
+    assert drawing.session.undo_stack.undoText() == f"{name} by 0.529 of Disc and Frame"
+
+
+def test_a_line_becomes_a_shape_in_front_of_the_fill(drawing):
+    """What is painted stays the same: the line of the frame, 1 wide, and its fill behind it."""
+    session = drawing.session
+    lined = Style(stroke=BROWN, width=1.0, fill="#0088ff", join=LineJoin.MITER)
+    session.change("Line", lambda document: restyled(document, "Frame", lined))
+    places = ((-1.3, -7.3), (-0.7, -7.3), (-1.7, -7.3), (0.3, -7.3), (1.7, -5.2), (2.3, -5.2))
+    before = is_painted(drawing, *places, colour=BROWN)
+    assert before == [True, True, False, False, True, True]
+    drawing.click(OUTSIDE)
+    drawing.click(FRAME)
+    QTest.keySequence(drawing.window, QKeySequence("Ctrl+Shift+O"))
+    drawing.wait_for_work()
+    drawing.settle()
+    frames = [curve for curve in session.document.curves if "Frame" in curve.shape]
+    assert [curve.style.has_stroke for curve in frames] == [False] * 6
+    assert {curve.style.fill for curve in frames[:2]} == {"#0088ff"}
+    assert {curve.style.fill for curve in frames[2:]} == {BROWN}
+    drawing.click(OUTSIDE)
+    assert is_painted(drawing, *places, colour=BROWN) == before
+
+
+def restyled(document, shape, style):
+    curves = tuple(
+        replace(curve, style=style) if shape in (curve.shape, curve.name) else curve
+        for curve in document.curves
+    )
+    return replace(document, curves=curves)
+
+
+@pytest.mark.parametrize(
+    ("style", "words"),
+    [
+        (Style(stroke="none", fill=ORANGE), "“Disc” has no line."),
+        (Style(), "The line of “Disc” is as wide at every zoom; give it a width first."),
+        (Style(width=1.0, dash=(2.0, 1.0)), "“Disc” has dashes; a shape is made of whole lines only."),
+    ],
+)
+def test_lines_that_make_no_shape(drawing, style, words):
+    drawing.session.change("Style", lambda document: restyled(document, "Disc", style))
+    before = drawing.session.document
+    drawing.trigger("strokeToPath")
+    assert drawing.status == words
+    assert drawing.session.document is before
+
+
+@pytest.fixture
+def tangle(editor):
+    """A star whose line crosses itself three thousand times."""
+    angles = 2 * np.pi * np.arange(81) * 40 / 81
+    corners = " ".join(f"{10 * np.cos(each):.9f},{10 * np.sin(each):.9f}" for each in angles)
+    text = f'<svg xmlns="http://www.w3.org/2000/svg"><polygon id="Star" points="{corners}" fill="red"/></svg>'
+    editor.session.commit(read_svg(text.encode(), None).document, "Begin", active=0)
+    editor.session.selected.choose([0])
+    return editor
+
+
+def test_what_takes_long_leaves_the_window_free_and_can_be_stopped(tangle):
+    """The key returns at once; the star goes on to be edited, or Ctrl+. ends the work."""
+    before, jobs = tangle.session.document, tangle.window.context.work.jobs
+    tangle.trigger("pathUnion")
+    assert jobs.is_busy
+    assert jobs.title == "Union of Star"
+    tangle.key(Qt.Key.Key_Period, CTRL)
+    assert not jobs.is_busy
+    assert tangle.status == "Union of Star was stopped; nothing has changed."
+    assert tangle.session.document is before
+
+
+def test_what_was_changed_meanwhile_is_left_alone(tangle):
+    tangle.trigger("pathUnion")
+    tangle.session.change("Rename", lambda document: read_svg(DRAWING.encode(), None).document)
+    tangle.wait_for_work(60.0)
+    assert tangle.status == "Union of Star was dropped: the drawing was changed meanwhile."
+    assert names(tangle)[0] == "Disc"
