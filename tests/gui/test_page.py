@@ -177,7 +177,7 @@ def test_usual_sizes_are_chosen_and_turned(drawn):
     assert drawn.session.undo_stack.undoText() == "Page 297 × 210 mm"
     choose(drawn, usual, "none")
     assert drawn.session.document.page is None
-    drawn.session.change("Unit", lambda document: replace(document, unit=""))
+    drawn.session.change("Unit", lambda document: replace(document, unit="s"))
     drawn.settle()
     assert usual.findText("A4") == -1, "a sheet has no size where there is no length"
 
