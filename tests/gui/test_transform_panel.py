@@ -453,3 +453,20 @@ def test_lines_of_the_usual_width_are_measured_as_the_page_prints_them(leaf, tmp
     document = alone(leaf.session.document, {1})
     picture = ElementTree.fromstring(svg_of(document, Options(unit="mm")).data)
     assert float(picture.get("width").removesuffix("mm")) == pytest.approx(70.0, abs=1e-6)
+
+
+def test_the_lock_binds_the_grips_at_the_corners(leaf):
+    """A corner stretched what the lock of the panel said keeps its proportions."""
+    leaf.session.selected.choose({1})
+    leaf.settle()
+    before = size(leaf, 1)
+    leaf.trigger("keepProportions")
+    x, y = leaf.grip(1, 1)
+    leaf.drag((x, y), (x + 20.0, y + 1.0))
+    grown = size(leaf, 1) / before
+    assert grown[0] == pytest.approx(grown[1])
+    assert grown[0] > 1.2
+    x, y = leaf.grip(1, 0)
+    leaf.drag((x, y), (x + 20.0, y))
+    assert size(leaf, 1)[1] == pytest.approx(before[1] * grown[1])
+    leaf.trigger("keepProportions")

@@ -65,7 +65,7 @@ class DocumentPanel(FieldForm):
         )
         self.page = PageFields(self._ask_page, self.watch)
         self._usual = Label(name="newDocuments", wordWrap=True)
-        tip = "Let new documents begin with this unit, grid and page, and their curve with the style of this one"
+        tip = "Let new documents begin with this unit, grid and page, and their curve with this one's style"
         self._take = push_button("useForNew", "Use for New Documents", tip)
         self._take.clicked.connect(self.made_usual)
         form = form_of(*self._unit.rows, *self._grid.rows, *self.page.rows)

@@ -103,8 +103,13 @@ class SelectionCommands:
         settings, state = self._context.central.canvas.tools.settings, self._context.store.state
         page = self._session.document.page
         strokes = replace(state.strokes, side=max(page.width, page.height) if page is not None else 0.0)
-        if (settings.shows_box, settings.strokes) != (state.transform_box, strokes):
-            self._context.central.canvas.change_tool_settings(shows_box=state.transform_box, strokes=strokes)
+        now = {
+            "shows_box": state.transform_box,
+            "keeps_proportions": state.keep_proportions,
+            "strokes": strokes,
+        }
+        if any(getattr(settings, name) != value for name, value in now.items()):
+            self._context.central.canvas.change_tool_settings(**now)
             # A pivot goes with the box as it is measured from now on.
             self._target.keep_pivot()
 
