@@ -324,7 +324,7 @@ def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
     assert main(["convert", str(drawing), str(out), *only]) == 0
     told = capsys.readouterr().err
     assert ("These are" in told, "The page stays behind" in told) == (False, True)
-    assert [curve.points[0].y for curve in load(out).curves] == [-3, *range(-10, -20, -1)]
+    assert [curve.points[0].y for curve in load(out).curves] == [6, *range(-1, -11, -1)]
     words = refusal(capsys, "convert", str(drawing), str(out), "--only", "nothing")
     assert words.startswith("Nothing in it is called “nothing”; there is axes (21), line2d_0, ")
 
@@ -680,7 +680,8 @@ def test_a_drawing_or_a_table_alone_is_the_document(qtbot, tmp_path, name, conte
     asked.ok.click()
     document, stem = session.document, path.stem
     assert ([len(curve.points) for curve in document.curves], document.unit) == ([2], unit)
-    assert (title_of(session), file_stem(session), session.files.path) == (stem, stem, None)
+    title = stem if unit == "" else f"{stem} (from {name})"
+    assert (title_of(session), file_stem(session), session.files.path) == (title, stem, None)
     assert not session.files.is_modified, "closing it asks nothing"
     assert not session.undo_stack.canUndo()
 

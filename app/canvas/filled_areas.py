@@ -78,4 +78,4 @@ class FilledAreas:
 
 def _is_pressed(curve: Curve) -> bool:
     """Whether what begins with a curve is filled, seen and free."""
-    return curve.style.has_fill and curve.visible and not curve.locked
+    return curve.style.has_fill and curve.is_free

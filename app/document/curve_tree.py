@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from enum import Enum, auto
+from itertools import takewhile
 
 import msgspec
 
-from .model import Curve
+from .model import Curve, Document
 
 
 class NodeKind(Enum):
@@ -127,14 +128,20 @@ def group_around(curves: Sequence[Curve], place: int, depth: int) -> range:
     return range(start, _run_end(curves, place, depth, len(curves)))
 
 
-def whole_nodes(curves: Sequence[Curve], chosen: Collection[int]) -> list[Node]:
-    """Return the largest parts of the tree all of whose curves are chosen, in order."""
-    return list(_wholes(tree_of(curves), frozenset(chosen)))
+def whole_nodes(curves: Sequence[Curve], chosen: Collection[int], layers: Collection[str] = ()) -> list[Node]:
+    """Return the largest parts of the tree all of whose curves are chosen; of `layers` what is in them."""
+    return list(_wholes(tree_of(curves), frozenset(chosen), frozenset(layers)))
 
 
-def _wholes(nodes: Sequence[Node], chosen: frozenset[int]) -> Iterator[Node]:
+def _wholes(nodes: Sequence[Node], chosen: frozenset[int], layers: frozenset[str]) -> Iterator[Node]:
     for node in nodes:
-        if all(place in chosen for place in node.places):
+        is_layer = node.kind is NodeKind.GROUP and node.name in layers
+        if not is_layer and all(place in chosen for place in node.places):
             yield node
         else:
-            yield from _wholes(node.parts, chosen)
+            yield from _wholes(node.parts, chosen, layers)
+
+
+def layers_around(document: Document, curve: int) -> tuple[str, ...]:
+    """Return the layers that a curve is in, the outermost first."""
+    return tuple(takewhile(document.layers.__contains__, document.curves[curve].groups))

@@ -256,6 +256,11 @@ class Curve(Value, frozen=True, dict=True):
         return replace(self, **{each.rule_field: getattr(other, each.rule_field) for each in DERIVATIVES})
 
     @property
+    def is_free(self) -> bool:
+        """Whether it is seen and not locked."""
+        return self.visible and not self.locked
+
+    @property
     def is_manual(self) -> bool:
         """Whether the person, not a rule, gives the parameters."""
         return self.parametrization.kind is ParametrizationKind.MANUAL
@@ -352,6 +357,8 @@ class Document(Value, frozen=True):
         Lines to draw along.
     page
         What pictures of it show; None for what its curves take.
+    layers
+        Names of those of its groups that are layers: a press means what is in them.
     export
         Its last export.
     """
@@ -362,6 +369,7 @@ class Document(Value, frozen=True):
     grid_spacing: Annotated[Length, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
+    layers: tuple[str, ...] = ()
     export: Export = NEVER_EXPORTED
 
     def with_curve(self, index: int, curve: Curve) -> Document:

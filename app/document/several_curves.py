@@ -18,6 +18,7 @@ from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
+from .style import USUAL_WIDTH
 from .transforms import Affine, decimal_sum, step_points, transform_points
 from .words import count_of
 
@@ -132,9 +133,19 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
 
 
 def alone(document: Document, curves: Collection[int]) -> Document:
-    """Return some curves of a document in a document of their own, which has no page."""
+    """Return some curves of a document in a document of their own, which has no page.
+
+    Lines whose styles say no width are as wide as on the page.
+    """
     chosen = tuple(document.curves[place] for place in sorted(curves))
+    if (page := document.page) is not None:
+        chosen = tuple(_with_width(curve, USUAL_WIDTH * max(page.width, page.height)) for curve in chosen)
     return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
+
+
+def _with_width(curve: Curve, usual: float) -> Curve:
+    style = curve.style
+    return curve if style.width is not None else replace(curve, style=replace(style, width=usual))
 
 
 def in_order(document: Document, order: Sequence[int]) -> Document:
@@ -161,7 +172,7 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
     it.
     """
     copied = dict[Container, tuple[int, list[int]]]()
-    for node in whole_nodes(document.curves, curves):
+    for node in whole_nodes(document.curves, curves, document.layers):
         around, at = node.around, node.places.stop
         if around.shape:
             around, at = around.around, shape_of(document, node.places.start).stop
@@ -170,7 +181,9 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
     new, places = document, dict[int, int]()
     for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
         at = place + len(places)
-        new = add_curves(new, list(contained(document.curves, originals, around).values()), at, around)
+        new = add_curves(
+            new, list(contained(document.curves, originals, around, document.layers).values()), at, around
+        )
         places |= zip(originals, range(at, at + len(originals)), strict=True)
     return Added(new, tuple(places[curve] for curve in sorted(places)))
 
@@ -198,7 +211,8 @@ def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     if begun:
         return replace(document, curves=curves, image=image), len(begun)
     unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
-    return replace(document, curves=curves, image=image, unit=unit, page=page, guides=guides), 0
+    document = replace(document, curves=curves, image=image, unit=unit, page=page, guides=guides)
+    return replace(document, layers=new.layers), 0
 
 
 def left_behind(document: Document, new: Document) -> list[str]:

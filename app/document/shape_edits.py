@@ -13,7 +13,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, with_each
-from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, tree_of, whole_nodes
+from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, layers_around, tree_of, whole_nodes
 from .edits import EditError
 from .model import Curve, Document
 from .selection import Choice
@@ -58,8 +58,10 @@ def moved_into(
     return gathered(document, contained(document.curves, curves, container), at)
 
 
-def contained(curves: Sequence[Curve], chosen: Collection[int], container: Container) -> dict[int, Curve]:
-    """Return the chosen curves as they are in a shape or group, by their places.
+def contained(
+    curves: Sequence[Curve], chosen: Collection[int], container: Container, layers: Collection[str] = ()
+) -> dict[int, Curve]:
+    """Return the chosen curves as they are in a shape or group, by their places; of `layers` what is in them.
 
     Raises
     ------
@@ -71,7 +73,7 @@ def contained(curves: Sequence[Curve], chosen: Collection[int], container: Conta
         raise EditError("A shape or a group cannot go into itself.")
     of_shape = {name: getattr(there[0], name) for name in SHARED} if container.shape else {}
     found = {}
-    for node in whole_nodes(curves, chosen):
+    for node in whole_nodes(curves, chosen, layers):
         for place in node.places:
             own = curves[place]
             groups = (*container.groups, *own.groups[len(node.around.groups) :])
@@ -166,28 +168,37 @@ def broken_apart(document: Document, curves: Collection[int]) -> Document:
 
 
 def grouped(document: Document, curves: Collection[int]) -> Gathered:
-    """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them."""
-    chosen = whole_shapes(document, curves)
-    nodes, top = whole_nodes(document.curves, chosen), max(chosen)
-    around = shared_start(*(node.around.groups for node in nodes))
+    """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them.
+
+    Of several layers, in that of the topmost.
+    """
+    chosen, layers = whole_shapes(document, curves), document.layers
+    nodes, top = whole_nodes(document.curves, chosen, layers), max(chosen)
+    shared = shared_start(*(node.around.groups for node in nodes))
+    around = max(shared, layers_around(document, top), key=len)
     own, name = document.curves[top].groups, free_group_name(document, "Group")
     is_deeper = len(own) > len(around)
     at = group_around(document.curves, top, len(around)).stop if is_deeper else top + 1
     inside = {
         place: replace(curve, groups=(*around, name, *curve.groups[len(around) :]))
-        for place, curve in contained(document.curves, chosen, Container(around)).items()
+        for place, curve in contained(document.curves, chosen, Container(around), layers).items()
     }
     return gathered(document, inside, at)
 
 
 def groups_meant(document: Document, curves: Collection[int]) -> list[Node]:
-    """Return the groups all of whose curves are chosen, the outermost; or else those right around curves."""
-    whole = [node for node in whole_nodes(document.curves, curves) if node.kind is NodeKind.GROUP]
+    """Return the groups all of whose curves are chosen, the outermost; or else those right around curves.
+
+    Layers are none of them.
+    """
+    nodes = whole_nodes(document.curves, curves, document.layers)
+    whole = [node for node in nodes if node.kind is NodeKind.GROUP]
     if whole:
         return whole
     found = {}
     for place in sorted(curves):
-        if groups := document.curves[place].groups:
+        groups = document.curves[place].groups
+        if len(groups) > len(layers_around(document, place)):
             places = group_around(document.curves, place, len(groups) - 1)
             found[places] = Node(NodeKind.GROUP, groups[-1], places, Container(groups[:-1]))
     return list(found.values())
@@ -213,13 +224,14 @@ def _without_group(curve: Curve, depth: int) -> Curve:
 
 
 def pressed(document: Document, curve: int, choice: Choice) -> frozenset[int]:
-    """Return the curves that a press on one of them means: its outermost group, or else its shape.
+    """Return the curves that a press on one of them means: a layer's outermost group, or else its shape.
 
     A group is entered, and what is in it meant, while a curve of it is edited, or chosen but not all of them.
     """
     chosen = choice.chosen
     here = choice.active if choice.is_editing or choice.active in chosen else -1
-    for depth in range(len(document.curves[curve].groups)):
+    outer = len(layers_around(document, curve))
+    for depth in range(outer, len(document.curves[curve].groups)):
         around = group_around(document.curves, curve, depth)
         if here not in around or all(place in chosen for place in around):
             return frozenset(around)
@@ -259,9 +271,9 @@ def named_anew(document: Document, node: Node, name: str) -> Document:
         raise EditError(f"“{name}” is the name of another shape or group.")
     if node.kind is NodeKind.SHAPE:
         return with_each(document, node.places, lambda curve: replace(curve, shape=name))
-    at = node.depth
+    at, layers = node.depth, tuple(name if each == node.name else each for each in document.layers)
     return with_each(
-        document,
+        replace(document, layers=layers),
         node.places,
         lambda curve: replace(curve, groups=(*curve.groups[:at], name, *curve.groups[at + 1 :])),
     )

@@ -70,11 +70,13 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
     ):
         return document
     if not any(curve.shape or curve.groups for curve in document.curves):
-        return document
+        return replace(document, layers=()) if document.layers else document
     curves = list(_with_own_groups(_with_whole_shapes(document)))
-    if all(new is old for new, old in zip(curves, document.curves, strict=True)):
-        return document
-    return replace(document, curves=tuple(curves))
+    if any(new is not old for new, old in zip(curves, document.curves, strict=True)):
+        document = replace(document, curves=tuple(curves))
+    names = {name for curve in curves for name in curve.groups} if document.layers else ()
+    layers = tuple(name for name in dict.fromkeys(document.layers) if name in names)
+    return document if layers == document.layers else replace(document, layers=layers)
 
 
 def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
@@ -135,6 +137,8 @@ def shape_problem(document: Document) -> str:
     tidy = tidy_shapes(document)
     if tidy is document:
         return ""
+    if tidy.curves == document.curves:
+        return "layers must name groups that there are, each once"
     place = next(
         i for i, pair in enumerate(zip(tidy.curves, document.curves, strict=True)) if pair[0] is not pair[1]
     )

@@ -21,6 +21,9 @@ NO_PAINT: Final = "none"
 LARGEST_DASHES: Final = 64
 """Dashes and gaps that a style may have."""
 
+USUAL_WIDTH: Final = 0.003
+"""Of a line whose style does not say it, against the longer side of the page or of the drawing."""
+
 GRADIENTS: Final = {"fill": "fill_gradient", "stroke": "stroke_gradient"}
 """The field of a gradient, by that of the paint which it takes the place of."""
 

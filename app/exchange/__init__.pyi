@@ -1,6 +1,7 @@
 # Modules that are imported when they are first used.
 from . import child as child
 from . import choice as choice
+from . import corner as corner
 from . import cubics_in as cubics_in
 from . import dxf_library as dxf_library
 from . import facts as facts

@@ -114,6 +114,8 @@ class LayerStack:
     ----------
     theme, scale, fonts
         Those of all that is drawn.
+    is_due
+        Whether Qt has been told to paint them all anew.
 
     Parameters
     ----------
@@ -129,8 +131,8 @@ class LayerStack:
         self, viewport: QWidget, area: Callable[[], QRect], spread: Callable[[], QRect], beside: Painting
     ) -> None:
         self._viewport, self._area, self._spread, self._paint_beside = viewport, area, spread, beside
-        # Whether Qt has been told that they are due: several change at every move.
-        self._is_due = False
+        # Told once: several layers change at every move.
+        self.is_due = False
         self._layers: list[Layer] = []
         self._ground: QPixmap | None = None
         self.theme, self.scale, self.fonts = LIGHT, 1.0, Sizes(viewport.font())
@@ -145,8 +147,8 @@ class LayerStack:
         """Have the plot area painted anew, in which `layer` is another one now."""
         if layer.is_still:
             self._ground = None
-        if not self._is_due:
-            self._is_due = True
+        if not self.is_due:
+            self.is_due = True
             self._viewport.update(self._spread())
 
     def reset_ground(self) -> None:
@@ -172,7 +174,7 @@ class LayerStack:
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Paint the layers that are not still, in pixels of the plot area."""
-        self._is_due = False
+        self.is_due = False
         self._paint_layers(painter, shown, still=False)
 
     def paint_still(self, painter: QPainter, shown: PixelMap, origin: QPointF) -> None:

@@ -55,7 +55,7 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         self._box = ViewBox()
         self._axes = Axes(self._box, self._repaint_all)
         self.camera = self.camera_class(self, self._box)
-        self.rulers = Rulers(self.viewport(), self._axes, self.camera)
+        self.rulers = Rulers(self.viewport(), self._axes, self.camera, lambda: self.layers.is_due)
         self.layers = LayerStack(
             self.viewport(), lambda: self.camera.area, lambda: self.rulers.spread, self._axes.paint
         )

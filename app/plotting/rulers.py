@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -46,10 +46,15 @@ class Rulers:
         The pixel of the plot area under the pointer, None while it is elsewhere.
     extent
         That of what is selected, None for nothing.
+
+    Parameters
+    ----------
+    is_due
+        Tells whether the spread is painted anew in any case.
     """
 
-    def __init__(self, viewport: QWidget, axes: Axes, camera: Camera) -> None:
-        self._viewport, self._axes, self._camera = viewport, axes, camera
+    def __init__(self, viewport: QWidget, axes: Axes, camera: Camera, is_due: Callable[[], bool]) -> None:
+        self._viewport, self._axes, self._camera, self._is_due = viewport, axes, camera, is_due
         self.pointer: tuple[float, float] | None = None
         self.extent: Extent | None = None
         # The colour of bands, and the theme that it is of.
@@ -85,7 +90,7 @@ class Rulers:
         if (pointer, extent) == (self.pointer, self.extent):
             return
         self.pointer, self.extent = pointer, extent
-        if self.are_shown:
+        if self.are_shown and not self._is_due():
             spread = self.spread
             self._viewport.update(spread.x(), spread.y(), spread.width(), _REACH + _INSIDE)
             self._viewport.update(spread.x(), spread.y(), _REACH + _INSIDE, spread.height())

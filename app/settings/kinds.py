@@ -26,7 +26,7 @@ from typing import Any, Final, Generic, Protocol, TypeVar, overload
 import msgspec
 from PySide6.QtCore import QByteArray
 
-from ..document.model import Curve, Document, empty_document
+from ..document.model import Curve, Document, Page, empty_document
 from ..document.style import PLAIN_STYLE, Style
 from ..document.words import enumerated
 from ..storage.field_check import check_fields
@@ -218,6 +218,25 @@ class SavedStyle(TextSetting[Style]):
         return style
 
     def _stored(self, value: Style) -> object:
+        return msgspec.json.encode(value).decode()
+
+
+class SavedPage(TextSetting[Page | None]):
+    """A page, as JSON; none where nothing is remembered."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(key, None)
+
+    def _parse(self, text: str) -> Page | None:
+        try:
+            page = msgspec.json.decode(text, type=Page | None)
+            if page is not None:
+                check_fields(page, "page")
+        except (msgspec.DecodeError, FormatError):
+            raise _UnusableError("it is no page") from None
+        return page
+
+    def _stored(self, value: Page | None) -> object:
         return msgspec.json.encode(value).decode()
 
 

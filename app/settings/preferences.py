@@ -22,6 +22,7 @@ from .kinds import (
     Keys,
     SavedCurve,
     SavedLayout,
+    SavedPage,
     SavedStyle,
     SavedText,
     Several,
@@ -133,6 +134,9 @@ class Preferences:
 
     recent_colours = SavedText("style/recent_colours")
     """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
+
+    new_page = SavedPage("document/new_page")
+    """The page that a new document begins with."""
 
     new_style = SavedStyle("document/new_style")
     """The style of the curve that a new document begins with."""

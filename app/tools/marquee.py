@@ -150,7 +150,7 @@ class CurveMarquee(Band):
 
 
 def _is_free(view: CurveView) -> bool:
-    return view.source.visible and not view.source.locked and view.has_curve
+    return view.source.is_free and view.has_curve
 
 
 def _is_taken(view: CurveView, low: FloatArray, high: FloatArray, *, touched: bool) -> bool:

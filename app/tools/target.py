@@ -25,13 +25,18 @@ from .transform_box import Grip, ScaleBox, TransformBox, box_of
 class TransformTarget:
     """The selected points of the curves that are edited; with none, the curves that are chosen as wholes.
 
-    It says what is meant, and makes the drags that transform it; `strokes` tells what these make of strokes.
+    It says what is meant, and makes the drags that transform it; `strokes` tells what these make of strokes,
+    and `is_even` whether corners keep proportions.
     """
 
     def __init__(
-        self, host: EditingHost, snappers: Snappers, strokes: Callable[[], Strokes] = Strokes
+        self,
+        host: EditingHost,
+        snappers: Snappers,
+        strokes: Callable[[], Strokes] = Strokes,
+        is_even: Callable[[], bool] = lambda: False,
     ) -> None:
-        self._host, self._snappers, self._strokes = host, snappers, strokes
+        self._host, self._snappers, self._strokes, self._is_even = host, snappers, strokes, is_even
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
@@ -209,6 +214,7 @@ class TransformTarget:
             pointer.position,
             snapper,
             self._strokes(),
+            even=self._is_even() and bool(grip.x and grip.y),
         )
 
     def moving(self, group: PointGroup, pointer: Pointer) -> MovePoints:

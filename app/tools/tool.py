@@ -37,6 +37,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether two or more selected points, or several selected curves, get a box with grips.
     strokes
         Whether the box is one with strokes, and whether these get wider with the curve that they are of.
+    keeps_proportions
+        Whether the grips at the corners of that box keep its proportions.
     guides_stay
         Whether no key moves or removes a guide: they are locked, or not seen.
     pencil
@@ -49,6 +51,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     unit: str = ""
     shows_box: bool = True
     strokes: Strokes = Strokes()
+    keeps_proportions: bool = False
     guides_stay: bool = False
     pencil: PencilDetail = PencilDetail.MEDIUM
     pen: PenClick = PenClick.BY_DOCUMENT

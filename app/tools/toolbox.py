@@ -54,7 +54,12 @@ class Toolbox:
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
-        self._target = TransformTarget(host, self._snappers, lambda: self.settings.strokes)
+        self._target = TransformTarget(
+            host,
+            self._snappers,
+            lambda: self.settings.strokes,
+            lambda: self.settings.keeps_proportions,
+        )
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None

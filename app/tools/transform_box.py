@@ -138,6 +138,8 @@ class ScaleBox(Drag, frozen=True):
         What stays where it is with Shift.
     strokes
         Whether the box is one with strokes, and whether these are scaled, too.
+    even
+        Whether proportions are kept without a key, too.
     """
 
     views: Sequence[CurveView]
@@ -148,6 +150,7 @@ class ScaleBox(Drag, frozen=True):
     start: Vector
     snapper: Snapper
     strokes: Strokes
+    even: bool = False
 
     keys = "Shift: about the pivot · Ctrl: keep proportions · Alt: snap, or not"
 
@@ -172,7 +175,7 @@ class ScaleBox(Drag, frozen=True):
             self.group,
             (by.point(self.box.low), by.point(self.box.high)),
             self.strokes,
-            even=longer_axis(self._arm(pointer)) if pointer.ctrl else None,
+            even=longer_axis(self._arm(pointer)) if self._is_even(pointer) else None,
             about=about,
             tolerance=0.0 if caught is not None else _TOLERANCE / pointer.scale,
         )
@@ -211,12 +214,15 @@ class ScaleBox(Drag, frozen=True):
         x, y = minus(self._corner, self._fixed(pointer))
         return (x if self.grip.x else 0.0, y if self.grip.y else 0.0)
 
+    def _is_even(self, pointer: Pointer) -> bool:
+        return self.even or pointer.ctrl
+
     def _displacement(self, pointer: Pointer) -> Vector:
         """Return how far the corner goes, after snapping."""
         corner, arm = self._corner, self._arm(pointer)
         way = pointer.way_from(self.start)
         axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
-        if pointer.ctrl:
+        if self._is_even(pointer):
             # As far as the way goes along the diagonal; only its longer side can snap without leaving it.
             # By directions, not by squares: that of a tiny box is nothing to divide by.
             length = math.hypot(*arm)
@@ -229,7 +235,7 @@ class ScaleBox(Drag, frozen=True):
 
     def _factors(self, way: Vector, pointer: Pointer) -> Vector:
         arm = self._arm(pointer)
-        if pointer.ctrl:
+        if self._is_even(pointer):
             axis = longer_axis(arm)
             factor = 1 + way[axis] / arm[axis]
             return (factor, factor)

@@ -104,7 +104,7 @@ def _items(
 
     Within a group that is all that is chosen, what is in it moves against each other.
     """
-    nodes = whole_nodes(document.curves, whole_shapes(document, curves))
+    nodes = whole_nodes(document.curves, whole_shapes(document, curves), document.layers)
     while len(nodes) == 1 and nodes[0].kind is NodeKind.GROUP:
         nodes = list(nodes[0].parts)
     groups = [whole_curves(document, node.places) for node in nodes]

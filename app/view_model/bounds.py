@@ -10,11 +10,13 @@ from typing import Final
 
 import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
 from ..document.model import Vector
 from ..document.point_group import PointGroup
+from ..document.style import USUAL_WIDTH, Style
 from .curve_view import CurveView
 from .stroked import Line, farthest_reach, half_width, is_round, line_of, polygonal, stroke_box
 
@@ -75,10 +77,19 @@ class Strokes(msgspec.Struct, frozen=True):
         Whether bounds are those of curves as they print, with their strokes.
     scaled
         Whether strokes get wider, or thinner, with the curves that they are of.
+    side
+        Longer side of the page, to which lines whose styles say no width are in proportion; 0 without one,
+        where they count as no wider than their curves.
     """
 
     measured: bool = True
     scaled: bool = True
+    side: float = 0.0
+
+    def printed(self, style: Style) -> Style:
+        """Return a style with the width that its line has on the page."""
+        is_usual = self.side and style.width is None
+        return replace(style, width=USUAL_WIDTH * self.side) if is_usual else style
 
 
 BARE: Final = Strokes(measured=False, scaled=False)
@@ -102,7 +113,7 @@ def bounds_of(
     lines = [view.drawn_box if as_drawn else _found(view) for view in whole]
     boxes = [*lines, *(view.points[sorted(at)] for view, at in parts if not is_whole(view, at))]
     if strokes.measured:
-        boxes += _stroke_boxes(whole, lines, as_drawn=as_drawn)
+        boxes += _stroke_boxes(whole, lines, strokes, as_drawn=as_drawn)
     return around(boxes)
 
 
@@ -116,8 +127,10 @@ def _reaching_out(views: Sequence[CurveView], strokes: Strokes) -> list[CurveVie
         return list(views)
     corners, off = np.array([box[0] for _, box in known]), np.array([box[1] for _, box in known])
     drawn = [view for view, _ in known]
-    low, high = _grown(corners, _least_reach(drawn) if strokes.measured else 0.0 * off)
-    far_low, far_high = _grown(corners, 2.0 * off + (_farthest_reach(drawn) if strokes.measured else 0.0))
+    low, high = _grown(corners, _least_reach(drawn, strokes) if strokes.measured else 0.0 * off)
+    far_low, far_high = _grown(
+        corners, 2.0 * off + (_farthest_reach(drawn, strokes) if strokes.measured else 0.0)
+    )
     reaches = (far_low <= low.min(axis=0)).any(axis=1) | (far_high >= high.max(axis=0)).any(axis=1)
     inside = {id(view) for (view, _), is_far in zip(known, reaches, strict=True) if not is_far}
     return [view for view in views if id(view) not in inside]
@@ -129,40 +142,42 @@ def _grown(boxes: FloatArray, by: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _stroke_boxes(
-    views: Sequence[CurveView], lines: Sequence[FloatArray], *, as_drawn: bool
+    views: Sequence[CurveView], lines: Sequence[FloatArray], strokes: Strokes, *, as_drawn: bool
 ) -> list[FloatArray]:
     """Return the boxes of those strokes, by the boxes of their lines, that may reach beyond all others."""
-    places = [at for at, view in enumerate(views) if half_width(view.source.style) > 0.0]
+    places = [at for at, view in enumerate(views) if half_width(strokes.printed(view.source.style)) > 0.0]
     if not places:
         return []
     stroked, corners = [views[at] for at in places], np.array([lines[at] for at in places])
     # Boxes that strokes fill at least, as one without corners and ends does, and those that none leaves.
-    low, high = _grown(corners, _least_reach(stroked))
-    far_low, far_high = _grown(corners, _farthest_reach(stroked))
+    low, high = _grown(corners, _least_reach(stroked, strokes))
+    far_low, far_high = _grown(corners, _farthest_reach(stroked, strokes))
     sticks_out = (far_low < low.min(axis=0)).any(axis=1) | (far_high > high.max(axis=0)).any(axis=1)
     return [
         np.concatenate([low, high]),
-        *(_stroke_box(stroked[at], as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
+        *(_stroke_box(stroked[at], strokes, as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
     ]
 
 
-def _least_reach(views: Sequence[CurveView]) -> FloatArray:
-    styles = (view.source.style for view in views)
+def _least_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
+    styles = (strokes.printed(view.source.style) for view in views)
     return np.array([half_width(style) if is_round(style) else 0.0 for style in styles])
 
 
-def _farthest_reach(views: Sequence[CurveView]) -> FloatArray:
-    return np.array([farthest_reach(view.source.style) for view in views])
+def _farthest_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
+    return np.array([farthest_reach(strokes.printed(view.source.style)) for view in views])
 
 
-def _stroke_box(view: CurveView, *, as_drawn: bool) -> FloatArray:
+def _stroke_box(view: CurveView, strokes: Strokes, *, as_drawn: bool) -> FloatArray:
+    style = strokes.printed(view.source.style)
     if as_drawn:
         line = polygonal(view.polyline, is_closed=view.source.is_closed)
-        return view.polyline if line is None else stroke_box(line, view.source.style)
-    if "stroke_bounds" not in view.__dict__:
+        return view.polyline if line is None else stroke_box(line, style)
+    if view.__dict__.get("stroke_bounds", (None,))[0] != style:
         line = _exact_line(view)
-        view.__dict__["stroke_bounds"] = _found(view) if line is None else stroke_box(line, view.source.style)
-    found: FloatArray = view.__dict__["stroke_bounds"]
+        box = _found(view) if line is None else stroke_box(line, style)
+        view.__dict__["stroke_bounds"] = (style, box)
+    found: FloatArray = view.__dict__["stroke_bounds"][1]
     return found
 
 

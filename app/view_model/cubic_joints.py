@@ -151,13 +151,15 @@ def points_of(
     positions, at = _pairs(pieces[:, 0]), t.tolist()
     points = []
     for i, (x, y) in enumerate(positions):
+        # At one speed, the longer handle knows the direction best: a straight piece stays straight.
+        through = end[i - 1] if steps[i - 1] >= steps[i] else start[i]
         if i == 0 and not closed:
             points.append(Point(x, y, at[0], start[0]))
         elif joints.tied[i - 1]:
-            after = end[i - 1] if joints.smooth[i - 1] else start[i]
-            points.append(tied(Point(x, y, at[i]), end[i - 1], after, (steps[i - 1], steps[i])))
+            before, after = (through, through) if joints.smooth[i - 1] else (end[i - 1], start[i])
+            points.append(tied(Point(x, y, at[i]), before, after, (steps[i - 1], steps[i])))
         elif joints.smooth[i - 1]:
-            points.append(Point(x, y, at[i], end[i - 1]))
+            points.append(Point(x, y, at[i], through))
         else:
             points.append(Point(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
     if not closed:

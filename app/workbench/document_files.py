@@ -87,7 +87,8 @@ class DocumentFiles:
 
     def _as_usual(self, document: Document) -> Document:
         preferences = self._preferences
-        return replace(document, unit=preferences.unit_name, grid_spacing=preferences.grid_spacing)
+        unit, spacing, page = preferences.unit_name, preferences.grid_spacing, preferences.new_page
+        return replace(document, unit=unit, grid_spacing=spacing, page=page)
 
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""

@@ -7,7 +7,8 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 
 from app.document.model import Document, make_curve
-from app.exchange.drawing.drawing import POINT_RADIUS, USUAL_WIDTH, drawing_of
+from app.document.style import USUAL_WIDTH
+from app.exchange.drawing.drawing import POINT_RADIUS, drawing_of
 from app.exchange.drawing.styles import DARK, INK
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of
@@ -120,9 +121,8 @@ def test_a_pdf_has_one_page_of_the_right_shape_and_no_picture_in_it(example, tmp
         left, bottom, right, top = map(float, box.split())
         frame = drawing_of(example).frame
         assert (left, bottom) == (0, 0)
-        # Qt writes whole points.
-        assert right == pytest.approx(width or 720 * frame.width / frame.side, abs=1)
-        assert top == pytest.approx(right * frame.height / frame.width, abs=1.5)
+        assert right == pytest.approx(width or 720 * frame.width / frame.side, abs=1e-6)
+        assert top == pytest.approx(right * frame.height / frame.width, abs=1e-5)
         assert b"/Subtype /Image" not in data
 
 

@@ -3,6 +3,7 @@
 The judge is librsvg where it is installed, and Qt's own SVG renderer everywhere.
 """
 
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -13,6 +14,8 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
+from app.document.model import Page
+from app.exchange.corner import from_lower_left
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
@@ -121,8 +124,8 @@ def test_a_png_looks_as_the_file_does(path, tmp_path):
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_what_was_written_is_read_as_the_same_curves(path):
-    found = read_svg(path.read_bytes()).document
-    again = read_svg(svg_of(found, Options(unit=found.unit)).data).document
+    found = from_lower_left(read_svg(path.read_bytes()).document)
+    again = from_lower_left(read_svg(svg_of(found, Options(unit=found.unit)).data).document)
     assert (again.unit, again.page) == (found.unit, found.page)
     assert [curve.visible for curve in again.curves] == [curve.visible for curve in found.curves]
     for old, new in zip(found.curves, again.curves, strict=True):
@@ -149,3 +152,34 @@ def test_a_circle_of_four_arcs_is_four_points():
     assert [point.position for point in curve.points] == [(55, -10), (43, -22), (55, -34), (67, -22)]
     assert not any(point.corner for point in curve.points)
     assert curve.closed
+
+
+def test_sides_of_rounded_rectangles_come_back_as_lines():
+    """A long side took the direction of the short handle beside it, 3e-14 off, and went out as a cubic."""
+    for box in (
+        (122.878, 92.171, 6.567, 46.691, 0.77),
+        (51.804, 168.507, 134.95, 17.564, 0.92),
+        (10, 10, 90, 122, 8),
+    ):
+        x, y, width, height, radius = box
+        text = f'<rect x="{x}" y="{y}" width="{width}" height="{height}" rx="{radius}"/>'
+        drawn = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 210 297">{text}</svg>'
+        data = svg_of(read_svg(drawn.encode()).document).text
+        assert (data.count(" L "), data.count(" C ")) == (4, 4)
+
+
+def test_coordinates_of_a_drawing_go_out_as_they_came_in():
+    """An opened drawing hung below the origin: all numbers of y were negative."""
+    places = np.random.default_rng(1).uniform(0, 148, (200, 2)).round(3).tolist()
+    data = " ".join(f"{x} {y}" for x, y in places)
+    box = 'viewBox="0 0 148 148"'
+    drawn = f'<svg xmlns="http://www.w3.org/2000/svg" {box}><path d="M{data}" stroke="red"/></svg>'
+    found = from_lower_left(read_svg(drawn.encode()).document)
+    assert found.page == Page(0.0, 0.0, 148.0, 148.0)
+    assert [point.y for point in found.curves[0].points] == [round(148 - y, 3) for _, y in places]
+    text = svg_of(found).text
+    assert box in text
+    assert re.findall(r"[ML] ([\d.]+ [\d.]+)", text) == [f"{x:g} {y:g}" for x, y in places]
+    # A drawing with its origin in the middle has it there on purpose.
+    middle = read_svg(drawn.replace("0 0 148", "-74 -74 148").encode()).document
+    assert from_lower_left(middle) is middle

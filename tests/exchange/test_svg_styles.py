@@ -189,9 +189,9 @@ def test_groups_and_names_in_the_dialects_of_their_programs():
     assert [curve.groups for curve in found] == [
         (layer, "Badge 2"), (layer, "Group"), (layer, "Group"), (layer,), ("g1",),
     ]  # fmt: skip
-    # The only layer of a file is no group.
+    # A press passes through layers, so that the only one of a file is in nobody's way.
     only = f'<g inkscape:groupmode="layer" id="layer1"><path d="{LINE}"/><path d="{LINE}"/></g>'
-    assert {curve.groups for curve in curves(only)} == {()}
+    assert {curve.groups for curve in curves(only)} == {("layer1",)}
 
 
 def test_hidden_and_locked_layers():

@@ -98,12 +98,34 @@ def test_a_pdf_has_true_size(unit, tmp_path):
     data = (tmp_path / "a.pdf").read_bytes()
     frame, scale = trimmed(drawing_of(document)).frame, MILLIMETRES[unit] * 72 / 25.4
     wide, high = page_of(data)
-    # Whole points that have room for all: it was 720 wide.
-    assert 0 <= wide - frame.width * scale < 1
-    assert 0 <= high - frame.height * scale < 1
+    # It was 720 wide, and later a whole number of points.
+    assert (wide, high) == pytest.approx((frame.width * scale, frame.height * scale), abs=1e-6)
     length = document.curves[0].points[-1].x * scale
     # Qt writes coordinates with some six digits.
     assert length_of_the_stroke(data) == pytest.approx(length, rel=1e-4)
+
+
+def test_a_page_is_as_large_in_a_pdf_and_its_corner_is_the_corner(tmp_path):
+    """A5 was 596 × 420 points, with its content in the middle."""
+    line = make_curve(((0.0, 0.0), (210.0, 148.0)))
+    document = Document((line,), unit="mm", page=Page(0.0, 0.0, 210.0, 148.0))
+    export(document, tmp_path / "a.pdf", Options(unit="mm"))
+    data = (tmp_path / "a.pdf").read_bytes()
+    assert b"/MediaBox [0 0 595.275591 419.527559]" in data
+    # Every object is where the file says.
+    start = int(data[data.rindex(b"startxref") + 9 :].split()[0])
+    assert data[start : start + 4] == b"xref"
+    assert length_of_the_stroke(data) == pytest.approx(595.275591, rel=1e-4)
+    (page,) = (
+        text.decode("latin-1")
+        for each in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", data, re.DOTALL)
+        if each[:1] == b"x" and b" c\n" in (text := zlib.decompress(each))
+    )
+    x, y = map(float, re.findall(r"([-.0-9e]+) ([-.0-9e]+) m\n", page)[-1])
+    for matrix in reversed(re.findall(r"^(.*) cm", page, re.MULTILINE)):
+        a, _, _, d, e, f = map(float, matrix.split())
+        x, y = a * x + e, d * y + f
+    assert (x, y) == pytest.approx((0, 0), abs=1e-3)
 
 
 def test_pages_that_no_pdf_has_are_refused(tmp_path):
@@ -131,7 +153,7 @@ def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
     ("ending", "unit", "said"),
     [
         (".svg", "mm", "70.21 × 40.21 mm, 1 : 1 (1 is 1 mm)"),
-        (".pdf", "mm", "Page of 70.56 × 40.22 mm, 1 : 1 (1 is 1 mm)"),
+        (".pdf", "mm", "Page of 70.21 × 40.21 mm, 1 : 1 (1 is 1 mm)"),
         (".png", "mm", "829 × 475 pixels, 70.21 × 40.21 mm at 300 dpi"),
         (".png", "", "1600 × 988 pixels"),
         (".pdf", "", "Page of 254 × 156.8 mm, not to scale"),
@@ -227,7 +249,7 @@ def test_a_level_line_has_room_beside_it():
 
 def test_a_page_is_shown_as_it_is():
     paged = replace(SEVENTY, page=Page(0.0, 0.0, 200.0, 100.0))
-    assert picture_box(paged) == [0.0, -100.0, 200.0, 100.0]
+    assert picture_box(paged) == [0.0, 0.0, 200.0, 100.0]
 
 
 @pytest.mark.parametrize("shown", ["points", "handles", "grid"])

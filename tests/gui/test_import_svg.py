@@ -14,7 +14,11 @@ from app.document.edits import set_position
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Page, make_curve
 from app.document.style import Style
+from app.exchange.corner import from_lower_left
+from app.exchange.options import Options
+from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
 from app.features.import_export.commands import ExchangeCommands
 from app.storage.files import load
 from app.testing import spin
@@ -103,7 +107,7 @@ def test_what_comes_in_otherwise_is_listed_before(editor):
 def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
     blank(editor)
     document = imported(editor, SVG / "inkscape_logo.svg")
-    assert (document.unit, document.page) == ("mm", Page(0.0, -50.0, 70.0, 50.0))
+    assert (document.unit, document.page) == ("mm", Page(0.0, 0.0, 70.0, 50.0))
     shown = {curve.name: curve for curve in document.curves}
     assert [curve.groups for curve in document.curves if curve.name == "Leaf"] == [
         ("Leaves", "Left pair"),
@@ -121,10 +125,10 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
     session.files.begin(sketch)
     for _ in range(2):
         document = imported(editor, SVG / "inkscape_logo.svg")
-        assert (document.unit, document.page) == ("mm", Page(0.0, -50.0, 70.0, 50.0))
+        assert (document.unit, document.page) == ("mm", Page(0.0, 0.0, 70.0, 50.0))
         assert "Sketch" not in {curve.name for curve in document.curves}
         assert (title_of(session), session.files.is_modified) == ("inkscape_logo", True)
-        assert session.selected.curves == frozenset(range(len(document.curves)))
+        assert not session.selected.marked
         editor.trigger("undo")
         assert (session.document, title_of(session)) == (sketch, "Untitled")
     editor.drag_point(0, to=(0.0, 0.0))
@@ -208,8 +212,8 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     editor.wait_for_work()
     assert editor.status == "Wrote badge.svg, exact. What it was is kept as badge.svg.before.bak."
     assert (tmp_path / "badge.svg.before.bak").read_text(encoding="utf-8") == INCH
-    back = read_svg(path.read_bytes()).document
-    assert [each.position for each in back.curves[0].points] == [(7, 0), (1, 0), (1, -1)]
+    back = import_file(path).document
+    assert [each.position for each in back.curves[0].points] == [(7, 0), (1, 1), (1, 0)]
     assert (back.curves[0].style, back.unit, back.page) == (document.curves[0].style, "in", document.page)
     # Another time nothing of it is lost; where another program has written it, that is kept.
     move_first_point(editor, 8.0)
@@ -220,7 +224,7 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     editor.session.change("Guide", lambda document: add_guide(document, Axis.X, 1.0))
     editor.trigger("overwriteForeign")
     editor.wait_for_work()
-    assert editor.status.startswith("Wrote badge.svg, exact. Guides are not written.")
+    assert import_file(path).document.guides == editor.session.document.guides
     assert editor.status.endswith("kept as badge.svg.before.2.bak.")
     # What was there already is not replaced unasked.
     editor.session.files.begin_imported(document, "badge", foreign=session.files.foreign)
@@ -285,3 +289,79 @@ def test_an_icon_goes_out_as_large_as_it_came_in(editor, tmp_path):
     assert 'viewBox="0 0 24 24"' in text
     assert text.count('stroke="#ff0000" stroke-width="2" stroke-linecap="round"') == 4
     assert "rect" not in text
+
+
+def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_path):
+    """All that was opened was chosen, with a hidden ellipse in its ghost: nobody could move anything."""
+    blank(editor)
+    path = tmp_path / "layers.svg"
+    path.write_text(LAYERS)
+    imported(editor, path)
+    selected = editor.session.selected
+    assert not selected.marked
+    assert editor.session.active_curve.is_free
+    document = imported(editor, path)
+    assert selected.chosen == {place for place in range(5, 10) if document.curves[place].is_free}
+    assert len(selected.chosen) == 4
+    # Page upon page.
+    assert [curve.points for curve in document.curves[5:]] == [curve.points for curve in document.curves[:5]]
+
+
+LAYERS = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm" viewBox="0 0 60 40"'
+    ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+    ' xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><sodipodi:namedview>'
+    '<sodipodi:guide position="15,0" orientation="1,0"/><sodipodi:guide position="0,10" orientation="0,-1"/>'
+    '</sodipodi:namedview><g inkscape:groupmode="layer" inkscape:label="Back" id="a"'
+    ' sodipodi:insensitive="true" style="display:none"><path id="ground" d="M0 0H60V40H0Z" fill="#eee"/></g>'
+    '<g inkscape:groupmode="layer" inkscape:label="Art work" id="b"><path id="left" d="M5 5H20V20H5Z"'
+    ' fill="#00aa00"/><path id="right" d="M40 5H55V20H40Z" fill="#aa0000"/><g id="pair"><path id="one"'
+    ' d="M5 30H20V35H5Z" fill="#0000aa"/><path id="two" d="M40 30H55V35H40Z" fill="#0000aa"/></g></g></svg>'
+)
+
+
+def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path):
+    """A press took a whole layer, and layers went out as groups, open and shown, without the guides."""
+    blank(editor)
+    path = tmp_path / "layers.svg"
+    path.write_text(LAYERS)
+    document, selected = imported(editor, path), editor.session.selected
+    assert document.layers == ("Back", "Art work")
+
+    def press(x, y):
+        for _ in range(3):
+            editor.escape()
+        place = document.page.y + document.page.height - y
+        editor.click((x, place))
+        return {
+            editor.session.document.curves[i].name for i in selected.choice.chosen or {selected.choice.active}
+        }
+
+    assert press(12, 12) == {"left"}
+    assert press(47, 12) == {"right"}
+    assert press(12, 32) == {"one", "two"}
+    # No layer is taken apart or taken whole by what concerns groups.
+    editor.trigger("ungroupCurves")
+    press(12, 12)
+    assert not editor.action("ungroupCurves").isEnabled()
+    selected.choose((1, 3))
+    editor.trigger("groupCurves")
+    document = editor.session.document
+    assert [curve.groups for curve in document.curves if "Group 1" in curve.groups] == [
+        ("Art work", "Group 1")
+    ] * 2
+    text = svg_of(document, Options(unit="mm")).text
+    assert (
+        '<g id="Back" inkscape:groupmode="layer" inkscape:label="Back" sodipodi:insensitive="true"'
+        ' style="display:none">' in text
+    )
+    assert '<g id="Art_work" inkscape:groupmode="layer" inkscape:label="Art work">' in text
+    assert text.count("insensitive") == text.count("display") == 1
+    # What stands above the origin here hangs below it there.
+    assert (document.page.y, min(point.y for curve in document.curves for point in curve.points)) == (0, 0)
+    assert '<path id="left" d="M 5 5' in text
+    again = from_lower_left(read_svg(text.encode()).document)
+    assert again.layers == document.layers
+    assert len(again.guides) == 2
+    assert set(again.guides) == set(document.guides)
+    assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4

@@ -56,13 +56,13 @@ def test_pictures_show_the_page_until_it_is_taken_away(drawn, tmp_path):
     export(tmp_path / "page.svg")
     drawn.wait_for_work()
     text = (tmp_path / "page.svg").read_text(encoding="utf-8")
-    assert 'width="4mm" height="4mm" viewBox="0 -4 4 4"' in text
+    assert 'width="4mm" height="4mm" viewBox="0 0 4 4"' in text
     assert "reaches beyond the page" in drawn.message
     drawn.trigger("noPage")
     assert drawn.session.document.page is None
     export(tmp_path / "all.svg")
     drawn.wait_for_work()
-    assert 'viewBox="0 -4 4 4"' not in (tmp_path / "all.svg").read_text(encoding="utf-8")
+    assert 'viewBox="0 0 4 4"' not in (tmp_path / "all.svg").read_text(encoding="utf-8")
 
 
 def test_the_actions_wait_for_what_they_need(editor):
@@ -141,7 +141,7 @@ def test_an_artboard_is_typed_and_exported(editor, tmp_path):
     assert editor.window.findChild(QComboBox, "pageUsual").currentText() == "24 × 24 px"
     editor.window.commands[ExchangeCommands].export(tmp_path / "icon.svg")
     editor.wait_for_work()
-    assert 'viewBox="0 -24 24 24"' in (tmp_path / "icon.svg").read_text(encoding="utf-8")
+    assert 'viewBox="0 0 24 24"' in (tmp_path / "icon.svg").read_text(encoding="utf-8")
     editor.trigger("undo")
     assert editor.session.document.page is None
     assert line(editor, "pageWidth").text() == ""
@@ -177,7 +177,7 @@ def test_usual_sizes_are_chosen_and_turned(drawn):
     assert drawn.session.undo_stack.undoText() == "Page 297 × 210 mm"
     choose(drawn, usual, "none")
     assert drawn.session.document.page is None
-    drawn.session.change("Unit", lambda document: replace(document, unit=""))
+    drawn.session.change("Unit", lambda document: replace(document, unit="s"))
     drawn.settle()
     assert usual.findText("A4") == -1, "a sheet has no size where there is no length"
 

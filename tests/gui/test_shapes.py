@@ -8,8 +8,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 
+from app.actions.strips import CURVE_MENU
 from app.appearance.theme import LIGHT
 from app.cli import main
 from app.document.edits import move_points
@@ -818,3 +819,15 @@ def test_a_folded_shape_opens_under_a_drag_that_rests_on_it(ring):
     ring.settle()
     assert names(ring) == ["Outer", "Side", "Inner"]
     assert shapes(ring) == ["Shape 1"] * 3
+
+
+def test_style_calls_a_shape_by_its_name_and_the_menu_of_a_curve_raises_it(ring):
+    """Style named one of its curves, and said so of points of two."""
+    ring.session.selected.activate(0)
+    ring.show_dock("styleDock")
+    ring.settle()
+    name = ring.session.document.curves[0].shape
+    assert ring.window.findChild(QLabel, "styleSubject").text() == name != ring.curve.name
+    entries = ring.window.context.actions.in_strip(CURVE_MENU).values()
+    names = {each.objectName() for section in entries for each in section}
+    assert {"raiseCurve", "lowerCurve", "groupCurves"} <= names

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -12,8 +13,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QToolButton
 
-from app.document.model import Document, make_curve
+from app.document.model import Document, Page, make_curve
+from app.document.several_curves import alone
 from app.document.style import Style
+from app.exchange.options import Options
+from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 
 Key, LEFT = Qt.Key, Qt.MouseButton.LeftButton
@@ -375,12 +379,12 @@ def test_quarter_turns_have_buttons_and_keys(leaf):
 @pytest.mark.parametrize(
     ("name", "text", "reason"),
     [
-        ("Width", "7 foo", "is not a number"),
+        ("Width", "7 foo", "is no unit of length"),
         ("Width", "1e13", "between"),
         ("Width", "0", "greater than 0"),
         ("Height", "-3", "greater than 0"),
         ("Height", "-100%", "greater than 0"),
-        ("X", "3 apples", "is not a number"),
+        ("X", "3 apples", "is no unit of length"),
         ("Turn", "much", "is not a number"),
     ],
 )
@@ -437,3 +441,32 @@ def test_the_keyboard_chooses_a_place_by_tab_and_arrows(leaf):
     assert leaf.window.canvas.marks.pivot == pytest.approx((low[0], (low[1] + high[1]) / 2), abs=CLOSE)
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Down)
     assert leaf.window.canvas.marks.pivot == pytest.approx(low, abs=CLOSE)
+
+
+def test_lines_of_the_usual_width_are_measured_as_the_page_prints_them(leaf, tmp_path):
+    """70 mm with strokes went out as 70.24 mm: lines without a width counted as none."""
+    leaf.session.change("Page", lambda document: replace(document, page=Page(0.0, 0.0, 210.0, 148.0)))
+    leaf.session.selected.choose({1})
+    leaf.settle()
+    enter(leaf, "Width", "70")
+    assert size(leaf, 1)[0] == pytest.approx(70.0 - 0.63, abs=CLOSE)
+    document = alone(leaf.session.document, {1})
+    picture = ElementTree.fromstring(svg_of(document, Options(unit="mm")).data)
+    assert float(picture.get("width").removesuffix("mm")) == pytest.approx(70.0, abs=1e-6)
+
+
+def test_the_lock_binds_the_grips_at_the_corners(leaf):
+    """A corner stretched what the lock of the panel said keeps its proportions."""
+    leaf.session.selected.choose({1})
+    leaf.settle()
+    before = size(leaf, 1)
+    leaf.trigger("keepProportions")
+    x, y = leaf.grip(1, 1)
+    leaf.drag((x, y), (x + 20.0, y + 1.0))
+    grown = size(leaf, 1) / before
+    assert grown[0] == pytest.approx(grown[1])
+    assert grown[0] > 1.2
+    x, y = leaf.grip(1, 0)
+    leaf.drag((x, y), (x + 20.0, y))
+    assert size(leaf, 1)[1] == pytest.approx(before[1] * grown[1])
+    leaf.trigger("keepProportions")

@@ -13,8 +13,8 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
-from ...document.model import Curve, Document, Vector
-from ...document.style import Style
+from ...document.model import Curve, Document, Guide, Vector
+from ...document.style import USUAL_WIDTH, Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.cubics import RELATIVE_TOLERANCE
@@ -29,9 +29,6 @@ MARGIN = 0.06
 
 SLIMMEST = 0.2
 """Least ratio of a frame's shorter to its longer side."""
-
-USUAL_WIDTH = 0.003
-"""Of a line whose style does not say it, against the drawing's longer side."""
 
 POINT_RADIUS = 0.006
 """Of the discs at the points, likewise."""
@@ -115,6 +112,8 @@ class Drawing(msgspec.Struct, frozen=True):
         Whether the frame is the document's page.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
+    layers, guides
+        As in `Document`.
     """
 
     outlines: tuple[Outline, ...]
@@ -124,6 +123,8 @@ class Drawing(msgspec.Struct, frozen=True):
     annotations: tuple[Annotation, ...] = ()
     has_page: bool = False
     hidden: tuple[tuple[int, Outline], ...] = ()
+    layers: tuple[str, ...] = ()
+    guides: tuple[Guide, ...] = ()
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -219,12 +220,21 @@ def drawing_of(
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
-    if document.page is None:
-        return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks), hidden=hidden)
-    page = document.page
-    frame = Frame(page.x, page.y, page.width, page.height)
-    remarks += _beyond(outlines, frame)
-    return Drawing(outlines, frame, allowed, tuple(remarks), has_page=True, hidden=hidden)
+    if (page := document.page) is None:
+        frame = frame_with(outlines)
+    else:
+        frame = Frame(page.x, page.y, page.width, page.height)
+        remarks += _beyond(outlines, frame)
+    return Drawing(
+        outlines,
+        frame,
+        allowed,
+        tuple(remarks),
+        has_page=page is not None,
+        hidden=hidden,
+        layers=document.layers,
+        guides=document.guides,
+    )
 
 
 def _hidden(document: Document, drawn: Iterable[Curve], tolerance: float) -> Iterator[tuple[int, Outline]]:
@@ -327,6 +337,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.shape,
         curve.groups,
         curve.visible,
+        curve.locked,
     )
 
 

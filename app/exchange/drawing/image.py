@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from msgspec.structs import replace
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 
@@ -106,8 +105,9 @@ def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> 
 
 def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what a PDF looks like; see `png_preview`."""
-    drawing, points = _on_page(_drawing(document, options, options.vector_style), options)
-    page = (points / POINTS_PER_MILLIMETRE).toTuple()
+    drawing = _drawing(document, options, options.vector_style)
+    wide, high = _page_size(drawing, options)
+    page = (wide / POINTS_PER_MILLIMETRE, high / POINTS_PER_MILLIMETRE)
     size = _size_text(drawing.frame, options, page, "mm")
     return _preview(drawing, options, options.vector_style, f"Page of {size}", room)
 
@@ -234,29 +234,41 @@ def pdf_file(document: Document, options: Options) -> Written:
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:
     # On its own, because nothing that paints may outlive the application.
-    drawing, page = _on_page(drawing, options)
+    wide, high = page = _page_size(drawing, options)
+    # Two digits of slack: what is a whole number of points but for rounding shall not become one more.
+    whole = (math.ceil(wide - 1e-6), math.ceil(high - 1e-6))
     buffer = _buffer()
     writer = QPdfWriter(buffer)
     writer.setCreator(f"Curvebench {__version__}")
     writer.setTitle(", ".join(outline.name for outline in drawing.outlines))
     writer.setResolution(_PDF_RESOLUTION)
-    size = QPageSize(page, QPageSize.Unit.Point, "", QPageSize.SizeMatchPolicy.ExactMatch)
+    size = QPageSize(QSizeF(*whole), QPageSize.Unit.Point, "", QPageSize.SizeMatchPolicy.ExactMatch)
     writer.setPageLayout(QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF()))
     with QPainter(writer) as painter:
-        device = painter.viewport()
-        _paint(drawing.fitted(device.width(), device.height()), painter, style, options)
-    return bytes(buffer.data().data())
+        # From the lower left corner, where the page begins.
+        painter.translate(0.0, (whole[1] - high) * _PDF_RESOLUTION / 72)
+        side = (each * _PDF_RESOLUTION / 72 for each in page)
+        _paint(drawing.fitted(*side), painter, style, options)
+    return _cut(bytes(buffer.data().data()), whole, page)
 
 
-def _on_page(drawing: Drawing, options: Options) -> tuple[Drawing, QSizeF]:
-    """Return a drawing and the size in points of the page that it fills.
+def _cut(pdf: bytes, whole: tuple[int, int], page: tuple[float, float]) -> bytes:
+    """Return a PDF with a page cut to its size: Qt makes those of whole points alone (QPageSize::sizePoints).
 
-    Qt writes whole points. At true size it is the margin that gives, by less than a point, not the scale.
+    It is as long as before, for the file says where in it everything is.
     """
+    before = f"/MediaBox [0 0 {whole[0]:f} {whole[1]:f}]".encode()
+    after = f"/MediaBox [0 0 {page[0]:f} {page[1]:f}".encode().ljust(len(before) - 1) + b"]"
+    # Were it written otherwise one day, the page would be larger by less than a point.
+    return pdf.replace(before, after, 1)
+
+
+def _page_size(drawing: Drawing, options: Options) -> tuple[float, float]:
+    """Return width and height in points of the page that a drawing fills."""
     frame, unit = drawing.frame, known_unit(options.unit)
     if not unit or options.width is not None:
         across = PAGE_SIDE * frame.width / frame.side if options.width is None else options.width
-        return drawing, QSizeF(across, across * frame.height / frame.width)
+        return across, across * frame.height / frame.width
     scale = MILLIMETRES[unit] * POINTS_PER_MILLIMETRE
     if not SMALLEST_PAGE <= min(frame.width, frame.height) * scale <= frame.side * scale <= LARGEST_PAGE:
         longest = LARGEST_PAGE / POINTS_PER_MILLIMETRE
@@ -264,11 +276,7 @@ def _on_page(drawing: Drawing, options: Options) -> tuple[Drawing, QSizeF]:
             f"At true size the page would be {size_in_words(frame.width, frame.height, unit)}; "
             f"a PDF has pages of 1 to {longest:.0f} mm."
         )
-    # Two digits of slack: what is a whole number of points but for rounding shall not become one more.
-    wide, high = (math.ceil(side * scale - 1e-6) for side in (frame.width, frame.height))
-    width, height = wide / scale, high / scale
-    left, bottom = frame.left - (width - frame.width) / 2, frame.bottom - (height - frame.height) / 2
-    return replace(drawing, frame=Frame(left, bottom, width, height)), QSizeF(wide, high)
+    return frame.width * scale, frame.height * scale
 
 
 def _drawing(document: Document, options: Options, style: PictureStyle) -> Drawing:

@@ -30,7 +30,7 @@ class Outline(msgspec.Struct, frozen=True):
         Whether the last piece ends where the first begins, and goes on there.
     style
         Stroke and fill; its width is in the unit of the control points.
-    shape, groups, visible
+    shape, groups, visible, locked
         As in `Curve`.
     """
 
@@ -43,6 +43,7 @@ class Outline(msgspec.Struct, frozen=True):
     shape: str = ""
     groups: tuple[str, ...] = ()
     visible: bool = True
+    locked: bool = False
 
     @property
     def colour(self) -> str:

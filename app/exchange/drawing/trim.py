@@ -8,7 +8,8 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.model import Document
-from .drawing import USUAL_WIDTH, Drawing, Frame, drawing_of
+from ...document.style import USUAL_WIDTH
+from .drawing import Drawing, Frame, drawing_of
 from .extents import extent_of
 from .outlines import Outline
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from .. import drawing, svg
+from dataclasses import replace
+
+from .. import corner, drawing, svg
 from ..cubics_in import Imported
 from ..options import DPI, PICTURE, SCALE, TOLERANCE, TRUE_SIZE, WIDTH
 from ..svg.writer import svg_of
@@ -10,8 +12,9 @@ from . import ContentKind, Format
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:
-    """Return the curves of a drawing; see `svg.reader.read_svg`."""
-    return svg.reader.read_svg(data, tolerance)
+    """Return the curves of a drawing on a page that stands on the origin; see `svg.reader.read_svg`."""
+    found = svg.reader.read_svg(data, tolerance)
+    return replace(found, document=corner.from_lower_left(found.document))
 
 
 # Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.

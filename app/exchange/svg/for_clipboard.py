@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from ...document.model import Document
 from ...tasks.progress import Report, silent
 from ..formats import Written
@@ -20,7 +22,8 @@ def svg_for_clipboard(document: Document, report: Report = silent, *, in_group: 
         As `svg_of`.
     """
     options = Options(unit=known_unit(document.unit) or "px", report=report)
-    return svg_of(document, options, in_group=in_group)
+    # Who pastes it has guides of his own.
+    return svg_of(replace(document, guides=(), layers=()), options, in_group=in_group)
 
 
 def svg_for_inkscape(document: Document) -> Written:

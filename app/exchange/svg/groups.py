@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from ..cubics_in import ImportedPath
 from ..naming import Names
@@ -21,7 +21,7 @@ class Group:
     name
         What the file calls it; empty where it does not.
     is_layer
-        Whether it is a layer of Inkscape's.
+        Whether it is a layer of Inkscape's, in nothing but layers.
     """
 
     number: int
@@ -38,21 +38,26 @@ class Drawn:
     groups: tuple[Group, ...]
 
 
-def settled(drawn: Sequence[Drawn]) -> list[ImportedPath]:
-    """Return paths with the names of their groups, other ones for each among its siblings.
+class Settled(NamedTuple):
+    """Paths with the names of their groups, and which of these are layers."""
 
-    A group without a name, around a single shape, is none; nor is the only layer of a file.
+    paths: list[ImportedPath]
+    layers: tuple[str, ...]
+
+
+def settled(drawn: Sequence[Drawn]) -> Settled:
+    """Return paths with the names of their groups, another one for each.
+
+    A group without a name, around a single shape, is none.
     """
     held: dict[Group, set[int]] = {}
     for each in drawn:
         for group in each.groups:
             held.setdefault(group, set()).add(each.element)
-    kept = {group for group, elements in held.items() if group.name or len(elements) > 1}
-    outer = {each.groups[:1] for each in drawn}
-    if len(outer) == 1 and (only := next(iter(outer))) and only[0].is_layer:
-        kept.discard(only[0])
+    kept = {group for group, elements in held.items() if group.name or group.is_layer or len(elements) > 1}
     names = _Given()
-    return [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
+    paths = [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
+    return Settled(paths, names.layers)
 
 
 class _Given:
@@ -61,8 +66,12 @@ class _Given:
     def __init__(self) -> None:
         self._of_group: dict[Group, str] = {}
         self._of_shape: dict[int, str] = {}
-        self._within: defaultdict[tuple[str, ...], Names] = defaultdict(Names)
-        self._shapes = Names()
+        self._groups, self._shapes = Names(), Names()
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """The names of the groups that are layers."""
+        return tuple(name for group, name in self._of_group.items() if group.is_layer)
 
     def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
         """Return a path with names of its groups, and one of its shape, that no others have."""
@@ -77,9 +86,8 @@ class _Given:
 
     def _chain(self, groups: Sequence[Group]) -> tuple[str, ...]:
         """Return the names of groups within each other."""
-        chain: tuple[str, ...] = ()
         for group in groups:
             if group not in self._of_group:
-                self._of_group[group] = self._within[chain].different(group.name or "Group")
-            chain = (*chain, self._of_group[group])
-        return chain
+                usual = "Layer" if group.is_layer else "Group"
+                self._of_group[group] = self._groups.different(group.name or usual)
+        return tuple(self._of_group[group] for group in groups)

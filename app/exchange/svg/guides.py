@@ -1,15 +1,15 @@
-"""Guides of Inkscape's as those of a document."""
+"""Guides of Inkscape's as those of a document, and the other way round."""
 
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...document.model import MAX_MAGNITUDE, Axis, Guide
+from ..drawing.drawing import Frame
+from .names import SODIPODI
+from .numbers import number
 from .sheet import Sheet
-
-SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
-"""Name space of what only Inkscape takes note of."""
 
 _SIGNIFICANT = 7
 """Digits of a place: Inkscape writes eight, the last of them often off by one."""
@@ -35,6 +35,22 @@ def _guide(element: ET.Element, sheet: Sheet) -> Guide | None:
         guide = Guide(Axis.Y, page.y + place[1] * page.height / viewport.height)
     # Written so that NaN fails.
     return guide if abs(guide.position) <= MAX_MAGNITUDE else None
+
+
+def guide_elements(guides: Sequence[Guide], frame: Frame) -> list[str]:
+    """Return guides as Inkscape's, in lines of SVG; their places are from the lower left corner."""
+    if not guides:
+        return []
+    lines = [f"    {_element(each, frame)}" for each in guides]
+    return ['  <sodipodi:namedview id="namedview">', *lines, "  </sodipodi:namedview>"]
+
+
+def _element(guide: Guide, frame: Frame) -> str:
+    if guide.axis is Axis.X:
+        place, normal = f"{number(guide.position - frame.left)},0", "1,0"
+    else:
+        place, normal = f"0,{number(guide.position - frame.bottom)}", "0,1"
+    return f'<sodipodi:guide position="{place}" orientation="{normal}"/>'
 
 
 def _pair(text: str) -> tuple[float, float] | None:

@@ -8,8 +8,16 @@ import xml.etree.ElementTree as ET
 from .xml_tree import tag_of
 
 _LONGEST = 200
+INKSCAPE_SPACE = "http://www.inkscape.org/namespaces/inkscape"
+SODIPODI_SPACE = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
+"""Name spaces of what only Inkscape takes note of."""
+
+SODIPODI = f"{{{SODIPODI_SPACE}}}"
+INSENSITIVE = f"{SODIPODI}insensitive"
+GROUP_MODE = f"{{{INKSCAPE_SPACE}}}groupmode"
+
 _LABELS = (
-    "{http://www.inkscape.org/namespaces/inkscape}label",
+    f"{{{INKSCAPE_SPACE}}}label",
     "{http://www.serif.com/}id",  # Affinity
     "data-name",  # Illustrator
 )

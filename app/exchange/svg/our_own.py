@@ -6,9 +6,8 @@ import xml.etree.ElementTree as ET
 
 from msgspec.structs import replace
 
-from ...document.style import INK, Style
+from ...document.style import INK, USUAL_WIDTH, Style
 from ..drawing import styles
-from ..drawing.drawing import USUAL_WIDTH
 from .matrices import box_of
 from .xml_tree import tag_of
 

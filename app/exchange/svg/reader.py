@@ -16,6 +16,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...document.model import Guide
+from ...document.shapes import tidy_shapes
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..drawing.extents import extent_of
@@ -24,8 +25,8 @@ from ..missed import Missed
 from .cascade import Cascade
 from .clips import clip_box
 from .gradients import Ground
-from .groups import Drawn, Group, settled
-from .guides import SODIPODI, guides_of
+from .groups import Drawn, Group, Settled, settled
+from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
     Box,
@@ -38,7 +39,7 @@ from .matrices import (
     moved,
     transform_of,
 )
-from .names import name_of, shown_name
+from .names import GROUP_MODE, INSENSITIVE, name_of, shown_name
 from .our_own import OurOwn
 from .paint import Paints, share_of
 from .path_data import Subpath
@@ -51,8 +52,6 @@ from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
 MAX_PATHS = 10_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
-_INSENSITIVE = f"{SODIPODI}insensitive"
-_GROUP_MODE = "{http://www.inkscape.org/namespaces/inkscape}groupmode"
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
 _NO_CURVES = {
     "text": Flaw("text is no curve", "left out, but as paths it would come in"),
@@ -117,11 +116,13 @@ def _read(data: bytes, tolerance: float | None, *, is_in_groups: bool = False) -
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance, is_in_groups=is_in_groups)
-    paths, guides = reader.all_paths(), reader.guides()
+    (paths, layers), guides = reader.all_paths(), reader.guides()
     found = imported(paths, missed=tuple(reader.missed))
     sheet = reader.sheet
-    document = msgspec.structs.replace(found.document, unit=sheet.unit, page=sheet.page, guides=guides)
-    return replace(found, document=document)
+    document = msgspec.structs.replace(
+        found.document, unit=sheet.unit, page=sheet.page, guides=guides, layers=layers
+    )
+    return replace(found, document=tidy_shapes(document))
 
 
 class _Reader:
@@ -141,14 +142,14 @@ class _Reader:
         self._by_id = {element.get("id", ""): element for element in root.iter()}
         self._ours = OurOwn(root)
         sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
-        self.sheet = sheet if self._ours.has_page else replace(sheet, page=None)
+        self.sheet, self._place = sheet if self._ours.has_page else replace(sheet, page=None), sheet
         self._cascade = Cascade(root)
         self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
         self._styles = StyleReader(Paints(self._by_id, self._cascade.of))
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
 
-    def all_paths(self) -> list[ImportedPath]:
+    def all_paths(self) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
         state = State(self.sheet.matrix, self.sheet.viewport)
         drawn = list(self._drawn(self._root, state, depth=0))
@@ -162,7 +163,7 @@ class _Reader:
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
         found: dict[Guide, None] = {}
-        for element, guide in guides_of(self._root, self.sheet):
+        for element, guide in guides_of(self._root, self._place):
             if guide is None:
                 self._miss(element, _ODD_GUIDE)
             else:
@@ -213,13 +214,13 @@ class _Reader:
             matrix=matrix,
             windows=windows,
             properties=state.properties.entered(declared),
-            is_locked=state.is_locked or element.get(_INSENSITIVE) == "true",
+            is_locked=state.is_locked or element.get(INSENSITIVE) == "true",
         )
 
     def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
         if not is_around_copied and (tag == "g" or (depth > 0 and name_of(element))):
-            is_layer = element.get(_GROUP_MODE) == "layer"
+            is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
             group = Group(self._visited, name_of(element), is_layer)
             state = replace(state, groups=(*state.groups, group))
         if tag == "svg" and depth > 0:

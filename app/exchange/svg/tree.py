@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import takewhile
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from .style_attributes import style_attributes
 _NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
+_LOCKED = ' sodipodi:insensitive="true"'
 
 
 class Tree:
@@ -30,10 +32,22 @@ class Tree:
     ----------
     lines
         What was written so far.
+
+    Of `layers` it says whether all of the `outlines` in them are hidden or locked.
     """
 
-    def __init__(self, style: PictureStyle, usual_width: float) -> None:
+    def __init__(
+        self,
+        style: PictureStyle,
+        usual_width: float,
+        layers: Sequence[str] = (),
+        outlines: Iterable[Outline] = (),
+    ) -> None:
         self._style, self._usual_width = style, usual_width
+        self._layers = {name: _LayerState() for name in layers}
+        for outline in outlines:
+            for name in self._layers_of(outline):
+                self._layers[name].add(outline)
         self._open: tuple[str, ...] = ()
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
@@ -51,8 +65,11 @@ class Tree:
         self._go_into(first.groups)
         data = path_data(shape)
         style = style_attributes(first.style, self._style, self._usual_width, self._gradients)
-        unseen = "" if first.visible else ' display="none"'
-        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{unseen}/>')
+        around = [self._layers[name] for name in self._layers_of(first)]
+        # What a layer says goes for all in it.
+        unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
+        locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
+        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{unseen}{locked}/>')
 
     def close(self) -> None:
         """Close all groups."""
@@ -66,18 +83,48 @@ class Tree:
             self._open = self._open[:-1]
             self._write("</g>")
         for name in groups[common:]:
-            self._write(f"<g{self._called(name)}>")
+            self._write(f"<g{self._called(name)}>" if name not in self._layers else self._layer(name))
             self._open = (*self._open, name)
+
+    def _layer(self, name: str) -> str:
+        """Return the tag that opens a layer; one in another says only what that does not."""
+        state, around = self._layers[name], [self._layers[each] for each in self._open]
+        own = self._ids.different(_stem(name, "layer"))
+        tag = f'<g id="{own}" inkscape:groupmode="layer" inkscape:label="{quoted(name)}"'
+        if state.is_locked and not any(each.is_locked for each in around):
+            tag += _LOCKED
+        if state.is_hidden and not any(each.is_hidden for each in around):
+            tag += ' style="display:none"'
+        return f"{tag}>"
+
+    def _layers_of(self, outline: Outline) -> Iterator[str]:
+        return takewhile(self._layers.__contains__, outline.groups)
 
     def _write(self, element: str) -> None:
         self.lines.append("  " * (len(self._open) + 1) + element)
 
     def _called(self, name: str) -> str:
         """Return a name as an id of its own and, where that is another word, as Inkscape's label."""
-        stem = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
-        stem = stem if stem[:1].isalpha() else f"curve_{stem}".rstrip("_")
-        own = self._ids.different(stem)
+        own = self._ids.different(_stem(name, "curve"))
         return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
+
+
+class _LayerState:
+    """Whether all in a layer is hidden, and whether all is locked."""
+
+    def __init__(self) -> None:
+        self.is_hidden = self.is_locked = True
+
+    def add(self, outline: Outline) -> None:
+        """Take note of something in it."""
+        self.is_hidden &= not outline.visible
+        self.is_locked &= outline.locked
+
+
+def _stem(name: str, kind: str) -> str:
+    """Return a name as an id may be."""
+    stem = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
+    return stem if stem[:1].isalpha() else f"{kind}_{stem}".rstrip("_")
 
 
 def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:
@@ -101,11 +148,15 @@ def _data_lines(outline: Outline, has_lines: bool) -> Iterator[str]:
 
 
 def _are_lines(pieces: FloatArray) -> list[bool]:
-    """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding."""
+    """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding.
+
+    A handle is as long as velocity times parameters, and these are rounded as parts of the whole length.
+    """
     start, end = pieces[:, 0], pieces[:, 3]
     third = (end - start) / 3
     off = np.abs(pieces[:, 1:3] - np.stack([start + third, end - third], axis=1)).max(axis=(1, 2))
-    return list(off <= _ROUNDING * np.abs(pieces).max(axis=(1, 2)))
+    length = np.hypot(*(end - start).T).sum()
+    return list(off <= _ROUNDING * (np.abs(pieces).max(axis=(1, 2)) + length))
 
 
 def pair(point: list[float]) -> str:

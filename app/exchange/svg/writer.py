@@ -6,6 +6,7 @@ from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
+from ..corner import from_upper_left
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, drawing_of
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
@@ -14,6 +15,8 @@ from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..units import css_length, known_unit
+from .guides import guide_elements
+from .names import INKSCAPE_SPACE, SODIPODI_SPACE
 from .numbers import number
 from .our_own import MARK, PAGE
 from .style_attributes import dash_style
@@ -22,18 +25,19 @@ from .tree import Tree, escaped, pair
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
 
-_INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
+_SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
 
 def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = False) -> Written:
     """Return a document as SVG.
 
-    Coordinates are the document's own with y negated, in full precision but for noise (see `number`): a
-    piece of a cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves
-    become as many cubics as the tolerance takes; the largest deviation stands in a comment and in the
-    metadata. The curves of a shape are one path, in their groups and with its style; hidden ones are
-    there, and not displayed. Points are discs in a group of their own. Without a width and a unit the longer
-    side is `NOMINAL_SIDE`.
+    Coordinates are the document's own with y negated, in full precision but for noise (see `number`); where
+    its page stands on the origin they are those from its upper left corner, as usual in SVG. A piece of a
+    cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many
+    cubics as the tolerance takes; the largest deviation stands in a comment and in the metadata. The curves
+    of a shape are one path, in their groups and with its style; hidden ones are there, and not displayed.
+    Layers and guides are Inkscape's. Points are discs in a group of their own. Without a width and a unit
+    the longer side is `NOMINAL_SIDE`.
     All curves may lie `in_group`, one without a name.
 
     Raises
@@ -41,6 +45,7 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     ExchangeError
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
+    document = from_upper_left(document)
     style, report = options.vector_style, part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
     text = svg_text(
@@ -95,10 +100,11 @@ def svg_text(
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
-        f'<svg{name} xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
+        f'<svg{name} xmlns="http://www.w3.org/2000/svg" {_SPACES} '
         f'width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
         f"  <metadata>{escaped(' '.join([accuracy_of(drawing), *drawing.remarks]))}</metadata>",
+        *guide_elements(drawing.guides, frame),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
@@ -137,8 +143,9 @@ def _paper(frame: Frame, colour: str) -> str:
 
 
 def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> Tree:
-    tree = Tree(style, drawing.usual_width)
-    for shape in told(drawing.all_shapes, report, "Writing"):
+    shapes = drawing.all_shapes
+    tree = Tree(style, drawing.usual_width, drawing.layers, [each for shape in shapes for each in shape])
+    for shape in told(shapes, report, "Writing"):
         tree.add(shape)
     tree.close()
     return tree

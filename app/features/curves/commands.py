@@ -63,7 +63,7 @@ class CurveCommands:
         full_name="Raise Curve",
         needs=_CURVE_IN_FRONT,
     )
-    @also(CURVE_LIST_MENU(20))
+    @also(CURVE_MENU(45), CURVE_LIST_MENU(20))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
         self._put("Raise {}", stepped, 1, "one step to the front")
@@ -77,7 +77,7 @@ class CurveCommands:
         full_name="Lower Curve",
         needs=_CURVE_BEHIND,
     )
-    @also(CURVE_LIST_MENU(21))
+    @also(CURVE_MENU(46), CURVE_LIST_MENU(21))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
         self._put("Lower {}", stepped, -1, "one step to the back")

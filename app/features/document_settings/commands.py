@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import replace
 from PySide6.QtWidgets import QWidget
 
 from ... import exchange
@@ -62,14 +63,22 @@ class DocumentSettingsCommands:
     def _render_panel(self) -> None:
         if self._panel is not None:
             preferences = self._preferences
-            usual = (preferences.unit_name, preferences.grid_spacing, preferences.new_style)
-            self._panel.render_document(self._session.document, *usual)
+            document = replace(
+                self._session.document,
+                unit=preferences.unit_name,
+                grid_spacing=preferences.grid_spacing,
+                page=preferences.new_page,
+            )
+            self._panel.render_document(self._session.document, document, preferences.new_style)
 
     def _make_usual(self) -> None:
         document, preferences = self._session.document, self._preferences
         preferences.unit_name, preferences.grid_spacing = document.unit, document.grid_spacing
+        preferences.new_page = document.page
         preferences.new_style = self._session.active_curve.style
-        self._session.say("New documents begin with this unit and grid, and with the style of this curve.")
+        self._session.say(
+            "New documents begin with this unit, grid and page, and with the style of this curve."
+        )
         self._render_panel()
 
     def _tell_page_out_of_sight(self) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document.model import Document, Page
-from ...document.plane_edits import set_page, with_page_size
+from ...document.plane_edits import set_page, set_unit, with_page_size
 from ...exchange.lengths import typed_length
 from ...exchange.units import known_unit
 from ...qt.labels import Label
@@ -109,6 +109,7 @@ class PageFields:
         self._change, self._unit = change, ""
         self._page: Page | None = None
         self._offered: list[tuple[str, Size]] = []
+        self._sheets: dict[str, UsualSize] = {}
         self.usual = choice_box(
             "pageUsual",
             "Usual sizes of the page",
@@ -161,8 +162,10 @@ class PageFields:
         self._unit = unit
         sizes = [(each.name, each.in_unit(unit)) for each in _USUAL]
         self._offered = [(name, size) for name, size in sizes if size is not None]
+        # Who chooses a sheet has said how long a length of 1 is.
+        self._sheets = {each.name: each for each in _USUAL if not unit and each.in_unit(unit) is None}
         self.usual.clear()
-        self.usual.addItems([_NONE, *(name for name, _size in self._offered), _OWN])
+        self.usual.addItems([_NONE, *(name for name, _size in self._offered), *self._sheets, _OWN])
         # It is shown, and got by typing.
         self.usual.setItemData(self.usual.count() - 1, 0, _FLAGS)
 
@@ -183,6 +186,12 @@ class PageFields:
         self._show_usual()
         if chosen == _NONE:
             self._change("No Page", lambda document: set_page(document, None))
+        elif (sheet := self._sheets.get(chosen)) is not None:
+            size = Size(float(sheet.width), float(sheet.height))
+            self._change(
+                f"Page {sheet.name}",
+                lambda document: with_page_size(set_unit(document, sheet.unit), *size),
+            )
         else:
             self._ask(dict(self._offered)[chosen])
 

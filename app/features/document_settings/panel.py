@@ -65,9 +65,7 @@ class DocumentPanel(FieldForm):
         )
         self.page = PageFields(self._ask_page, self.watch)
         self._usual = Label(name="newDocuments", wordWrap=True)
-        tip = (
-            "Let new documents begin with this unit and this grid, and their curve with the style of this one"
-        )
+        tip = "Let new documents begin with this unit, grid and page, and their curve with this one's style"
         self._take = push_button("useForNew", "Use for New Documents", tip)
         self._take.clicked.connect(self.made_usual)
         form = form_of(*self._unit.rows, *self._grid.rows, *self.page.rows)
@@ -87,15 +85,19 @@ class DocumentPanel(FieldForm):
         if not self.has_refusal:
             self.page_made.emit()
 
-    def render_document(self, document: Document, unit: str, spacing: float, style: Style) -> None:
-        """Show `document`, and the unit, the grid and the style that new ones begin with."""
+    def render_document(self, document: Document, new: Document, style: Style) -> None:
+        """Show `document`, and of a `new` one the unit, the grid and the page, and the style of its curve."""
+        unit, spacing = new.unit, new.grid_spacing
         self._unit.show(document.unit)
         self._grid.show(document.grid_spacing)
         self.page.show(document.page, document.unit)
         grid = f"a grid of {length_text(spacing, unit)}" if spacing else "an adaptive grid"
         line = "usual lines" if style == Style() else "lines and fills of their own style"
         named = f"“{unit}”" if unit else NO_UNIT
-        self._usual.setText(f"New documents begin with unit {named}, {grid} and {line}.")
+        page = "no page"
+        if new.page is not None:
+            page = f"a page of {length_text(new.page.width, '', 4)} × {length_text(new.page.height, unit, 4)}"
+        self._usual.setText(f"New documents begin with unit {named}, {grid}, {page} and {line}.")
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""

@@ -49,5 +49,8 @@ def words_about_rest(document: Document, new: Document) -> str:
 
 
 def _sized_for(document: Document, new: Document) -> Document:
-    """Return what comes to a document, in its unit; one without curves takes the unit of what comes."""
-    return new if is_blank(document) else exchange.rescaled.in_unit(new, document.unit)
+    """Return what comes to a document, in its unit and on its page; one without curves takes what comes."""
+    if is_blank(document):
+        return new
+    new = exchange.rescaled.in_unit(new, document.unit)
+    return exchange.corner.into_page(new, document.page) if document.page is not None else new

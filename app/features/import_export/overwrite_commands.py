@@ -59,8 +59,7 @@ class OverwriteCommands:
             kept, written, now = found
             session.files.note_written_back(beginning, now)
             copy = f" What it was is kept as {shown(kept.name)}." if kept is not None else ""
-            guides = " Guides are not written." if document.guides else ""
-            session.say(f"Wrote {shown(foreign.path.name)}, {written.words}.{guides}{copy}")
+            session.say(f"Wrote {shown(foreign.path.name)}, {written.words}.{copy}")
             self._work.warn_of(written.remarks)
 
         name = shown(foreign.path.name)

@@ -30,7 +30,7 @@ def _are_in_shapes(now: Situation) -> bool:
 
 
 def _are_in_groups(now: Situation) -> bool:
-    return any(now.session.document.curves[place].groups for place in meant(now.session))
+    return bool(groups_meant(now.session.document, meant(now.session)))
 
 
 class ShapeCommands:

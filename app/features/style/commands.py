@@ -134,7 +134,7 @@ class StyleCommands:
         session = self._session
         curves = sorted(whole_shapes(session.document, session.selected.marked))
         styles = [session.document.curves[place].style for place in curves]
-        subject = named(session.document, session.selected.marked) if curves else "Nothing is chosen"
+        subject = named(session.document, curves) if curves else "Nothing is chosen"
         note = self._note(styles) if curves else _HOW_TO_CHOOSE
         panel.show_recent(self._recent())
         panel.render_styles(subject, styles, session.document.unit, note)

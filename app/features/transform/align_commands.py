@@ -89,6 +89,7 @@ class AlignCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._store = context.session, context.store
+        self._tools = context.central.canvas.tools
 
     @action_for_each(
         _ALIGNMENTS,
@@ -112,7 +113,7 @@ class AlignCommands:
             )
             return
         curves, state = _curves(session), self._store.state
-        reference, strokes = state.align_to, state.strokes
+        reference, strokes = state.align_to, self._tools.settings.strokes
 
         first, last = session.active_index, session.selected.last
 
@@ -142,7 +143,7 @@ class AlignCommands:
                 lambda document: distribute_points(document, group, each.axis),
             )
             return
-        curves, strokes = session.selected.chosen, self._store.state.strokes
+        curves, strokes = session.selected.chosen, self._tools.settings.strokes
         session.change(
             f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
             f"{each.way}",

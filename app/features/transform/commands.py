@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
+from msgspec.structs import replace
+
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
 from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
@@ -12,7 +14,6 @@ from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
 from ...document.several_curves import mapped
 from ...document.transforms import Affine, flipping, rotation
-from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
@@ -90,18 +91,25 @@ class SelectionCommands:
         self._context = context
         self._session = context.session
         self._target = context.central.canvas.tools.target
-        self._show_state(None, context.store.state)
-        context.store.changed.connect(self._show_state)
+        self._show_strokes()
+        context.store.changed.connect(self._show_strokes)
+        self._session.document_changed.connect(self._show_strokes)
         self._session.history_changed.connect(self._target.keep_pivot)
         for changed in (self._session.pivot_changed, self._session.grips_changed):
             changed.connect(context.central.canvas.show_marks)
 
-    def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
-        settings = self._context.central.canvas.tools.settings
-        if (settings.shows_box, settings.strokes) != (state.transform_box, state.strokes):
-            self._context.central.canvas.change_tool_settings(
-                shows_box=state.transform_box, strokes=state.strokes
-            )
+    def _show_strokes(self, *_changed: object) -> None:
+        """Show the box, and measure strokes as those of the document print."""
+        settings, state = self._context.central.canvas.tools.settings, self._context.store.state
+        page = self._session.document.page
+        strokes = replace(state.strokes, side=max(page.width, page.height) if page is not None else 0.0)
+        now = {
+            "shows_box": state.transform_box,
+            "keeps_proportions": state.keep_proportions,
+            "strokes": strokes,
+        }
+        if any(getattr(settings, name) != value for name, value in now.items()):
+            self._context.central.canvas.change_tool_settings(**now)
             # A pivot goes with the box as it is measured from now on.
             self._target.keep_pivot()
 

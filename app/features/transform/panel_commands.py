@@ -168,7 +168,7 @@ class TransformPanelCommands(QObject):
                 f"The strokes alone take {self._length(thickness)}; let them scale, or measure without."
             )
             return
-        factor = value / bounds.size[axis]
+        factor, strokes = value / bounds.size[axis], self._context.central.canvas.tools.settings.strokes
         x, y = (factor, factor) if state.keep_proportions else (factor, 1.0) if axis == 0 else (1.0, factor)
         by = scaling(x, y, pivot)
         corners, even = (
@@ -177,7 +177,7 @@ class TransformPanelCommands(QObject):
         )
 
         def sized(document: Document) -> Document:
-            return stretched(document, session.views, group, corners, state.strokes, even=even, about=pivot)
+            return stretched(document, session.views, group, corners, strokes, even=even, about=pivot)
 
         self._change(f"Set {what} of {self._target.words} to {self._length(value)}", sized)
 

@@ -97,6 +97,7 @@ class ZoomCommands:
         self._past.begin_move()
         corners = ((page.x, page.y), (page.x + page.width, page.y + page.height))
         self._canvas.framing.fit_points(np.array(corners))
+        self._context.session.say("All of the page is in sight.")
 
     @action(
         "fitSelection",
