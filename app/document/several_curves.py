@@ -43,12 +43,14 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
 
 def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
-    return group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
+    return group.changed_apart(document, lambda each, curve, indices: move_points(each, curve, indices, by))
 
 
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
-    return group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
+    return group.changed_apart(
+        document, lambda each, curve, indices: transform_points(each, curve, indices, by)
+    )
 
 
 def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:

@@ -113,7 +113,7 @@ class NudgePoints(Drag, frozen=True):
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
-        return self.group.changed(
+        return self.group.changed_apart(
             self.document, lambda each, curve, indices: step_points(each, curve, indices, self.step)
         )
 
