@@ -35,7 +35,7 @@ class Views:
             self._views[place] = view_of(curves[place], self._views[place])
         else:
             known = list(self._known())
-            self._ahead = ()
+            self._leave_behind(curves)
             by_curve = {id(view.source): view for view in known}
             by_points = {id(view.source.points): view for view in known}
             found = [by_curve.get(id(curve)) or _alike(curve, by_points) for curve in curves]
@@ -56,6 +56,12 @@ class Views:
         if len(others) != 1 or curves[others[0]].points is self._curves[others[0]].points:
             return None
         return others[0]
+
+    def _leave_behind(self, curves: tuple[Curve, ...]) -> None:
+        """Expect no views any more once their curves are there; others may be asked for before."""
+        there = set(map(id, curves)) if self._ahead else set()
+        if any(id(view.source) in there for view in self._ahead):
+            self._ahead = ()
 
     def _known(self) -> Iterable[CurveView]:
         """Return all views that there are, the best of them last."""

@@ -95,6 +95,23 @@ def test_many_curves_are_imported_beside_the_window(editor, large, qtbot):
     assert editor.session.undo_stack.count() == 3
 
 
+def test_a_window_that_is_as_new_takes_the_curves_that_were_worked_out_beside_it(editor, large):
+    """It worked them all out a second time, frozen for 4 s with 2,000 paths."""
+    editor.session.new()
+    editor.window.commands[ExchangeCommands].import_files([large])
+    editor.wait_for_work()
+    (dialog,) = filter(QDialog.isVisible, editor.window.findChildren(ImportDrawingDialog))
+
+    def imported() -> None:
+        dialog.ok.click()
+        editor.wait_for_work()
+
+    calls = calls_of(imported)
+    assert len(editor.session.document.curves) == COUNT
+    # 1,790 for each curve before.
+    assert calls < 1050 * COUNT
+
+
 def test_a_large_document_named_at_the_start_is_read_beside_its_window(large, tmp_path, qtbot):
     """There was no window for the 17 s that 20,000 curves take."""
     table = tmp_path / "a.csv"
