@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import floor, log2
+from operator import attrgetter
+from operator import attrgetter
 
 import msgspec
 import numpy as np
@@ -43,6 +45,10 @@ LINE = tuple(
     if name not in ("name", "style", "shape", "groups", "visible", "locked", "other_settings")
 )
 """Fields of a curve that decide where it runs."""
+
+_runs = attrgetter(*LINE)
+
+_runs = attrgetter(*LINE)
 
 
 class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
@@ -204,7 +210,7 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
     """
     if other.motion is not None or other.problem or not _lends(other):
         return None
-    if any(getattr(curve, name) != getattr(other.source, name) for name in LINE):
+    if _runs(curve) != _runs(other.source):
         return None
     kept = {name: value for name, value in other.__dict__.items() if name not in _LOOKS}
     view = CurveView(
