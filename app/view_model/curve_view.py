@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cached_property
 from math import floor, log2
 from operator import attrgetter
-from operator import attrgetter
 
 import msgspec
 import numpy as np
