@@ -47,8 +47,6 @@ LINE = tuple(
 
 _runs = attrgetter(*LINE)
 
-_runs = attrgetter(*LINE)
-
 
 class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
     """One curve of the document with everything that a canvas or panel draws of it."""
