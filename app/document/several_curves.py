@@ -45,13 +45,13 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
 
 def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
-    new = group.changed(document, lambda each, curve, indices: move_points(each, curve, indices, by))
+    new = group.changed_apart(document, lambda each, curve, indices: move_points(each, curve, indices, by))
     return _with_paints_mapped(new, group, lambda place: (place[0] + by[0], place[1] + by[1]))
 
 
 def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group by decimal steps; see `step_points`."""
-    new = group.changed(document, lambda each, curve, indices: step_points(each, curve, indices, by))
+    new = group.changed_apart(document, lambda each, curve, indices: step_points(each, curve, indices, by))
     return _with_paints_mapped(
         new, group, lambda place: (decimal_sum(place[0], by[0]), decimal_sum(place[1], by[1]))
     )
@@ -59,7 +59,9 @@ def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
 
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
-    new = group.changed(document, lambda each, curve, indices: transform_points(each, curve, indices, by))
+    new = group.changed_apart(
+        document, lambda each, curve, indices: transform_points(each, curve, indices, by)
+    )
     return _with_paints_mapped(new, group, by.point)
 
 

@@ -286,6 +286,7 @@ class Session(QObject):
     def _refused(self, reason: str, by: str) -> Change:
         """Say why nothing changes; log `by` what, for the reason may name something."""
         _log.info("a change was refused by %s", by)
+        self._views.expect(())
         self.refuse(reason)
         self.cancel()
         return Change(is_done=False, refusal=reason)

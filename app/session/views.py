@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Collection, Iterable, Sequence
-from itertools import chain, compress, repeat
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import chain, compress
 from operator import is_not
 
 from ..document.model import Curve
 from ..families import Family
+from ..view_model.carried_views import views_after
 from ..view_model.curve_view import CurveView, same_line, view_of
 
 _STATES = 2
@@ -34,15 +35,16 @@ class Views:
             self._views[place] = view_of(curves[place], self._views[place])
         else:
             known = list(self._known())
-            self._ahead = ()
+            self._leave_behind(curves)
             by_curve = {id(view.source): view for view in known}
             by_points = {id(view.source.points): view for view in known}
+            found = [by_curve.get(id(curve)) or _alike(curve, by_points) for curve in curves]
             # A curve that was changed takes its last good shape from its place in the list.
-            before = self._views if len(curves) == len(self._views) else repeat(None, len(curves))
-            self._views = [
-                by_curve.get(id(curve)) or _changed(curve, by_points.get(id(curve.points)), previous)
-                for curve, previous in zip(curves, before, strict=True)
-            ]
+            before = self._views if len(curves) == len(self._views) else [None] * len(curves)
+            missing = [place for place, view in enumerate(found) if view is None]
+            made = views_after([curves[place] for place in missing], [before[place] for place in missing])
+            new = iter(made)
+            self._views = [view or next(new) for view in found]
         self._curves = curves
         return self._views
 
@@ -54,6 +56,12 @@ class Views:
         if len(others) != 1 or curves[others[0]].points is self._curves[others[0]].points:
             return None
         return others[0]
+
+    def _leave_behind(self, curves: tuple[Curve, ...]) -> None:
+        """Expect no views any more once their curves are there; others may be asked for before."""
+        there = set(map(id, curves)) if self._ahead else set()
+        if any(id(view.source) in there for view in self._ahead):
+            self._ahead = ()
 
     def _known(self) -> Iterable[CurveView]:
         """Return all views that there are, the best of them last."""
@@ -80,6 +88,7 @@ class Views:
         self._views, self._curves = list(views), ()
 
 
-def _changed(curve: Curve, alike: CurveView | None, previous: CurveView | None) -> CurveView:
-    """Return the view of a new curve; one of the same points may run as it does."""
-    return (alike and same_line(curve, alike)) or view_of(curve, previous)
+def _alike(curve: Curve, by_points: Mapping[int, CurveView]) -> CurveView | None:
+    """Return the view of a new curve that runs as one of the same points does; None where none is known."""
+    alike = by_points.get(id(curve.points))
+    return same_line(curve, alike) if alike else None

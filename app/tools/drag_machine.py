@@ -157,6 +157,7 @@ class _Press(msgspec.Struct):
     on_done: Callable[[], None] | None = None
     active: int | None = None
     makes: int | None = None
+    followed: Pointer | None = None
 
 
 class DragMachine:
@@ -278,7 +279,8 @@ class DragMachine:
 
     def release(self, pointer: Pointer) -> None:
         """End: commit what the drag made, or click."""
-        self.move(pointer)
+        if self._press is not None and self._press.followed != pointer:
+            self.move(pointer)
         press, self._press = self._press, None
         if press is None:
             return

@@ -11,6 +11,7 @@ A curve:
   ``core_curve``: the core's curve through points at knots.
 - ``point_arrays``, ``flattener``: the arrays and polylines that one view hands on to the next.
   ``point_moves``: points that move together while all else rests, as under a drag.
+- ``carried_views``: many curves that were moved, turned or mapped whole.  ``carry``: the map of one.
 - ``jets``, ``handles``: derivatives set and estimated; the Bézier control points by which they are dragged.
 - ``basis_view``, ``cardinal_view``: basis and cardinal functions sampled for the basis panel.
 - ``basis_findings``: what is wrong with the functions and what is to be known, in sentences.

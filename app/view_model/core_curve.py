@@ -68,6 +68,15 @@ def core_after(curve: Curve, arrays: PointArrays, before: ParametricCurve) -> Co
         return Core(before, refusal_of(problem, curve))
 
 
+def core_anew(curve: Curve, arrays: PointArrays, before: ParametricCurve | None) -> Core:
+    """Return the curve that the points and rules give, the one before where they give none."""
+    knots = at_knots(arrays.positions, closed=curve.is_closed)
+    try:
+        return core_curve(curve, knots, checked_parameters(curve, knots, arrays), arrays)
+    except CurveError as problem:
+        return Core(before, refusal_of(problem, curve))
+
+
 def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:
     jets = np.array(sides.after[start : end + 1])
     jets[-1] = sides.before[end]

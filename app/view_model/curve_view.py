@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import floor, log2
+from operator import attrgetter
 
 import msgspec
 import numpy as np
@@ -37,12 +38,14 @@ TOO_FEW = "A curve needs at least two points."
 _LOOKS = ("stroke_bounds",)
 """What is kept with a view, and is another when the curve looks otherwise."""
 
-_LINE = tuple(
+LINE = tuple(
     name
     for name in Curve.__struct_fields__
     if name not in ("name", "style", "shape", "groups", "visible", "locked", "other_settings")
 )
-"""What decides where a curve runs."""
+"""Fields of a curve that decide where it runs."""
+
+_runs = attrgetter(*LINE)
 
 
 class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
@@ -118,6 +121,15 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
             return None
         return self.drawn_box, self._whole[1]
 
+    @property
+    def whole_line(self) -> tuple[Polyline, float] | None:
+        """The polyline with the tolerance that it keeps everywhere; None before it is asked for."""
+        return self._whole if "_whole" in self.__dict__ and self._whole[1] else None
+
+    def take_over(self, line: Polyline, tolerance: float, box: FloatArray, extent: FloatArray) -> None:
+        """Take the polyline, the tolerance that it keeps everywhere, its box and extent as known."""
+        self.__dict__.update(_whole=(line, tolerance), drawn_box=box, extent=extent)
+
     @cached_property
     def _whole(self) -> tuple[Polyline, float]:
         """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
@@ -139,6 +151,8 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
         if key not in self._flattened:
             self._flattened.clear()
             moved = None if self.motion is None else self.motion.polyline(key)
+            if self.carry is not None:
+                moved = self.carry.polyline(tolerance)
             self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
         return self._flattened[key]
 
@@ -173,7 +187,7 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
     else:
         handed_on = (Flattener(), Cardinals())
     if motion is not None:
-        return CurveView(curve, points, arrays, None, motion, *handed_on)
+        return CurveView(curve, points, arrays, None, motion, None, *handed_on)
     try:
         core = _core_of(curve, arrays, previous)
     except CurveError as problem:
@@ -183,7 +197,7 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
         if is_overdue and last_good is not None:
             words += " The last curve that could be drawn is shown."
         return CurveView(curve, points, arrays, Core(last_good, words, is_overdue=is_overdue))
-    return CurveView(curve, points, arrays, core, None, *handed_on)
+    return CurveView(curve, points, arrays, core, None, None, *handed_on)
 
 
 def same_line(curve: Curve, other: CurveView) -> CurveView | None:
@@ -193,11 +207,17 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
     """
     if other.motion is not None or other.problem or not _lends(other):
         return None
-    if any(getattr(curve, name) != getattr(other.source, name) for name in _LINE):
+    if _runs(curve) != _runs(other.source):
         return None
     kept = {name: value for name, value in other.__dict__.items() if name not in _LOOKS}
     view = CurveView(
-        curve, other.points, other.arrays, other._made, None, Flattener(), other._cardinals, other._flattened
+        curve,
+        other.points,
+        other.arrays,
+        other._made,
+        carry=other.carry,
+        _cardinals=other._cardinals,
+        _flattened=other._flattened,
     )
     view.__dict__.update(kept)
     return view
@@ -230,7 +250,8 @@ def _first_motion(curve: Curve, arrays: PointArrays, previous: CurveView) -> Mot
 
 def _lends(previous: CurveView) -> bool:
     """Whether what was computed of the functions of a view is of use: they are not other ones now."""
-    return previous.curve is None or previous.source.family.makes(previous.curve)
+    known = previous.known_curve
+    return known is None or previous.source.family.makes(known)
 
 
 def _core_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Core:

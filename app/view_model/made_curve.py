@@ -11,7 +11,8 @@ from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
 from ..document.model import Curve
-from .core_curve import Core, checked_parameters, core_after
+from .carry import Carry
+from .core_curve import Core, checked_parameters, core_after, core_anew
 from .jets import Sides
 from .plane import at_knots
 from .point_arrays import PointArrays
@@ -21,8 +22,8 @@ from .point_moves import Motion
 class MadeCurve(msgspec.Struct, frozen=True, eq=False, dict=True):
     """A curve of the document and the core's curve that its points and rules give, or why they give none.
 
-    While points are dragged and all else rests, what is drawn follows them, and the core's curve is made only
-    when somebody asks for it.
+    While points are dragged and all else rests, and where all of them were mapped, what is drawn follows
+    them, and the core's curve is made only when somebody asks for it.
 
     Attributes
     ----------
@@ -34,6 +35,8 @@ class MadeCurve(msgspec.Struct, frozen=True, eq=False, dict=True):
         All numbers in the points; the view made after this one takes from here what stays.
     motion
         How its points came here from those of a view before, where nothing but that has changed.
+    carry
+        The same where all came here by one map, with the curve.
     """
 
     source: Curve
@@ -41,17 +44,20 @@ class MadeCurve(msgspec.Struct, frozen=True, eq=False, dict=True):
     arrays: PointArrays
     _made: Core | None = None
     motion: Motion | None = None
+    carry: Carry | None = None
 
     @cached_property
     def _core(self) -> Core:
         if self._made is not None:
             return self._made
+        if self.carry is not None:
+            return core_anew(self.source, self.arrays, self.carry.root.curve)
         assert self.motion is not None
         return core_after(self.source, self.arrays, self.motion.moves.curve)
 
     @property
     def is_followed(self) -> bool:
-        """Whether points are being dragged, and nobody has asked yet for the core's curve, which there is."""
+        """Whether what is drawn follows points, and nobody has asked yet for the core's curve they give."""
         return self._made is None and "_core" not in self.__dict__
 
     def settle(self) -> None:
@@ -65,6 +71,11 @@ class MadeCurve(msgspec.Struct, frozen=True, eq=False, dict=True):
         The last good one where the present points and rules give none, None where there never was one.
         """
         return self._core.curve
+
+    @property
+    def known_curve(self) -> ParametricCurve | None:
+        """The core's curve, or one with the same functions if it has yet to be made."""
+        return self.carry.root.curve if self.carry is not None and self.is_followed else self.curve
 
     @property
     def has_curve(self) -> bool:

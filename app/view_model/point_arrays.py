@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import compress
+from itertools import accumulate, chain, compress
 from operator import is_not
 from typing import Any
 
@@ -20,7 +20,7 @@ from ..document.steps import has_only_moved
 _NONE = (np.nan, np.nan)
 
 
-class PointArrays(msgspec.Struct, frozen=True, eq=False):
+class PointArrays(msgspec.Struct, frozen=True, eq=False, gc=False):
     """The numbers of n points; NaN stands for None. An array without a change is the same object as before.
 
     Attributes
@@ -65,6 +65,44 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
         return PointArrays(points, positions, *old[1:])
     fresh, places = _columns([points[row] for row in rows]), np.array(rows)
     return PointArrays(points, *(_with_rows(*columns, places) for columns in zip(old, fresh, strict=True)))
+
+
+def arrays_of_all(points: Sequence[tuple[Point, ...]], previous: Sequence[PointArrays]) -> list[PointArrays]:
+    """Return the arrays of points of many curves, each of as many as before, made all at once."""
+    kept = [all(map(has_only_moved, old.points, new)) for new, old in zip(points, previous, strict=True)]
+    places = np.array([(point.x, point.y) for each in points for point in each], dtype=float)
+    places.setflags(write=False)
+    positions = _parts(places, points)
+    others = [each for each, is_kept in zip(points, kept, strict=True) if not is_kept]
+    _, *columns = _columns([*chain.from_iterable(others)])
+    fresh = iter([*zip(*(_parts(column, others) for column in columns), strict=True)])
+    return [
+        PointArrays(
+            new,
+            place,
+            *(
+                _columns_besides_places(old)
+                if is_kept
+                else map(_same_or, _columns_besides_places(old), next(fresh))
+            ),
+        )
+        for new, place, old, is_kept in zip(points, positions, previous, kept, strict=True)
+    ]
+
+
+def _columns_besides_places(arrays: PointArrays) -> tuple[NDArray[Any], ...]:
+    return arrays.times, arrays.corners, arrays.ties, arrays.given
+
+
+def _parts(column: NDArray[Any], points: Sequence[Sequence[Point]]) -> list[NDArray[Any]]:
+    """Return the rows of each of several curves, one after the other."""
+    ends = list(accumulate(map(len, points)))
+    return [column[start:end] for start, end in zip([0, *ends], ends, strict=False)]
+
+
+def _same_or(old: NDArray[Any], fresh: NDArray[Any]) -> NDArray[Any]:
+    """Return what was there before where it holds the same; NaN is NaN."""
+    return old if old.tobytes() == fresh.tobytes() else fresh
 
 
 def rows_changed(points: Sequence[Point], before: Sequence[Point]) -> list[int]:

@@ -13,6 +13,7 @@ from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
 from ...document.edits import EditError
 from ...document.model import Document
+from ...document.shapes import is_of_several
 from ...document.transforms import clean_step
 from ...document.words import count_of, number
 from ...view_model.regions import (
@@ -21,7 +22,6 @@ from ...view_model.regions import (
     PathOperation,
     combined_by,
     named_shapes,
-    operands,
 )
 from ...view_model.stroke_shapes import offset_by, strokes_as_shapes
 from ...workbench.context import WindowContext
@@ -45,7 +45,7 @@ def _enough(operation: PathOperation) -> Need:
         return _A_SHAPE
     return Need(
         "two chosen shapes or more",
-        lambda now: len(operands(now.session.document, meant(now.session))) >= operation.least,
+        lambda now: is_of_several(now.session.document, meant(now.session)),
     )
 
 

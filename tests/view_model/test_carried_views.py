@@ -1,0 +1,119 @@
+"""Views of curves that were mapped whole are those made from nothing, and no curve was made for them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.derivatives import VelocityRule
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.several_curves import mapped, moved, whole_curves
+from app.document.transforms import Affine, flipping, rotation, scaling
+from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.view_model.carried_views import views_after
+from app.view_model.curve_view import CurveView, view_of
+from curvecore.bezier.polylines import segment_distance
+
+PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
+LOCAL = [family for family in FAMILIES if family.curve_class.is_local or not family.interpolates]
+SKEW = Affine(0.3, 0.4, -0.2, 0.1, (1.0, 1.0), (0.5, 0.25))
+MAPS = {
+    "moved": Affine(0.0, 0.0, 0.0, 0.0, (0.0, 0.0), (0.1, 1 / 3)),
+    "flipped": flipping(0, (0.3, 0.1)),
+    "turned": rotation(37.0, (2.0, 1.0)),
+    "made larger": scaling(2.5, 2.5, (0.1, 0.1)),
+}
+
+
+def several(family, kind=ParametrizationKind.CENTRIPETAL, **values) -> Document:
+    """A curve, a larger one far away, a closed one, one with a corner and one with a velocity set."""
+    curve = replace(make_curve(PLACES, family=family), **values)
+    curves = [curve, curve, replace(curve, closed=family.curve_class.can_close), curve, curve]
+    document = Document(tuple(curves))
+    document = moved(document, whole_curves(document, [1]), (300.0, -200.0))
+    document = mapped(document, whole_curves(document, [1]), scaling(7.0, 3.0, (300.0, -200.0)))
+    if family.derivatives:
+        document = edits.make_corner(document, 3, 2, (1.0, 0.5), None)
+        document = edits.set_velocity(document, 4, 1, (2.0, -1.0))
+    for place in range(len(curves)):
+        document = edits.set_parametrization(document, place, kind, [0.0, 0.2, 0.5, 0.6, 1.0])
+    return document
+
+
+def seen(document: Document) -> list[CurveView]:
+    views = [view_of(curve) for curve in document.curves]
+    assert all(len(view.extent) for view in views)
+    return views
+
+
+def after(document: Document, by: Affine, views: list[CurveView]) -> tuple[Document, list[CurveView]]:
+    document = mapped(document, whole_curves(document, range(len(views))), by)
+    return document, views_after(document.curves, views)
+
+
+def off(view: CurveView, tolerance: float, points: np.ndarray, t: np.ndarray) -> float:
+    """How far points of the curve are off its polyline at most, in tolerances."""
+    line = view.flattened(tolerance)
+    piece = np.clip(np.searchsorted(line.parameters, t, side="right") - 1, 0, len(line.parameters) - 2)
+    return segment_distance(points, line.points[piece], line.points[piece + 1]).max() / tolerance
+
+
+def assert_right(views: list[CurveView]) -> None:
+    """Drawn as closely as views made from nothing, and the same curves once somebody asks."""
+    for view in views:
+        fresh = view_of(view.source)
+        t = np.linspace(*fresh.curve.domain, 400)
+        points, size = fresh.curve.evaluate(t), float(np.hypot(*np.ptp(fresh.points, axis=0)))
+        # The second is finer than what was mapped, the third so fine that the curve itself is asked.
+        assert max(off(view, share * size, points, t) for share in (1e-3, 1e-4, 1e-6)) <= 1.0
+        assert np.allclose(view.extent, fresh.extent, rtol=0.0, atol=2e-3 * size)
+        assert np.array_equal(view.curve.jets, fresh.curve.jets)
+        assert np.array_equal(view.curve.parameters, fresh.curve.parameters)
+        assert not view.problem
+
+
+@pytest.mark.parametrize("by", MAPS.values(), ids=MAPS)
+@pytest.mark.parametrize("kind", [ParametrizationKind.CENTRIPETAL, ParametrizationKind.MANUAL])
+@pytest.mark.parametrize("family", LOCAL, ids=str)
+def test_curves_that_are_mapped_need_not_be_made(family, kind, by):
+    document = several(family, kind)
+    views = seen(document)
+    for _ in range(3):
+        document, views = after(document, by, views)
+        assert all(view.carry is not None and view.is_followed for view in views)
+    assert_right(views)
+
+
+def test_lengths_that_a_map_changes_are_asked_for_again():
+    """Centripetal parameters are others after a skew, and equal ones are the same."""
+    by_length, uniform = several(HERMITE), several(HERMITE, ParametrizationKind.UNIFORM)
+    _, made = after(by_length, SKEW, seen(by_length))
+    _, kept = after(uniform, SKEW, seen(uniform))
+    assert not any(view.carry for view in made)
+    assert all(view.carry for view in kept)
+    assert_right([*made, *kept])
+
+
+@pytest.mark.parametrize("family", [HERMITE, LAGRANGE], ids=str)
+def test_what_is_not_mapped_as_a_whole_is_made(family):
+    rule = VelocityRule.AKIMA if family is HERMITE else VelocityRule.NATURAL_SPLINE
+    document = several(family, velocity_rule=rule)
+    views = seen(document)
+    _, made = after(document, MAPS["moved"], views)
+    assert not any(view.carry for view in made)
+    assert_right(made)
+
+
+def test_some_points_are_no_whole_curve_and_derivatives_may_stay():
+    document = several(HERMITE)
+    views = seen(document)
+    some = edits.move_points(document, 0, {0, 1}, (0.5, 0.5))
+    turned = tuple(
+        replace(curve, points=tuple(replace(point, x=-point.x) for point in curve.points))
+        for curve in document.curves[3:]
+    )
+    changed = views_after((some.curves[0], *document.curves[1:3], *turned), views)
+    assert [view.carry is not None for view in changed] == [False, True, True, False, False]
+    assert_right(changed)
