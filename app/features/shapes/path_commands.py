@@ -20,7 +20,7 @@ from ...view_model.regions import (
     Combined,
     PathOperation,
     combined_by,
-    named_shapes,
+    named_operands,
     operands,
 )
 from ...view_model.stroke_shapes import offset_by, strokes_as_shapes
@@ -133,7 +133,7 @@ class PathCommands:
             if time.monotonic() > until:
                 raise _TakesLong
 
-        what = f"{title} of {named_shapes(document, curves)}"
+        what = f"{title} of {named_operands(document, curves)}"
         try:
             self._put(what, document, work(report=hurry))
         except EditError as reason:
