@@ -167,6 +167,11 @@ def broken_apart(document: Document, curves: Collection[int]) -> Document:
 # Groups
 
 
+def objects(document: Document, curves: Collection[int]) -> list[Node]:
+    """Return what some curves are as things of their own: whole groups, but no layers, and whole shapes."""
+    return whole_nodes(document.curves, whole_shapes(document, curves), document.layers)
+
+
 def grouped(document: Document, curves: Collection[int]) -> Gathered:
     """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them.
 

@@ -127,8 +127,11 @@ class Style(Value, frozen=True):
 
     @property
     def flat(self) -> Style:
-        """The style with colours in place of gradients, for curves elsewhere."""
-        return replace(self, fill_gradient=None, stroke_gradient=None) if self.is_placed else self
+        """The style with the colours in which gradients begin in their place, for curves elsewhere."""
+        if not self.is_placed:
+            return self
+        paints = {"fill": self.fill_gradient, "stroke": self.stroke_gradient}
+        return self.with_fields({name: found.stops[0].colour for name, found in paints.items() if found})
 
     @property
     def gradients(self) -> dict[str, Gradient]:

@@ -212,6 +212,12 @@ class Selection:
         """Edit a curve, and select it alone; of another one nothing is selected yet."""
         self._take((index,), index, is_editing=True)
 
+    def edit_chosen(self) -> None:
+        """Edit what is chosen: several shapes together, or the active curve with its shape."""
+        active = self._session.active_index
+        others = self._chosen - whole_shapes(self._session.document, (active,))
+        self._take((*self._chosen, active) if others else (active,), active, is_editing=True)
+
     def go_to(self, index: int) -> None:
         """Make another of the curves that are edited the active one; the same points are selected."""
         group = self.group

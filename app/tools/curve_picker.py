@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.point_group import PointGroup
+from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import name_of, named, whole_curves
 from ..document.shape_edits import pressed
 from ..document.shapes import shape_of, whole_shapes
@@ -178,12 +178,17 @@ def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:
 
 def edit_curve(context: ToolContext, curve: int) -> None:
     """Edit a curve from now on, and select the point of it that lies under the pointer."""
-    host = context.host
-    host.selected.activate(curve)
-    hit = context.with_hit().hit
+    context.host.selected.activate(curve)
+    select_hit(context)
+
+
+def select_hit(context: ToolContext) -> None:
+    """Select the point under the pointer of the curves that are edited now, and say which are."""
+    host, hit = context.host, context.with_hit().hit
     if hit is not None and hit.part is Part.POINT:
-        host.selected.set_points([hit.index])
-    host.say(f"Editing “{host.active_view.source.name}” now.")
+        host.selected.set_group(points_of(hit.curve if hit.curve >= 0 else host.active_index, [hit.index]))
+    several = named(host.document, host.selected.chosen) if host.selected.chosen else ""
+    host.say(f"Editing {several} now." if several else f"Editing “{host.active_view.source.name}” now.")
 
 
 def chosen_curves(host: EditingHost) -> str:

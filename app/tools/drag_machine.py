@@ -89,6 +89,9 @@ class SelectionHost(Protocol):
     def activate(self, index: int) -> None:
         """Edit another curve."""
 
+    def edit_chosen(self) -> None:
+        """Edit what is chosen."""
+
 
 class EditingHost(Protocol):
     """Document, selection and messages of a session, as the tools use them."""

@@ -1,4 +1,4 @@
-"""Curves aligned with each other and spaced evenly by their bounds; a shape or group stays together."""
+"""Objects aligned with each other and spaced evenly by their bounds; a shape or group stays together."""
 
 from __future__ import annotations
 
@@ -6,12 +6,11 @@ from collections.abc import Collection, Sequence
 
 import msgspec
 
-from ..document.curve_tree import NodeKind, whole_nodes
 from ..document.edits import EditError
 from ..document.model import Document
 from ..document.point_group import PointGroup
 from ..document.several_curves import moved, whole_curves
-from ..document.shapes import whole_shapes
+from ..document.shape_edits import objects
 from ..document.transforms import Edge, Reference, Spacing
 from .bounds import Bounds, Strokes, bounds_of
 from .curve_view import CurveView
@@ -81,7 +80,7 @@ def distribute_curves(
     """Space the shapes of the chosen curves evenly between the outer two, along x (axis 0) or y (axis 1)."""
     items = sorted(_items(document, views, chosen, strokes), key=lambda item: item.middle(axis))
     if len(items) < 3:
-        raise EditError("Choose at least three curves to distribute them.")
+        raise EditError("Choose at least three curves, shapes or groups to distribute them.")
     first, last, count = items[0], items[-1], len(items) - 1
     if spacing is Spacing.CENTRES:
         start, end = first.middle(axis), last.middle(axis)
@@ -100,14 +99,8 @@ def distribute_curves(
 def _items(
     document: Document, views: Sequence[CurveView], curves: Collection[int], strokes: Strokes
 ) -> list[_Item]:
-    """Return what moves as one of some curves: whole groups and shapes, those that have points.
-
-    Within a group that is all that is chosen, what is in it moves against each other.
-    """
-    nodes = whole_nodes(document.curves, whole_shapes(document, curves), document.layers)
-    while len(nodes) == 1 and nodes[0].kind is NodeKind.GROUP:
-        nodes = list(nodes[0].parts)
-    groups = [whole_curves(document, node.places) for node in nodes]
+    """Return what moves as one of some curves: whole groups and shapes, those that have points."""
+    groups = [whole_curves(document, node.places) for node in objects(document, curves)]
     found = [(group, bounds_of(views, group, strokes)) for group in groups]
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
 

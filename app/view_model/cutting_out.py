@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from string import ascii_lowercase
 
 from msgspec.structs import replace
 
@@ -12,7 +11,7 @@ from ..document.model import Point
 from ..document.straight_edits import why_not_straight
 from .curve_view import CurveView, view_of
 from .reshape import baked, refuse_without_curve
-from .splitting import Split, beginning, part_of, residual_of_parts
+from .splitting import Split, beginning, names_of_parts, part_of, residual_of_parts
 
 
 def without_segments(view: CurveView, segments: Collection[int]) -> Split:
@@ -32,8 +31,7 @@ def without_segments(view: CurveView, segments: Collection[int]) -> Split:
     runs = [run for run in _runs(whole, segments) if len(run) > 1]
     if not runs:
         raise EditError("Nothing of the curve would be left; Delete removes it whole.")
-    name = view.source.name
-    names = [f"{name} {letter}" for letter in _letters(len(runs))] if len(runs) > 1 else [name]
+    names = names_of_parts(view.source.name, len(runs))
     ended = ([beginning(run[0]), *run[1:-1], run[-1].without_corner()] for run in runs)
     parts = (
         part_of(whole.source, run, run[-1].t or 0.0, each) for run, each in zip(ended, names, strict=True)
@@ -56,9 +54,3 @@ def _runs(whole: CurveView, segments: Collection[int]) -> Iterator[Sequence[Poin
         if (first + place) % len(points) in segments or place == len(points) - 1:
             yield run
             run = []
-
-
-def _letters(count: int) -> Sequence[str]:
-    if count <= len(ascii_lowercase):
-        return ascii_lowercase[:count]
-    return [str(number + 1) for number in range(count)]

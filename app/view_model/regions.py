@@ -1,13 +1,15 @@
 """Boolean operations on shapes: a record for each, and what becomes of the document.
 
 Shapes are taken with the insides that their fill rules say, whether they are filled or not; open curves are
-closed by straight lines. What comes out are cubic Hermite curves in the place of the hindmost, with its
-style. Pieces that are not cut keep their handles.
+closed by straight lines. A group is one operand, all of its shapes united; where it is all that is chosen,
+what is in it are the operands. What comes out are cubic Hermite curves in the place of the hindmost, with
+its style. Pieces that are not cut keep their handles.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from itertools import chain, islice
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 import msgspec
@@ -18,8 +20,10 @@ import curvecore
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
+from ..document.curve_tree import Node, NodeKind
 from ..document.edits import EditError
 from ..document.model import Curve, Document, Parametrization, ParametrizationKind
+from ..document.shape_edits import objects
 from ..document.shapes import shape_of, shapes, tidy_shapes
 from ..document.style import FillRule, Style
 from ..document.words import names_of
@@ -57,7 +61,7 @@ class PathOperation(msgspec.Struct, frozen=True, kw_only=True):
     least
         How many shapes it takes at least.
     combine
-        What it does.
+        What it does with the insides of shapes and groups.
     """
 
     name: str
@@ -143,14 +147,22 @@ class Combined(msgspec.Struct, frozen=True):
     deviation: float
 
 
-def operands(document: Document, curves: Collection[int]) -> list[range]:
+def chosen_shapes(document: Document, curves: Collection[int]) -> list[range]:
     """Return the places of the curves of each shape among those chosen, the hindmost first."""
     return sorted({shape_of(document, place) for place in curves}, key=lambda places: places.start)
 
 
-def named_shapes(document: Document, curves: Collection[int]) -> str:
-    """Return the names of the shapes among some curves, the hindmost first."""
-    return names_of([name_of_shape(document, places) for places in operands(document, curves)])
+def operands(document: Document, curves: Collection[int]) -> list[Node]:
+    """Return the groups and shapes among some curves, the hindmost first; of a single group what is in it."""
+    nodes = objects(document, curves)
+    while len(nodes) == 1 and nodes[0].kind is NodeKind.GROUP:
+        nodes = list(nodes[0].parts)
+    return nodes
+
+
+def named_operands(document: Document, curves: Collection[int]) -> str:
+    """Return the names of the groups and shapes among some curves, the hindmost first."""
+    return names_of([node.name for node in operands(document, curves)])
 
 
 def combined_by(
@@ -170,17 +182,28 @@ def combined_by(
     chosen = operands(document, curves)
     if len(chosen) < operation.least:
         raise EditError(f"Choose two shapes or more for {operation.title.lower()}.")
-    regions, deviation = regions_of(document, views, chosen)
-    told = part(report, 0.1, 0.9)
-    found = computed(lambda: operation.combine(regions, lambda share: told(share, operation.title)))
+    parts = [chosen_shapes(document, node.places) for node in chosen]
+    regions, deviation = regions_of(document, views, list(chain.from_iterable(parts)))
+    united, told = part(report, 0.1, 0.3), part(report, 0.3, 0.9)
+
+    def combine() -> Sequence[Region]:
+        rest = iter(regions)
+        each = [
+            _united(list(islice(rest, len(own))), part(united, k / len(parts), (k + 1) / len(parts)))
+            for k, own in enumerate(parts)
+        ]
+        return operation.combine(each, lambda share: told(share, operation.title))
+
+    found = computed(combine)
     left = [region for region in found if region.contours]
     if not left:
-        what = names_of([f"“{name_of_shape(document, places)}”" for places in chosen])
+        what = names_of([f"“{node.name}”" for node in chosen])
         raise EditError(f"Nothing would be left: {operation.title.lower()} of {what} is empty.")
-    names = Names(name_of_shape(document, chosen[0]), taken_names(document))
-    model = document.curves[chosen[0].start]
+    names, first = Names(chosen[0].name, taken_names(document)), chosen[0].places.start
+    # It takes the place of the group that it is made of.
+    model = replace(document.curves[first], groups=chosen[0].around.groups)
     new = [curve for region in left for curve in curves_of(region, model, names.next())]
-    made = {places: new if places is chosen[0] else [] for places in chosen}
+    made = {places: new if places.start == first else [] for own in parts for places in own}
     return Combined(*replaced(document, made), len(left), deviation)
 
 
@@ -190,6 +213,13 @@ def computed(compute: Callable[[], Computed]) -> Computed:
         return compute()
     except CurveError as problem:
         raise EditError(f"This could not be computed: {problem}.") from problem
+
+
+def _united(regions: Sequence[Region], report: Report) -> Region:
+    """Return the insides of all shapes of a group as one; that of a single shape as it is."""
+    if len(regions) == 1:
+        return regions[0]
+    return curvecore.union(regions, progress=lambda share: report(share, "Union"))
 
 
 def replaced(document: Document, made: Mapping[range, Sequence[Curve]]) -> tuple[Document, frozenset[int]]:
@@ -211,8 +241,8 @@ def name_of_shape(document: Document, places: range) -> str:
 
 
 def taken_names(document: Document) -> set[str]:
-    """Return the names of all curves and shapes."""
-    return {name for curve in document.curves for name in (curve.name, curve.shape)}
+    """Return the names of all curves, shapes and groups."""
+    return {name for curve in document.curves for name in (curve.name, curve.shape, *curve.groups)}
 
 
 class Names:

@@ -1,8 +1,10 @@
-"""One curve made two, with its shape kept."""
+"""One curve made two or more, with its shape kept."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from itertools import pairwise
+from string import ascii_lowercase
 
 import msgspec
 import numpy as np
@@ -28,7 +30,7 @@ _BETWEEN_ENDS = "The curve can be split between its ends, not at them."
 
 
 class Split(msgspec.Struct, frozen=True):
-    """The result of a cut: two curves, or one that is open where a closed one was cut.
+    """The result of cuts: two curves or more, or one that is open where a closed one was cut once.
 
     Attributes
     ----------
@@ -47,24 +49,26 @@ class Split(msgspec.Struct, frozen=True):
         return outcome(self.residual, self.curves)
 
 
-def split(view: CurveView, t: float) -> Split:
-    """Cut the curve at `t`, at a joint or between two; a closed curve becomes an open one that begins there.
+def split(view: CurveView, *cuts: float) -> Split:
+    """Cut the curve at some t, at joints or between them; a closed curve becomes open where it is cut first.
 
     A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives; and so is a
-    curve over control points, by subdivision. Of one polynomial each half goes through as many points as the
+    curve over control points, by subdivision. Of one polynomial each part goes through as many points as the
     whole, at Chebyshev points of its part of t, and is thereby the same polynomial.
 
     Raises
     ------
     EditError
-        If there is no curve, `t` is at its ends, one polynomial has too many points, or the parts would not
+        If there is no curve, a cut is at its ends, one polynomial has too many points, or the parts would not
         have the shape of the whole.
     """
     refuse_without_curve(view)
     family = view.source.family
-    parts = _restricted(view, t)
+    cuts = tuple(sorted(set(cuts)))
+    parts = _restricted(view, cuts)
     if parts is None:
-        parts = _split_polynomial(view, t) if family.curve_class.is_one_polynomial else _split_pieces(view, t)
+        of_one = family.curve_class.is_one_polynomial
+        parts = _split_polynomial(view, cuts) if of_one else _split_pieces(view, cuts)
     made = Split(parts, residual_of_parts(view, parts))
     if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
         within = view_model.convert.outlook(view, HERMITE).within
@@ -76,22 +80,31 @@ def split(view: CurveView, t: float) -> Split:
     return made
 
 
-def _restricted(view: CurveView, t: float) -> tuple[Curve, ...] | None:
-    """Return both parts as curves over their own control points; None of a family without such."""
+def places_between_ends(view: CurveView, indices: Collection[int]) -> list[float]:
+    """Return the t of points, in order, without those at the ends of an open curve."""
+    places = view.curve.places if view.curve is not None else view.parameters
+    last = len(view.source.points) - 1
+    return [float(places[index]) for index in sorted(indices) if view.source.is_closed or 0 < index < last]
+
+
+def _restricted(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...] | None:
+    """Return the parts as curves over their own control points; None of a family without such."""
     assert view.curve is not None
     start, end = view.curve.domain
-    if not start < t < end:
+    if not all(start < t < end for t in cuts):
         return None
     parts = []
-    for half, name in zip(((start, t), (t, end)), _names_of_parts(view.source.name), strict=True):
-        part = view.curve.restricted(*half)
+    for (low, high), name in zip(
+        pairwise((start, *cuts, end)), names_of_parts(view.source.name, len(cuts) + 1), strict=True
+    ):
+        part = view.curve.restricted(low, high)
         if part is None:
             return None
         parts.append(replace(through(view, part), name=name))
     return tuple(parts)
 
 
-def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
+def _split_polynomial(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
     count = len(view.source.points)
     if count > MOST_POINTS_SPLIT:
         raise EditError(
@@ -99,12 +112,12 @@ def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
             f"many points, and beyond {MOST_POINTS_SPLIT} rounding shows. Choose {HERMITE.title} first."
         )
     start, end = view.parameters[[0, -1]].tolist()
-    if not start < t < end:
+    if not all(start < t < end for t in cuts):
         raise EditError(_BETWEEN_ENDS)
-    halves = ((start, t), (t, end))
+    names = names_of_parts(view.source.name, len(cuts) + 1)
     return tuple(
-        part_of(view.source, _on_polynomial(view, *half), half[1], name)
-        for half, name in zip(halves, _names_of_parts(view.source.name), strict=True)
+        part_of(view.source, _on_polynomial(view, low, high), high, name)
+        for (low, high), name in zip(pairwise((start, *cuts, end)), names, strict=True)
     )
 
 
@@ -115,34 +128,35 @@ def _on_polynomial(view: CurveView, start: float, end: float) -> list[Point]:
     return [Point(x, y, t=each) for (x, y), each in zip(points.tolist(), t.tolist(), strict=True)]
 
 
-def _split_pieces(view: CurveView, t: float) -> tuple[Curve, ...]:
+def _split_pieces(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
     whole = view_of(baked(view))
-    knots = whole.parameters
-    span = knots[-1] - knots[0]
-    nearest = int(np.argmin(np.abs(knots - t)))
-    if abs(knots[nearest] - t) > 1e-9 * span:
-        whole = view_of(with_point_inserted(whole, t).curve)
-        nearest = int(np.searchsorted(whole.parameters, t))
+    span = whole.parameters[-1] - whole.parameters[0]
+    for t in cuts:
+        if np.abs(whole.parameters - t).min() > 1e-9 * span:
+            whole = view_of(with_point_inserted(whole, t).curve)
+    at = sorted({whole.owner(int(np.argmin(np.abs(whole.parameters - t)))) for t in cuts})
+    points: Sequence[Point] = whole.source.points
     if whole.source.is_closed:
-        return (_opened(whole, whole.owner(nearest)),)
-    points = whole.source.points
-    if not 0 < nearest < len(points) - 1:
+        points, at = _opened(whole, at[0]), [index - at[0] for index in at[1:]]
+    last = len(points) - 1
+    if not all(0 < index < last for index in at):
         raise EditError(_BETWEEN_ENDS)
-    first, second = _names_of_parts(view.source.name)
-    end, start = points[nearest].without_corner(), beginning(points[nearest])
-    return (
-        part_of(whole.source, [*points[:nearest], end], end.t or 0.0, first),
-        part_of(whole.source, [start, *points[nearest + 1 :]], points[-1].t or 0.0, second),
-    )
+    parts = []
+    for (low, high), name in zip(
+        pairwise((0, *at, last)), names_of_parts(view.source.name, len(at) + 1), strict=True
+    ):
+        start = beginning(points[low]) if low else points[low]
+        end = points[high].without_corner() if high < last else points[high]
+        parts.append(part_of(whole.source, [start, *points[low + 1 : high], end], end.t or 0.0, name))
+    return tuple(parts)
 
 
-def _opened(whole: CurveView, at: int) -> Curve:
-    """Return a baked closed curve as an open one from point `at` once round to it."""
+def _opened(whole: CurveView, at: int) -> list[Point]:
+    """Return the points of a baked closed curve from point `at` once round to it, as those of an open one."""
     points = whole.source.points
     period = float(whole.parameters[-1] - whole.parameters[0])
     later = [replace(point, t=(point.t or 0.0) + period) for point in points[: at + 1]]
-    around = [beginning(points[at]), *points[at + 1 :], *later[:-1], later[-1].without_corner()]
-    return part_of(whole.source, around, around[-1].t or 0.0, whole.source.name)
+    return [beginning(points[at]), *points[at + 1 :], *later[:-1], later[-1].without_corner()]
 
 
 def beginning(point: Point) -> Point:
@@ -157,8 +171,12 @@ def part_of(curve: Curve, points: Sequence[Point], end: float, name: str) -> Cur
     return replace(curve, name=name, points=tuple(points), parametrization=rule, closed=False)
 
 
-def _names_of_parts(name: str) -> tuple[str, str]:
-    return f"{name} a", f"{name} b"
+def names_of_parts(name: str, count: int) -> list[str]:
+    """Return names for the parts of a curve: with letters, or numbers where there are many."""
+    if count == 1:
+        return [name]
+    letters = ascii_lowercase if count <= len(ascii_lowercase) else map(str, range(1, count + 1))
+    return [f"{name} {letter}" for _, letter in zip(range(count), letters, strict=False)]
 
 
 def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:

@@ -21,10 +21,10 @@ from .curve_view import CurveView
 from .regions import (
     Combined,
     Names,
+    chosen_shapes,
     computed,
     curves_of,
     name_of_shape,
-    operands,
     outlines_of,
     regions_of,
     replaced,
@@ -50,7 +50,7 @@ def offset_by(
     EditError
         If one has no outline, or if nothing would be left of one.
     """
-    made, off, chosen = dict[range, list[Curve]](), 0.0, operands(document, curves)
+    made, off, chosen = dict[range, list[Curve]](), 0.0, chosen_shapes(document, curves)
     for number, places in enumerate(chosen):
         told = part(report, number / len(chosen), (number + 1) / len(chosen))
         model = document.curves[places.start]
@@ -85,7 +85,7 @@ def strokes_as_shapes(
     EditError
         If one has no line, dashes, or a line whose width follows the zoom.
     """
-    made, off, chosen = dict[range, list[Curve]](), 0.0, operands(document, curves)
+    made, off, chosen = dict[range, list[Curve]](), 0.0, chosen_shapes(document, curves)
     taken = taken_names(document)
     for number, places in enumerate(chosen):
         told = part(report, number / len(chosen), (number + 1) / len(chosen))

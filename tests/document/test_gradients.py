@@ -68,7 +68,7 @@ def test_a_colour_takes_the_place_of_a_gradient_and_stands_for_it():
     assert not with_style(document, [0], fill=NO_PAINT).curves[0].style.has_fill
     assert flat.style.in_colour("#123456").gradients == {}
     # What is drawn next lies elsewhere.
-    assert fresh_curve(document, drawn(), Parametrization()).style == Style(fill="#aa0055", stroke="#aa0055")
+    assert fresh_curve(document, drawn(), Parametrization()).style == Style(fill="#ff0000", stroke="#ff0000")
 
 
 @pytest.mark.parametrize(

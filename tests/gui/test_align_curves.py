@@ -201,11 +201,26 @@ def test_a_group_is_aligned_as_one(four):
     assert whole(after[:3])[1][1] == pytest.approx(after[3, 1, 1], abs=2 * CLOSE)
 
 
-def test_within_a_group_that_is_alone_its_curves_are_aligned(four):
+def test_a_group_that_is_alone_is_aligned_as_one(four):
+    """To the page and the drawing; to each other, and spaced, it is one thing, and nothing is offered."""
     with_groups(four, "ABC")
-    four.session.selected.choose({0, 1, 2})
-    four.trigger("alignTop")
-    assert np.ptp(boxes(four)[:3, 1, 1]) == pytest.approx(0.0, abs=2 * CLOSE)
+    page = Page(-30.0, -20.0, 60.0, 50.0)
+    four.session.change("Page", lambda document: replace(document, page=page))
+    four.session.selected.choose([])
+    four.click(tuple(four.session.views[0].curve.evaluate(0.4).tolist()))
+    assert four.session.selected.chosen == {0, 1, 2}
+    for action in ("alignCentre", "distributeHorizontally", "distributeGapsVertically"):
+        assert not four.action(action).isEnabled()
+    assert "(a group is one)" in four.action("alignCentre").toolTip()
+    four.trigger("alignToPage")
+    before = boxes(four)
+    four.trigger("openTransform")
+    QTest.mouseClick(four.window.findChild(QToolButton, "alignCentreButton"), Qt.MouseButton.LeftButton)
+    after = boxes(four)
+    assert whole(after[:3])[:, 0].mean() == pytest.approx(0.0, abs=2 * CLOSE)
+    assert after[:3] - before[:3] == pytest.approx(np.array(3 * [after[0] - before[0]]), abs=2 * CLOSE)
+    assert after[3] == pytest.approx(before[3])
+    four.trigger("alignToEachOther")
 
 
 def test_a_locked_curve_refuses(four):

@@ -226,3 +226,20 @@ def test_with_nothing_chosen_the_tool_says_so_and_a_press_on_a_shape_means_that(
     assert squares.status == "Choose a curve first: click one."
     squares.drag((6.5, 1.0), (7.5, 1.0))
     assert (gradient(squares), gradient(squares, 1) is not None) == (None, True)
+
+
+def test_what_is_drawn_next_has_the_colour_in_which_the_gradient_begins(squares):
+    """It had the mean of all, a colour that is nowhere in the drawing."""
+    painted = Gradient(
+        (Stop(0.0, RED), Stop(1.0, BLUE)), GradientKind.LINEAR, (0.0, 2.0), (4.0, 2.0), (0.0, 4.0)
+    )
+    squares.session.change(
+        "Paint",
+        lambda document: document.with_curve(
+            0, replace(document.curves[0], style=document.curves[0].style.with_gradient("fill", painted))
+        ),
+    )
+    squares.trigger("rectangleTool")
+    squares.drag((6.2, 2.5), (8.0, 4.0))
+    style = squares.session.document.curves[-1].style
+    assert (len(squares.session.document.curves), style.fill, style.fill_gradient) == (3, RED, None)

@@ -92,6 +92,44 @@ def test_its_key_puts_the_outcome_in_the_place_of_the_hindmost_with_its_style(dr
     assert drawing.session.document == before
 
 
+# "o" has a hole by its own rule, and "l" crosses "i"; the disc covers a part of "o" and of "i".
+WORD = """<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20" viewBox="-10 -10 20 20">
+<g id="Word" fill="#ff8800"><path id="o" fill-rule="evenodd" d="M-8 -4h6v8h-6z M-6 -2h2v4h-2z"/>
+<path id="i" d="M0 -4h4v8h-4z"/><path id="l" d="M3 -2h6v4h-6z"/></g>
+<circle id="Disc" r="3" cx="-1" fill="#ff8800"/></svg>"""
+
+IN_WORD = {"o": (-7.5, 0.0), "hole": (-5.0, 0.0), "i": (2.5, 1.0), "i and l": (3.5, 0.0), "l": (8.0, 0.0)}
+UNDER_DISC = {"o": (-2.5, 0.0), "i": (1.0, 0.0)}
+
+
+@pytest.mark.parametrize("operation", PATH_OPERATIONS[:3], ids=lambda each: each.name)
+def test_a_group_is_one_operand(editor, operation):
+    """A disc punched a whole word away: letters were cut from one another."""
+    editor.session.commit(read_svg(WORD.encode(), None).document, "Begin", active=0)
+    editor.session.selected.choose([])
+    editor.window.canvas.camera.show_box((-11, 11), (-11, 11))
+    editor.settle()
+    before = editor.session.document
+    editor.click(IN_WORD["l"])
+    press(editor, PATH_OPERATIONS[0])
+    assert editor.status.startswith("Union of o, i and l: 1 shape")
+    editor.trigger("undo")
+    editor.click(OUTSIDE)
+    editor.click(IN_WORD["l"])
+    editor.click((-1.0, 0.0), keys=SHIFT)
+    assert chosen(editor) == set(names(editor))
+    press(editor, operation)
+    assert editor.status.startswith(f"{operation.title} of Word and Disc: 1 shape")
+    is_left = operation.name != "pathIntersection"
+    of_word = [is_left, False, is_left, is_left, is_left]
+    assert is_painted(editor, *IN_WORD.values()) == of_word
+    assert is_painted(editor, *UNDER_DISC.values()) == 2 * [operation.name != "pathDifference"]
+    # What was the group is a shape now.
+    assert {(curve.shape, curve.groups) for curve in editor.session.document.curves} == {("Word", ())}
+    editor.trigger("undo")
+    assert editor.session.document == before
+
+
 def test_points_keep_their_kind_and_lines_stay_straight(drawing):
     """The outcome has the handles of the disc and the lines of the frame, to the last digits."""
     press(drawing, PATH_OPERATIONS[0])

@@ -320,3 +320,54 @@ def ink_around(editor, place):
     image = editor.window.canvas.grab().toImage().copy(at.x() - 6, at.y() - 6, 13, 13)
     _, counts = np.unique(pixels_of(image), return_counts=True)
     return image.width() * image.height() - counts.max()
+
+
+def test_curves_are_split_at_all_selected_points(letter):
+    """Three of the ring, two of its hole, one of the dot, all of which are edited."""
+    letter.session.selected.set_curves({0, 2})
+    document = letter.session.document
+    letter.drag((-3.5, 3.5), (0.5, -3.5))
+    letter.drag((4.0, 0.7), (5.5, -0.7), keys=SHIFT)
+    assert selected(letter) == {0: {1, 2, 3}, 1: {1, 2, 3}, 2: {2}}
+    letter.click((0.0, 1.5), keys=SHIFT)
+    letter.key(Key.Key_K, CTRL)
+    curves = letter.session.document.curves
+    assert [curve.name for curve in curves] == [
+        *("Outer a", "Outer b", "Outer c"),
+        *("Inner a", "Inner b"),
+        "Dot",
+    ]
+    assert [[point.position for point in curve.points] for curve in curves] == [
+        [(0.0, 3.0), (-3.0, 0.0)],
+        [(-3.0, 0.0), (0.0, -3.0)],
+        [(0.0, -3.0), (3.0, 0.0), (0.0, 3.0)],
+        [(-1.5, 0.0), (0.0, -1.5)],
+        [(0.0, -1.5), (1.5, 0.0), (0.0, 1.5), (-1.5, 0.0)],
+        [(5.0, 0.0), (6.0, -1.0), (7.0, 0.0), (6.0, 1.0), (5.0, 0.0)],
+    ]
+    assert not any(curve.closed for curve in curves)
+    assert [curve.shape for curve in curves] == [*5 * ["O"], ""]
+    assert letter.status.startswith("Split at 6 points: shape kept, largest change ")
+    assert step_name(letter) == "Split 3 curves"
+    # All of it is still edited, and its ends can be dragged apart.
+    assert letter.session.selected.edited == set(range(6))
+    letter.trigger("undo")
+    assert letter.session.document == document
+
+
+def test_an_open_curve_is_split_at_its_inner_points_alone(letter):
+    letter.session.commit(
+        Document((make_curve([(-4.0, 0.0), (-2.0, 1.0), (0.0, 0.0), (2.0, 1.0)], name="Wave"),)),
+        "Begin",
+        active=0,
+    )
+    letter.session.selected.activate(0)
+    letter.settle()
+    before = letter.session.active_view
+    letter.key(Key.Key_A, CTRL)
+    letter.key(Key.Key_K, CTRL)
+    assert [view.source.name for view in letter.session.views] == ["Wave a", "Wave b", "Wave c"]
+    for k, view in enumerate(letter.session.views):
+        t = np.linspace(*before.parameters[k : k + 2], 20)
+        assert view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-12)
+    assert step_name(letter) == "Split Wave"

@@ -102,6 +102,31 @@ def test_leaving_is_said_and_no_points_are_shown(three):
     assert shows_points(three)
 
 
+def test_enter_edits_all_that_are_chosen_and_escape_leaves_them_chosen(whole):
+    """One was edited, and the others had to be clicked again each time."""
+    whole.click(on_curve(whole, 0))
+    whole.click(on_curve(whole, 2), keys=SHIFT)
+    whole.key(RETURN)
+    assert whole.status == "Editing 2 curves now."
+    selected = whole.session.selected
+    assert (selected.is_editing, chosen(whole)) == (True, "AC")
+    whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert dict(selected.group.parts) == {0: {0, 1, 2, 3}, 2: {0, 1, 2, 3}}
+    whole.escape()
+    assert (selected.is_editing, chosen(whole), selected.group.parts) == (True, "AC", ())
+    whole.escape()
+    assert (selected.is_editing, chosen(whole)) == (False, "AC")
+    assert whole.status.startswith("2 curves are chosen, and edited no longer")
+    assert whole.status.endswith("Enter edits them.")
+    # By the action it goes the same way.
+    whole.trigger("editCurve")
+    assert (selected.is_editing, chosen(whole)) == (True, "AC")
+    whole.trigger("editCurve")
+    assert (selected.is_editing, chosen(whole)) == (False, "AC")
+    whole.escape()
+    assert (selected.is_editing, chosen(whole)) == (False, "")
+
+
 def test_a_click_chooses_and_a_double_click_edits(whole):
     whole.click(on_curve(whole, 2))
     assert state(whole) == (False, "C", "C")

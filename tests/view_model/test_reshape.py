@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -219,6 +221,20 @@ def test_the_halves_of_a_hermite_curve_are_the_curve(family, manual):
         assert first.curve.domain[1] == second.curve.domain[0] == pytest.approx(t)
         assert distance(first, before) < ROUNDING
         assert distance(second, before) < ROUNDING
+
+
+@pytest.mark.parametrize("family", [*WITH_VELOCITIES, *OVER_CONTROL_POINTS, LAGRANGE])
+def test_a_curve_is_cut_at_several_places_at_once(family):
+    """At a joint and between joints, in whatever order they are named."""
+    before = view(family)
+    cuts = (0.83, float(before.parameters[2]), 0.1)
+    parts = split(before, *cuts)
+    assert [curve.name for curve in parts.curves] == [f"Curve 1 {letter}" for letter in "abcd"]
+    assert parts.residual < 1e-11
+    ends = [0.0, *sorted(cuts), 1.0]
+    assert [view_of(curve).curve.domain for curve in parts.curves] == [
+        pytest.approx(each) for each in pairwise(ends)
+    ]
 
 
 def test_a_corner_goes_into_both_halves_each_with_its_side():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
@@ -20,7 +20,7 @@ from ...tools.inserting import insert_at
 from ...view_model.appending import with_closed
 from ...view_model.midpoints import Halved, with_midpoints
 from ...view_model.reshape import Reshaped, reversed_curve
-from ...view_model.splitting import Split, split
+from ...view_model.splitting import Split, places_between_ends, split
 from ...view_model.straight import segments_between
 from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
@@ -207,7 +207,7 @@ class CurveCommands:
         t = self._session.selected.scrub
         if t is None:
             self._session.refuse(
-                "Select an inner point, or put the scrub line (T) where on the curve it shall be."
+                "Select inner points, or put the scrub line (T) where on the curve it shall be."
             )
         else:
             act(t)
@@ -217,14 +217,40 @@ class CurveCommands:
     )
     @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
     def _split(self) -> None:
-        """Split the curve at the selected point, or at the scrub line."""
-        session, selected = self._session, self._session.selected.point
-        view = session.active_view
-        if selected is not None and (view.source.is_closed or 0 < selected < len(view.source.points) - 1):
-            places = view.curve.places if view.curve is not None else view.parameters
-            self.split_at(float(places[selected]))
-        else:
+        """Split the curves at all selected points, or the curve at the scrub line."""
+        cuts = {
+            curve: found
+            for curve, indices in self._session.selected.group.parts
+            if (found := places_between_ends(self._session.views[curve], indices))
+        }
+        if not cuts:
             self._at_scrub(self.split_at)
+        elif sum(map(len, cuts.values())) == 1 and self._session.active_index in cuts:
+            self.split_at(*cuts[self._session.active_index])
+        else:
+            self._split_all(cuts)
+
+    def _split_all(self, cuts: Mapping[int, Sequence[float]]) -> None:
+        """Split curves at several places, each of its own; what was edited together stays so."""
+        session, made = self._session, dict[int, Split]()
+
+        def edit(document: Document) -> Document:
+            # The foremost first: those behind it stay where they are.
+            for curve in sorted(cuts, reverse=True):
+                made[curve] = split(session.views[curve], *cuts[curve])
+                document = curve_edits.with_parts(document, curve, *made[curve].curves)
+            return document
+
+        edited, active = session.selected.curves, session.active_index
+        if not session.change(f"Split {named(session.document, cuts)}", edit):
+            return
+        more = {curve: len(each.curves) - 1 for curve, each in made.items()}
+        first = {curve: curve + sum(more[each] for each in more if each < curve) for curve in edited}
+        parts = [first[curve] + k for curve in edited for k in range(more.get(curve, 0) + 1)]
+        session.selected.set_curves(parts if len(edited) > 1 else (first[active],), first[active])
+        residual = max(each.residual for each in made.values())
+        whole = Split(tuple(curve for each in made.values() for curve in each.curves), residual)
+        session.say(f"Split at {count_of(sum(map(len, cuts.values())), 'point')}: {whole.sentence}")
 
     @action(
         "reverseCurve",

@@ -56,12 +56,12 @@ class PointCommands:
     )
     @also(CANVAS_MENU(13))
     def _edit_or_leave(self) -> None:
-        """Show the points of the curve and change them (Enter), or choose whole curves (Escape)."""
-        selected, active = self._session.selected, self._session.active_index
+        """Show the points of the chosen curves and change them (Enter), or choose whole curves (Escape)."""
+        selected = self._session.selected
         if selected.is_editing:
-            selected.choose((active,))
+            selected.choose(selected.curves)
         else:
-            selected.activate(active)
+            selected.edit_chosen()
 
     @action(
         "resetVelocities",

@@ -21,7 +21,7 @@ from ...view_model.regions import (
     Combined,
     PathOperation,
     combined_by,
-    named_shapes,
+    named_operands,
 )
 from ...view_model.stroke_shapes import offset_by, strokes_as_shapes
 from ...workbench.context import WindowContext
@@ -136,7 +136,7 @@ class PathCommands:
             if time.monotonic() > until:
                 raise _TakesLong
 
-        what = f"{title} of {named_shapes(document, curves)}"
+        what = f"{title} of {named_operands(document, curves)}"
         try:
             self._put(what, document, work(report=hurry))
         except EditError as reason:

@@ -34,8 +34,9 @@ def filled(style: Style) -> Style:
 
     What is not filled elsewhere has the colour of the line.
     """
-    fill = style.fill if style.has_fill else style.colour
-    return replace(style.flat, stroke=NO_PAINT, fill=fill, fill_rule=FillRule.NONZERO)
+    flat = style.flat
+    fill = flat.fill if flat.has_fill else flat.colour
+    return replace(flat, stroke=NO_PAINT, fill=fill, fill_rule=FillRule.NONZERO)
 
 
 def with_text(

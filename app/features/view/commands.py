@@ -16,7 +16,7 @@ from ...actions.sections import (
 )
 from ...actions.strips import CANVAS_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
-from ...document.several_curves import named
+from ...document.several_curves import name_of, named
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
@@ -80,19 +80,20 @@ class ViewCommands:
             self._step_out()
 
     def _step_out(self) -> None:
-        """Choose the curve that is edited alone, then as a whole that is edited no longer, then none."""
+        """Choose the curves that are edited as wholes that are edited no longer, then none."""
         session, selected = self._session, self._session.selected
         if not selected.is_editing:
             if selected.chosen:
                 selected.choose(())
                 session.say("No curve is chosen.")
             return
-        if selected.chosen:
-            selected.set_curves((session.active_index,))
-            return
-        selected.choose((session.active_index,))
-        name = named(session.document, selected.chosen)
-        session.say(f"“{name}” is chosen, and edited no longer; clicks choose whole curves, Enter edits one.")
+        selected.choose(selected.curves)
+        name = name_of(session.document, selected.chosen)
+        chosen = f"{named(session.document, selected.chosen)} are" if name is None else f"“{name}” is"
+        again = "them" if name is None else "one"
+        session.say(
+            f"{chosen} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
+        )
 
     @action_for_each(
         TOOLS,

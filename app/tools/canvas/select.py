@@ -12,7 +12,7 @@ from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
 from .. import hints
 from ..below import click_below, find_below, words_below
-from ..curve_picker import CurvePicker, chosen_curves, click_curve, edit_curve
+from ..curve_picker import CurvePicker, chosen_curves, click_curve, select_hit
 from ..drag_machine import EditingHost
 from ..drags import BendCurve
 from ..guides import GuidePicker
@@ -102,13 +102,14 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove a guide with Delete; edit the curve that is chosen with Enter."""
+        """Remove a guide with Delete; edit all curves that are chosen with Enter."""
         if self._guides.key(context, key):
             return True
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
-        edit_curve(context, context.host.active_index)
+        selected.edit_chosen()
+        select_hit(context)
         return True
 
     def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
