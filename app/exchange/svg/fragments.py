@@ -83,7 +83,7 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
         As `read_svg`; a large one is read in a process with limits.
     """
     report(0.0, "Reading")
-    reader = svg.reader.read_copied if fragment.is_in_groups else svg.reader.read_svg
+    reader = svg.copied.read_copied if fragment.is_in_groups else svg.reader.read_svg
     if len(fragment.data) <= SMALL:
         found = exchange.child.at_once(reader, fragment.data)
     else:
