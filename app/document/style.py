@@ -127,6 +127,19 @@ class Style(Value, frozen=True):
         return self.fill_gradient is not None or self.stroke_gradient is not None
 
     @property
+    def has_clear_gradient(self) -> bool:
+        """Whether a gradient that is painted lets something through."""
+        painted = [
+            (self.has_fill, self.fill_gradient, self.fill_opacity),
+            (self.has_stroke, self.stroke_gradient, self.stroke_opacity),
+        ]
+        return any(
+            opacity * self.opacity * min(stop.opacity for stop in gradient.stops) < 1
+            for is_painted, gradient, opacity in painted
+            if is_painted and gradient is not None and not gradient.is_flat
+        )
+
+    @property
     def flat(self) -> Style:
         """The style with colours in place of gradients, for curves elsewhere."""
         return replace(self, fill_gradient=None, stroke_gradient=None) if self.is_placed else self
