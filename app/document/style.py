@@ -126,6 +126,19 @@ class Style(Value, frozen=True):
         return self.fill_gradient is not None or self.stroke_gradient is not None
 
     @property
+    def has_clear_gradient(self) -> bool:
+        """Whether a gradient that is painted lets something through."""
+        painted = [
+            (self.has_fill, self.fill_gradient, self.fill_opacity),
+            (self.has_stroke, self.stroke_gradient, self.stroke_opacity),
+        ]
+        return any(
+            opacity * self.opacity * min(stop.opacity for stop in gradient.stops) < 1
+            for is_painted, gradient, opacity in painted
+            if is_painted and gradient is not None and not gradient.is_flat
+        )
+
+    @property
     def flat(self) -> Style:
         """The style with the colours in which gradients begin in their place, for curves elsewhere."""
         if not self.is_placed:

@@ -69,6 +69,11 @@ class Imported:
         return (*(each.sentence for each in self.missed), *self.remarks)
 
     @property
+    def lost(self) -> tuple[str, ...]:
+        """What the file is without once these curves are written over it, each within a sentence."""
+        return (*(each.words for each in self.missed), *(each.removesuffix(".") for each in self.remarks))
+
+    @property
     def has_groups(self) -> bool:
         """Whether any curve lies in a group."""
         return any(curve.groups for curve in self.document.curves)

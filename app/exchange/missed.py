@@ -34,6 +34,11 @@ class Missed(msgspec.Struct, frozen=True):
         return f"{self.element} {self.called}: {self.why}; {self.instead}."
 
     @property
+    def words(self) -> str:
+        """What it is and what stands in the way, within a sentence."""
+        return f"{self.element} {self.called} ({self.why})"
+
+    @property
     def called(self) -> str:
         """Words to find it by: its name, or its place."""
         return f"“{self.name}”" if self.name else f"(element {self.number})"

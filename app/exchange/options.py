@@ -255,6 +255,8 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         Hears how far it has come; until the file is put in place it may raise `Cancelled`.
     path
         The file that is written, for formats that say where other files lie.
+    tells_exactness
+        Of an SVG: whether one that deviates from nothing has a sentence about it, too.
     """
 
     width: int | None = None
@@ -272,6 +274,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     own: Mapping[str, Any] = {}
     report: Report = silent
     path: str = ""
+    tells_exactness: bool = True
 
     def __getitem__(self, option: Option[Value]) -> Value:
         """Return an option that one format alone has."""

@@ -53,7 +53,6 @@ class Files:
         # By the beginnings of the documents that undo and redo go to.
         self._exports: dict[Beginning, Export] = {}
         self._written_back: dict[Beginning, Foreign] = {}
-        self._is_noted = False
         self.blank: Callable[[], Document] = empty_document
 
     @property
@@ -64,7 +63,7 @@ class Files:
     @property
     def has_changes(self) -> bool:
         """Whether something was changed here since the document was opened or saved."""
-        return self._is_noted or not self._session.undo_stack.isClean()
+        return not self._session.undo_stack.isClean()
 
     @property
     def is_modified(self) -> bool:
@@ -83,17 +82,12 @@ class Files:
         return self._exports.get(self.beginning, NEVER_EXPORTED)
 
     def note_export(self, export: Export) -> None:
-        """Take note of an export; where the document has a file, that is to be saved."""
-        if export == self.last_export:
-            return
+        """Take note of an export; it is saved with the next change, and nobody is asked about it alone."""
         self._exports[self.beginning] = export
-        if self.path is not None:
-            self._is_noted = True
-            self._session.file_changed.emit()
 
     def _take_note_of(self, export: Export) -> None:
         """Take up the note in a file that was read or written."""
-        self._exports[self.beginning], self._is_noted = export, False
+        self._exports[self.beginning] = export
 
     @property
     def foreign(self) -> Foreign | None:
@@ -213,7 +207,7 @@ class Files:
         # The path comes later: what is put away of the document before leaves this file alone.
         self._take(None, file)
         beginning = beginning or Beginning()
-        self._exports, self._is_noted = {beginning: document.export}, False
+        self._exports = {beginning: document.export}
         self._written_back = {}
         self._session.begin(State(document, 0, beginning), path, views)
 
@@ -231,7 +225,6 @@ class Files:
         session.cancel()
         document = replace(session.committed, export=self.last_export)
         self._take(target, OpenFile.saved(target, document, self.file, overwrite=overwrite))
-        self._is_noted = False
         session.undo_stack.setClean()
         session.saved.emit()
         session.file_changed.emit()
@@ -265,7 +258,6 @@ class Files:
     def give_up_changes(self) -> None:
         """Let the document go as it is, unsaved: nobody is asked about it."""
         self._session.undo_stack.setClean()
-        self._is_noted = False
         if self.file is not None:
             self.file.accept()
             self._session.file_changed.emit()

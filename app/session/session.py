@@ -373,7 +373,10 @@ class Session(QObject):
         self.message.emit(Message(MessageKind.REFUSAL, text))
 
     def offer(self, text: str, action: str) -> None:
-        """Show a sentence above the canvas, and beside it a button for the action of this name."""
+        """Show a sentence above the canvas, and beside it a button for the action of this name.
+
+        Without a sentence, the one that was there goes: the action has done it.
+        """
         self.message.emit(Message(MessageKind.OFFER, text, action))
 
     # Files

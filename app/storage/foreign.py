@@ -19,10 +19,13 @@ class Foreign(msgspec.Struct, frozen=True):
         Where it is.
     written
         The digest of what was written back last; empty before that.
+    missed
+        What in it did not come in as it stands there, in words; writing back loses it.
     """
 
     path: Path
     written: bytes = b""
+    missed: tuple[str, ...] = ()
 
     def keep_what_would_be_lost(self) -> Path | None:
         """Copy the file beside itself, unless it is as it was written back last; return the copy.

@@ -46,6 +46,7 @@ class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     title: str = ""
     file_stem: str = ""
     foreign: bytes | None = None
+    missed: tuple[str, ...] = ()
 
 
 _RECORDS = msgspec.json.Decoder(_Record)
@@ -64,6 +65,8 @@ class Origin(msgspec.Struct, frozen=True):
         Its name until it is saved, and the one that its file would get; empty for none in particular.
     foreign
         The file of another format that it was opened from.
+    missed
+        What of that did not come in; see `Foreign`.
     """
 
     path: Path | None = None
@@ -71,6 +74,7 @@ class Origin(msgspec.Struct, frozen=True):
     title: str = ""
     file_stem: str = ""
     foreign: Path | None = None
+    missed: tuple[str, ...] = ()
 
     @property
     def is_unchanged(self) -> bool:
@@ -220,6 +224,7 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
             title=shown(origin.title),
             file_stem=shown(origin.file_stem),
             foreign=_bytes_of(origin.foreign),
+            missed=tuple(map(shown, origin.missed)),
         )
     )
 
@@ -249,7 +254,12 @@ def _load(file: Path, lock: ProcessLock) -> Snapshot:
     if _checksum(text) != record.checksum or not math.isfinite(record.written):
         raise ValueError("the checksum is another one")
     origin = Origin(
-        _path_of(record.path), record.stamp, record.title, record.file_stem, _path_of(record.foreign)
+        _path_of(record.path),
+        record.stamp,
+        record.title,
+        record.file_stem,
+        _path_of(record.foreign),
+        record.missed,
     )
     return Snapshot(decode(text), origin, record.written, file, lock)
 

@@ -56,8 +56,11 @@ class Messages(QObject):
         self.render(self._session.active_view)
 
     def offer(self, text: str, action: QAction) -> None:
-        """Say what has happened, with a button for `action`, until the document is another one."""
-        self._offered, self._dismissed = (text, action), ""
+        """Say what has happened, with a button for `action`, until the document is another one.
+
+        Without a text, what was said so has been done.
+        """
+        self._offered, self._dismissed = (text, action) if text else None, ""
         self.render(self._session.active_view)
 
     def greet(self) -> None:

@@ -369,7 +369,7 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
 
 def test_what_never_had_a_file_keeps_its_name(kept):
     """A drawing that had been imported was called “Untitled” after a crash."""
-    opened_from = Foreign(Path("/nowhere/icon.svg"))
+    opened_from = Foreign(Path("/nowhere/icon.svg"), missed=("<text> “Title” (text is no curve)",))
     kept.session.files.begin_imported(SKETCH, "icon", foreign=opened_from)
     move_point(kept, (2.0, 3.0))
     assert kept.autosave.write_now()

@@ -14,16 +14,19 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, QPushButton
 
 from app.document.export import NEVER_EXPORTED, Export
+from app.document.gradient import Gradient, Stop
 from app.document.model import Document, Page, make_curve
+from app.document.style import Style
 from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.storage.files import load
 from app.testing import Editor
+from app.workbench.document_files import DocumentFiles
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -553,9 +556,8 @@ def test_a_document_remembers_how_it_was_exported(editor, dialog, tmp_path, monk
     steps = editor.session.undo_stack.count()
     export(editor, dialog, tmp_path / "my logo.svg", monkeypatch)
     assert editor.session.undo_stack.count() == steps, "no step of the history"
-    assert editor.session.files.is_modified, "but something to save"
-    editor.session.save()
     assert not editor.session.files.is_modified
+    editor.session.save()
     editor.new()
     editor.window.preferences.export_choice = ""
     editor.trigger("exportPicture")
@@ -584,14 +586,25 @@ def test_undo_leaves_it_as_it_is(editor, dialog, tmp_path, monkeypatch):
     assert load(path).export == editor.session.files.last_export
 
 
-def test_the_same_once_more_is_nothing_to_save(editor, dialog, tmp_path, monkeypatch):
+def test_nobody_is_asked_about_an_export_alone(editor, dialog, tmp_path, monkeypatch):
+    """After one a designer was asked to save a drawing in which nothing was changed."""
+    path, asked = tmp_path / "a.curve.json", []
+    editor.session.save(path)
+    monkeypatch.setattr(
+        DocumentFiles, "_ask_about_changes", lambda _: asked.append(1) or QMessageBox.StandardButton.Cancel
+    )
     choose_format(dialog, ".svg")
     export(editor, dialog, tmp_path / "a.svg", monkeypatch)
-    editor.session.save(tmp_path / "a.curve.json")
+    assert not editor.window.isWindowModified()
+    # A change that is saved takes the note along.
+    editor.drag_point(0, to=(0.5, 0.5))
+    editor.trigger("saveDocument")
+    assert load(path).export.name == "a.svg"
     editor.trigger("exportPicture")
     again = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
-    export(editor, again, tmp_path / "a.svg", monkeypatch)
-    assert not editor.session.files.is_modified
+    export(editor, again, tmp_path / "b.svg", monkeypatch)
+    editor.trigger("newDocument")
+    assert (asked, editor.session.files.path) == ([], None)
 
 
 def test_which_curves_were_chosen_is_not_remembered(waves, tmp_path, monkeypatch):
@@ -616,3 +629,26 @@ def test_what_an_export_leaves_out_is_said_in_the_window(editor, dialog, tmp_pat
     editor.trigger("copyPathData")
     editor.wait_for_work()
     assert "“Twice”" in editor.message
+
+
+def test_a_pdf_says_which_gradients_are_pictures_in_it(editor, dialog, tmp_path, monkeypatch):
+    """It called itself sharp at every size, and was not where a gradient ended in nothing."""
+    clear, full = (
+        Style(fill="#ff0000", fill_gradient=Gradient((Stop(0.0, "#ff0000"), Stop(1.0, "#ff0000", opacity))))
+        for opacity in (0.0, 1.0)
+    )
+    corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)]
+    curves = tuple(
+        replace(make_curve(corners, family=HERMITE), closed=True, name=name, style=style)
+        for name, style in (("Glow", clear), ("Sky", full))
+    )
+    editor.session.commit(replace(editor.session.document, curves=curves), "Paint")
+    said = (
+        "“Glow” has a gradient with transparency, which is a picture of at most 1000 pixels a side in a PDF."
+    )
+    choose_format(dialog, ".pdf")
+    settled(editor, dialog)
+    assert dialog.told.text() == said
+    path = tmp_path / "a.pdf"
+    export(editor, dialog, path, monkeypatch)
+    assert (said in editor.message, path.read_bytes().count(b"/Subtype /Image") > 0) == (True, True)

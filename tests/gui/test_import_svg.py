@@ -232,6 +232,48 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     assert [Path(each).name for each in saved] == ["badge.curve.json"]
 
 
+def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
+    """It wrote a file without its texts and clip paths at the first press, and called that exact."""
+    blank(editor)
+    path = tmp_path / "layers.svg"
+    cut = '<clipPath id="c"><circle r="1"/></clipPath><text id="Title" x="1" y="2">Hi</text>'
+    whole = INCH.replace("<path ", f'{cut}<path clip-path="url(#c)" ')
+    path.write_text(whole, encoding="utf-8")
+    editor.window.commands[ExchangeCommands].import_files([path], opened=path)
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    drawn(editor, dialog)
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    told = (
+        "2 things in layers.svg did not come in as drawn and would be lost: <text> “Title” (text is no "
+        "curve) and <path> “a” (a clip path cuts some of it off). Overwrite again to write it without them."
+    )
+    for x in (0.25, 0.5):
+        # Asked anew of another drawing.
+        move_first_point(editor, x)
+        editor.trigger("overwriteForeign")
+        editor.wait_for_work()
+        assert editor.message == told
+        assert editor.status == "layers.svg is not written yet."
+        assert path.read_text(encoding="utf-8") == whole
+    button = editor.window.message_bar.findChild(QToolButton, "offeredAction")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    editor.wait_for_work()
+    assert editor.status == (
+        "Wrote layers.svg without 2 things that had not come in. "
+        "What it was is kept as layers.svg.before.bak."
+    )
+    assert editor.message == ""
+    assert "deviation" not in path.read_text(encoding="utf-8")
+    (back,), (mine,) = import_file(path).document.curves, editor.session.document.curves
+    assert [each.position for each in back.points] == [each.position for each in mine.points]
+    # Now there is nothing left to lose.
+    editor.trigger("overwriteForeign")
+    editor.wait_for_work()
+    assert editor.status == "Wrote layers.svg, exact."
+
+
 def test_what_was_not_opened_from_a_file_has_none_to_overwrite(editor, tmp_path):
     blank(editor)
     path = tmp_path / "inch.svg"

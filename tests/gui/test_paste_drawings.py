@@ -10,12 +10,13 @@ from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 
-from app.document.model import Document, make_curve
+from app.document.model import Document, Page, make_curve
 from app.exchange import child
 from app.exchange.rescaled import factor_between
 from app.exchange.svg import for_clipboard
 from app.exchange.svg.fragments import SMALL, fragment_in
 from app.exchange.svg.lengths import length
+from app.exchange.svg.names import INKSCAPE_SPACE
 from app.exchange.svg.reader import read_svg
 from app.families import HERMITE
 
@@ -309,6 +310,33 @@ def test_groups_go_to_inkscape_and_back_as_groups(three):
     offer(image__x_inkscape_svg=svg.decode().replace("<g>", '<g id="g72">'))
     paste(three, CTRL | ALT)
     assert [each.groups for each in pasted(three)] == [("House copy",), ("House copy",), ()]
+
+
+COPIED = f"""<svg width="83.149605" height="45.354332" xmlns="{SVG}" xmlns:inkscape="{INKSCAPE_SPACE}">
+<inkscape:clipboard min="94.866136,337.13385" max="178.01574,382.48818"/>
+<g transform="matrix(3.7795276,0,0,3.7795276,-94.866137,-337.13385)">
+<ellipse cx="36.099998" cy="95.199997" rx="10" ry="5" fill="#ff0000" stroke="#000000" stroke-width="2"/>
+</g></svg>"""
+"""What Inkscape 1.2.2 copies of an ellipse at 36.1, 95.2 of a page of 100 by 150 mm."""
+
+
+def test_in_place_means_the_same_place_of_the_page_in_inkscape(editor):
+    """What was copied there came to the upper left corner of the page, and what was copied here above it."""
+    curve, page = make_curve([(0, 0), (10, 0)], name="A"), Page(0.0, 0.0, 100.0, 150.0)
+    editor.session.commit(Document((curve,), unit="mm", page=page), "Begin")
+    offer(image__x_inkscape_svg=COPIED)
+    paste(editor, CTRL | ALT)
+    assert middle(pasted(editor)) == pytest.approx((36.1, 150 - 95.2), abs=1e-5)
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_C, CTRL)
+    data = bytes(QGuiApplication.clipboard().mimeData().data("image/x-inkscape-svg").data())
+    place = ElementTree.fromstring(data).find(f"{{{INKSCAPE_SPACE}}}clipboard")
+    for name, theirs in (("min", (94.866136, 337.13385)), ("max", (178.01574, 382.48818))):
+        assert tuple(map(float, place.get(name).split(","))) == pytest.approx(theirs, abs=1e-4)
+    # At the pointer it is at the pointer.
+    offer(image__x_inkscape_svg=COPIED)
+    paste(editor)
+    assert middle(pasted(editor)) != pytest.approx((36.1, 150 - 95.2), abs=1e-3)
 
 
 def test_without_a_unit_numbers_stay_between_documents(editor):

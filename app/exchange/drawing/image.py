@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 
 from ... import __version__
 from ...document.model import Document
+from ...document.words import names_of
 from ...tasks.progress import Report, part, silent
 from ...view_model.palette import adjustment_of
 from ..errors import ExchangeError
@@ -24,7 +25,7 @@ from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing, Frame
-from .painting import Painting
+from .painting import FINEST, Painting
 from .styles import PictureStyle
 
 DEFAULT_WIDTH = 1600
@@ -66,7 +67,7 @@ class PicturePreview:
     size
         What its file says of its size, in a line.
     moved
-        What became of colours that could not be seen on the paper, a sentence or nothing.
+        What became of colours that could not be seen on the paper, or of gradients; empty for nothing.
     """
 
     image: QImage
@@ -109,7 +110,8 @@ def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     wide, high = _page_size(drawing, options)
     page = (wide / POINTS_PER_MILLIMETRE, high / POINTS_PER_MILLIMETRE)
     size = _size_text(drawing.frame, options, page, "mm")
-    return _preview(drawing, options, options.vector_style, f"Page of {size}", room)
+    seen = _preview(drawing, options, options.vector_style, f"Page of {size}", room)
+    return replace(seen, moved=" ".join([*filter(None, [seen.moved]), *_pictures_in(drawing)]))
 
 
 def _size_text(frame: Frame, options: Options, size: tuple[float, float], unit: str) -> str:
@@ -229,7 +231,19 @@ def pdf_file(document: Document, options: Options) -> Written:
     style = options.vector_style
     drawing = _drawing(document, options, style)
     with application():
-        return Written(_page(drawing, options, style), drawing.deviation, drawing.remarks)
+        remarks = (*drawing.remarks, *_pictures_in(drawing))
+        return Written(_page(drawing, options, style), drawing.deviation, remarks)
+
+
+def _pictures_in(drawing: Drawing) -> tuple[str, ...]:
+    """Return the sentence that tells of gradients that are pictures in a PDF; none without such."""
+    names = [shape[0].name for shape in drawing.shapes if shape[0].style.has_clear_gradient]
+    if not names:
+        return ()
+    has, is_one = ("has a gradient", True) if len(names) == 1 else ("have gradients", False)
+    what = "which is a picture" if is_one else "which are pictures"
+    named = names_of([f"“{name}”" for name in names])
+    return (f"{named} {has} with transparency, {what} of at most {FINEST} pixels a side in a PDF.",)
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:

@@ -36,7 +36,7 @@ _MOST_DASHES = 100_000
 
 
 _PICTURE = QImage.Format.Format_ARGB32_Premultiplied
-_FINEST = 1000
+FINEST = 1000
 """Pixels along the longer side of a gradient that goes into a PDF as a picture."""
 
 
@@ -107,7 +107,7 @@ class Painting:
         place = path.boundingRect().intersected(QRectF(0, 0, self._drawing.frame.width, self._height))
         if place.isEmpty():
             return
-        scale = min(1.0, _FINEST / max(place.width(), place.height()))
+        scale = min(1.0, FINEST / max(place.width(), place.height()))
         picture = QImage((place.size() * scale).toSize().expandedTo(QSize(1, 1)), _PICTURE)
         picture.fill(Qt.GlobalColor.transparent)
         with QPainter(picture) as inner:

@@ -21,16 +21,33 @@ def trimmed(drawing: Drawing) -> Drawing:
     """Return a drawing whose frame is the box around its curves with their strokes."""
     if drawing.has_page:
         return drawing
+    low, high = _painted(drawing)
+    middle, size = low + (high - low) / 2, high - low
+    width, height = np.maximum(size, _SLIMMEST * size.max()).tolist()
+    x, y = middle.tolist()
+    return replace(drawing, frame=Frame(x - width / 2, y - height / 2, width, height))
+
+
+def _painted(drawing: Drawing) -> tuple[FloatArray, FloatArray]:
+    """Return the corners of the box around the curves of a drawing with their strokes."""
     boxes = np.array([_box(each) for each in drawing.outlines])
     low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
     if any(each.style.has_stroke and each.style.width is None for each in drawing.outlines):
         # Of the longer side with these lines.
         reach = float((high - low).max()) * USUAL_WIDTH / (1 - USUAL_WIDTH) / 2
         low, high = low - reach, high + reach
-    middle, size = low + (high - low) / 2, high - low
-    width, height = np.maximum(size, _SLIMMEST * size.max()).tolist()
-    x, y = middle.tolist()
-    return replace(drawing, frame=Frame(x - width / 2, y - height / 2, width, height))
+    return low, high
+
+
+def painted_box(document: Document) -> FloatArray:
+    """Return the least and the largest coordinates of the visible curves of a document with their strokes.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn.
+    """
+    return np.array(_painted(drawing_of(replace(document, page=None))))
 
 
 def frame_of(document: Document) -> Frame:

@@ -45,7 +45,7 @@ FORMATS = (
     Format(
         endings=(".pdf",),
         title="PDF document",
-        description="One page of outlines, sharp at every size.",
+        description="One page of outlines, sharp at every size but for gradients with transparency.",
         place=30,
         options=(*PICTURE, TOLERANCE),
         write=lambda document, options: drawing.image.pdf_file(document, options),

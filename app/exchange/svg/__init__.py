@@ -11,6 +11,7 @@
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
   and rules.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
+  ``copied``: as Inkscape does.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 

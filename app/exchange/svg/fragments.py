@@ -83,13 +83,13 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
         As `read_svg`; a large one is read in a process with limits.
     """
     report(0.0, "Reading")
-    reader = svg.reader.read_copied if fragment.is_in_groups else svg.reader.read_svg
+    reader = svg.copied.read_copied if fragment.is_in_groups else svg.reader.read_svg
     if len(fragment.data) <= SMALL:
         found = exchange.child.at_once(reader, fragment.data)
     else:
         found = exchange.child.limited(reader, fragment.data, None, report=report)
     if not fragment.is_bare:
-        is_ours = svg.our_own.MARK.encode() in fragment.data
+        is_ours = any(mark.encode() in fragment.data for mark in svg.our_own.MARKS)
         # Where nobody says it a unit of SVG is a pixel; of our own, the document's, which has none.
         unit = found.document.unit or ("" if is_ours else "px")
         return with_fields(found, document=replace(found.document, unit=unit))

@@ -14,6 +14,8 @@ SODIPODI_SPACE = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
 
 SODIPODI = f"{{{SODIPODI_SPACE}}}"
 INSENSITIVE = f"{SODIPODI}insensitive"
+CLIPBOARD = f"{{{INKSCAPE_SPACE}}}clipboard"
+"""Element of what was copied in Inkscape: where on the page, from its upper left corner, in pixels."""
 GROUP_MODE = f"{{{INKSCAPE_SPACE}}}groupmode"
 
 _LABELS = (

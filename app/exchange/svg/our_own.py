@@ -12,7 +12,9 @@ from .matrices import box_of
 from .xml_tree import tag_of
 
 MARK = "Largest deviation from the true curves"
-"""Words in the metadata of every picture."""
+EXACT = "Its curves are exactly those of the document"
+MARKS = (MARK, EXACT)
+"""Words of which some are in the metadata of every picture."""
 
 _NOTES = ("metadata", "desc")
 """Where these stand: in pictures of before in the description, which Inkscape gives to a layer."""
@@ -40,7 +42,7 @@ class OurOwn:
 
     def __init__(self, root: ET.Element) -> None:
         notes = ("".join(child.itertext()) for child in root if tag_of(child) in _NOTES)
-        self._is_so = any(MARK in note for note in notes)
+        self._is_so = any(mark in note for note in notes for mark in MARKS)
         self.has_nominal_size = self._is_so and root.get("width", "")[-1:].isdigit()
         self.has_page = not self._is_so or root.get("id") == PAGE
         box = box_of(root.get("viewBox", ""))

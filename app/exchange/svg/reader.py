@@ -78,7 +78,7 @@ _ONE_POINT = Flaw("it is a single point", "left out")
 _UNPAINTED = "it has neither a stroke nor a fill"
 
 
-def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
+def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool = False) -> Imported:
     """Return the curves of an SVG file.
 
     Cubic and quadratic pieces and lines are taken exactly but for rounding; arcs, circles and ellipses
@@ -90,6 +90,8 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
         The whole file.
     tolerance
         Largest distance from arcs, in the unit of the file's size; by default 2.8e-4 of their radius.
+    is_in_groups
+        Whether its outermost groups are none of the drawing.
 
     Raises
     ------
@@ -97,21 +99,6 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
         With the element, for anything that is no SVG or that is hostile: a DTD, entities, elements that
         use themselves, more than `MAX_ELEMENTS` elements, broken data.
     """
-    return _read(data, tolerance)
-
-
-def read_copied(data: bytes, tolerance: float | None = None) -> Imported:
-    """Return the same of what Inkscape copied, without the groups that it put around.
-
-    Raises
-    ------
-    ExchangeError
-        As `read_svg`.
-    """
-    return _read(data, tolerance, is_in_groups=True)
-
-
-def _read(data: bytes, tolerance: float | None, *, is_in_groups: bool = False) -> Imported:
     root = parsed(data)
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")

@@ -52,10 +52,10 @@ class ClipboardCommands:
 
     def _offer(self, what: Highlight) -> Offer:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
-        session, mark = self._session, decimal_mark()
+        session, mark, page = self._session, decimal_mark(), self._session.document.page
         if len(what.points.parts) != 1:
             curves = self._copied_curves(what)
-            return Offer(CURVES, Document(curves, unit=session.document.unit))
+            return Offer(CURVES, Document(curves, unit=session.document.unit), page=page)
         ((curve, indices),) = what.points.parts
         view = session.views[curve]
         clip = copied(view, indices)
@@ -63,7 +63,7 @@ class ClipboardCommands:
             [exact_text(number, mark) for number in _row(point, timed=view.source.is_manual)]
             for point in clip.points
         ]
-        return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
+        return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows), page)
 
     def _copied_curves(self, what: Highlight) -> tuple[Curve, ...]:
         """Return the curves, or what the points of several are curves of."""

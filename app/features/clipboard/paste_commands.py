@@ -192,5 +192,8 @@ def _known(curves: Document, _report: Report) -> Imported:
 
 
 def _filled(target: Target, found: Imported, told: Callable[[float], object] | None = None) -> Arrival:
-    """Return the target with what was read, in the unit of the document."""
-    return target.filled(exchange.rescaled.in_unit(found.document, target.document.unit).curves, told)
+    """Return the target with what was read, in the unit of the document; in place, on its page."""
+    sized, page = exchange.rescaled.in_unit(found.document, target.document.unit), target.document.page
+    if page is not None and target.place is None:
+        sized = exchange.corner.into_page(sized, page)
+    return target.filled(sized.curves, told)

@@ -200,7 +200,8 @@ class ExchangeCommands:
                 if not begins and session.committed is not target:
                     arrival = intake.intake(session.committed, new)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
-                if self._put(path, arrival, begins=begins, anew=anew):
+                missed = taken.lost if isinstance(taken, exchange.cubics_in.Imported) else ()
+                if self._put(path, arrival, missed, begins=begins, anew=anew):
                     self._show_added(path, arrival, taken.deviation * factor, rest)
             finally:
                 self._end_turn()
@@ -224,7 +225,9 @@ class ExchangeCommands:
         self._meant_for = self._documents
         self._series.end()
 
-    def _put(self, path: Path, arrival: Arrival, *, begins: bool, anew: bool) -> bool:
+    def _put(
+        self, path: Path, arrival: Arrival, missed: tuple[str, ...], *, begins: bool, anew: bool
+    ) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
         session, step, is_opened = self._session, f"Import {path.name}", anew or path == self._opened
         if not begins:
@@ -236,7 +239,7 @@ class ExchangeCommands:
                 path.stem,
                 "" if anew else step,
                 arrival.views,
-                Foreign(path.absolute()) if is_opened and can_write_back(path) else None,
+                Foreign(path.absolute(), missed=missed) if is_opened and can_write_back(path) else None,
             )
         except EditError as reason:
             session.refuse(str(reason))

@@ -11,6 +11,8 @@ from ...actions.declaration import action
 from ...actions.needs import Need
 from ...actions.sections import FILE_SAVE
 from ...actions.situation import Situation
+from ...document.model import Document
+from ...document.words import count_of, names_of
 from ...exchange.formats import Written
 from ...storage.foreign import Foreign
 from ...storage.reasons import shown
@@ -27,11 +29,30 @@ def _title(now: Situation) -> str:
     return f"Overwrite “{shown(foreign.path.name)}”" if foreign is not None else "Overwrite the Opened File"
 
 
+def _words_about_loss(foreign: Foreign) -> str:
+    """Return what is said before a file is written without what did not come in."""
+    count, name = len(foreign.missed), shown(foreign.path.name)
+    them = "it" if count == 1 else "them"
+    return (
+        f"{count_of(count, 'thing')} in {name} did not come in as drawn and would be lost: "
+        f"{names_of(foreign.missed)}. Overwrite again to write it without {them}."
+    )
+
+
+def _words_about(foreign: Foreign, written: Written) -> str:
+    """Return how near a file is to the document, and to what it was."""
+    if not foreign.missed:
+        return f", {written.words}"
+    near = f", {written.words}" if written.deviation else ""
+    return f" without {count_of(len(foreign.missed), 'thing')} that had not come in{near}"
+
+
 class OverwriteCommands:
     """Writes a drawing back to the file that it was opened from."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._work = context.session, context.work
+        self._told: tuple[Foreign, Document] | None = None
 
     @action(
         "overwriteForeign",
@@ -48,7 +69,12 @@ class OverwriteCommands:
         session, foreign = self._session, self._session.files.foreign
         assert foreign is not None
         document, beginning = session.committed, session.files.beginning
-        options = replace(exchange.options.DEFAULT, unit=document.unit)
+        if foreign.missed and self._told != (foreign, document):
+            self._told = foreign, document
+            session.offer(_words_about_loss(foreign), "overwriteForeign")
+            session.refuse(f"{shown(foreign.path.name)} is not written yet.")
+            return
+        options = replace(exchange.options.DEFAULT, unit=document.unit, tells_exactness=False)
 
         def work(report: Report) -> tuple[Path | None, Written, Foreign]:
             kept = foreign.keep_what_would_be_lost()
@@ -58,8 +84,9 @@ class OverwriteCommands:
         def done(found: tuple[Path | None, Written, Foreign]) -> None:
             kept, written, now = found
             session.files.note_written_back(beginning, now)
+            session.offer("", "overwriteForeign")
             copy = f" What it was is kept as {shown(kept.name)}." if kept is not None else ""
-            session.say(f"Wrote {shown(foreign.path.name)}, {written.words}.{copy}")
+            session.say(f"Wrote {shown(foreign.path.name)}{_words_about(foreign, written)}.{copy}")
             self._work.warn_of(written.remarks)
 
         name = shown(foreign.path.name)

@@ -169,8 +169,8 @@ def origin_of(session: Session) -> Origin:
     """Return where the document of a session came from, and what it is called."""
     files, beginning = session.files, session.files.beginning
     stamp = files.file.stamp if files.file is not None else None
-    foreign = files.foreign.path if files.foreign is not None else None
-    return Origin(files.path, stamp, beginning.title, beginning.file_stem, foreign)
+    place, missed = (files.foreign.path, files.foreign.missed) if files.foreign is not None else (None, ())
+    return Origin(files.path, stamp, beginning.title, beginning.file_stem, place, missed)
 
 
 def beginning_of(origin: Origin, path: Path | None) -> Beginning:
@@ -181,7 +181,7 @@ def beginning_of(origin: Origin, path: Path | None) -> Beginning:
     if path is None and origin.path is not None:
         stem = shown(origin.path.name).removesuffix(SUFFIX)
         return Beginning(title=stem, file_stem=stem)
-    foreign = Foreign(origin.foreign) if origin.foreign is not None else None
+    foreign = Foreign(origin.foreign, missed=origin.missed) if origin.foreign is not None else None
     return Beginning(title=origin.title, file_stem=origin.file_stem, foreign=foreign)
 
 
