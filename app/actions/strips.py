@@ -29,6 +29,7 @@ class Strip(msgspec.Struct, frozen=True):
 
 
 TOOLBAR = Strip("toolbar")
+SHAPES_MENU = Strip("menu of further tools in the toolbar")
 FAMILIES_MENU = Strip("menu of further families in the toolbar")
 POINT_MENU = Strip("menu of a point")
 CURVE_MENU = Strip("menu of a curve")

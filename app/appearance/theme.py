@@ -95,7 +95,7 @@ def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
 
 LIGHT: Final = _theme("light", surface="#f0f1f3", muted="#5b636d", warning="#b25000")
 DARK: Final = _theme("dark", surface="#22272d", muted="#9aa3ad", warning="#ffab52")
-PRINTED: Final = msgspec.structs.replace(LIGHT, is_as_printed=True)
+PRINTED: Final = msgspec.structs.replace(LIGHT, paper=QColor("#ffffff"), is_as_printed=True)
 """The paper of a picture that is printed, whatever the theme."""
 
 

@@ -1,10 +1,10 @@
-"""The page of the document: the edge of what its pictures show."""
+"""The page of the document: the edge of what its pictures show, and the pasteboard around it."""
 
 from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from ..document.model import Page
 from ..plotting.layers import Layer
@@ -14,9 +14,12 @@ from ..plotting.plot_widget import PlotWidget
 _BEYOND = 10.0
 """Pixels out of sight to which an edge is drawn at most."""
 
+_PASTEBOARD = 0.14
+"""Opacity of ink over the paper around a page."""
+
 
 class PageLayer(Layer):
-    """Layer of the page's edge, above the grid and below the curves.
+    """Layer of the page's edge and of the pasteboard, above the grid and below the curves.
 
     Attributes
     ----------
@@ -38,7 +41,7 @@ class PageLayer(Layer):
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the edge, on whole pixels so that it stays crisp."""
+        """Shade what is not the page, and draw its edge, on whole pixels so that it stays crisp."""
         if self.page is None:
             return
         page = self.page
@@ -46,6 +49,14 @@ class PageLayer(Layer):
         pixels = np.clip(shown.points(corners), -_BEYOND, (shown.width + _BEYOND, shown.height + _BEYOND))
         (left, bottom), (right, top) = np.round(pixels).tolist()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        everything = QRectF(-_BEYOND, -_BEYOND, shown.width + 2 * _BEYOND, shown.height + 2 * _BEYOND)
+        edge = QRectF(left, top, right - left, bottom - top)
+        around = QPainterPath()
+        around.addRect(everything)
+        around.addRect(edge)
+        shade = QColor(self.theme.ink)
+        shade.setAlphaF(_PASTEBOARD)
+        painter.fillPath(around, shade)
         painter.setPen(QPen(self.theme.muted, 1.0))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRect(QRectF(left, top, right - left, bottom - top))
+        painter.drawRect(edge)

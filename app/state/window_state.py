@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
 from ..appearance.theme import ThemeMode
+from ..document.model import Document
 from ..document.transforms import Reference
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
@@ -54,8 +55,10 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the grid, the basis functions, the panels at the side and the lessons are shown.
     rulers, guides_shown, guides_locked
         Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
-    thin_lines, as_printed
-        Whether curves are thin lines without fills; whether paper and colours are as they print.
+    thin_lines
+        Whether curves are thin lines without fills.
+    as_printed, page_as_printed
+        Whether paper and colours are as they print, of a document without a page and of one that has it.
     presentation
         Whether everything but canvas and basis functions is hidden.
     scale
@@ -93,6 +96,7 @@ class WindowState(msgspec.Struct, frozen=True):
     guides_locked: bool = False
     thin_lines: bool = False
     as_printed: bool = False
+    page_as_printed: bool = True
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False
@@ -121,6 +125,10 @@ class WindowState(msgspec.Struct, frozen=True):
     def shows_rulers(self) -> bool:
         """Whether the axes of the canvas are rulers now: not in a presentation."""
         return self.rulers and not self.presentation
+
+    def prints(self, document: Document) -> bool:
+        """Whether paper and colours of this document are shown as they print."""
+        return self.as_printed if document.page is None else self.page_as_printed
 
     @property
     def strokes(self) -> Strokes:

@@ -324,7 +324,8 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         What the action has by which it is selected: object name, text in a menu and where no menu stands
         around it, keys, icon, tooltip. Empty where a feature has an action of its own for it.
     in_menu, in_toolbar
-        Whether the menu of the canvas offers it, and the toolbar.
+        Whether the menu of the canvas offers it; whether it has a button of its own in the toolbar, and does
+        not stand in the menu of the further ones there.
     keywords
         Other words by which the palette finds it.
     """

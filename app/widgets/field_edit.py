@@ -9,10 +9,10 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import QLineEdit
 
 from ..document.expression import ExpressionError, parse_number
-from ..document.words import number
+from ..document.words import number, with_minus
 from ..qt.keys import PASSING, ClaimsKeys
 from .controls import named
-from .number_text import decimal_mark, typed_text
+from .number_text import decimal_mark, field_text, typed_text
 
 _OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
@@ -178,15 +178,24 @@ class NumberEdit(FieldEdit):
         step: Callable[[float, int], float] | None = None,
     ) -> None:
         super().__init__(name, label, tip)
-        self._read, self._step = read, step
+        self._read, self._step, self._tip = read, step, tip
         # Parts of a notch that the wheel has turned.
         self._turned = 0
         self.committed.connect(self._enter)
 
+    def show_text(self, text: str, short: str | None = None) -> None:
+        """Show the document's text; the tip begins with it where `short` leaves out some of it."""
+        super().show_text(text, short)
+        exact = with_minus(text)
+        self.setToolTip(self._tip if short in (None, text, exact) else f"{exact} · {self._tip}")
+
     def show_number(self, value: float, digits: int | None = None) -> None:
         """Show a number, while nobody has the cursor in the field with so many digits."""
-        short = None if digits is None else number(value, digits, decimal_mark())
-        self.show_text(typed_text(value), short)
+        self.show_text(typed_text(value), None if digits is None else number(value, digits, decimal_mark()))
+
+    def show_length(self, value: float, unit: str = "") -> None:
+        """Show a number with its unit, while nobody has the cursor in the field in few decimals."""
+        self.show_text(*(f"{text} {unit}".rstrip() for text in (typed_text(value), field_text(value))))
 
     def _enter(self, text: str) -> None:
         try:

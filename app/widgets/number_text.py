@@ -10,12 +10,15 @@ from PySide6.QtCore import QLocale
 
 from curvecore.arrays import FloatArray
 
-from ..document.words import NOTHING, polished
+from ..document.words import NOTHING, number, polished
 
 NEGLIGIBLE = 1e-12
 """Share of the greatest number beside it below which a number is a rounding residue, shown as 0."""
 
 _WHOLE_DIGITS = 4
+
+_FIELD_DIGITS, _FIELD_DECIMALS = 7, 4
+"""Digits, and decimals among them, of a number in a field where nobody types."""
 
 _ROUNDED_UP = 2e-4
 """In powers of ten: 9.996 may be written 10.00."""
@@ -39,6 +42,12 @@ def typed_text(value: float) -> str:
     """Return the shortest text that a person may type for just this float, in the person's locale."""
     mark = decimal_mark()
     return exact_text(value, mark).removesuffix(f"{mark}0")
+
+
+def field_text(value: float) -> str:
+    """Return a number short enough for a field, in the person's locale: 80.6367, 1234.568, 0.001235."""
+    whole = _whole_digits(abs(value)) if 1 <= abs(value) < math.inf else 0
+    return number(value, min(whole + _FIELD_DECIMALS, _FIELD_DIGITS), decimal_mark())
 
 
 class Extent(msgspec.Struct, frozen=True):

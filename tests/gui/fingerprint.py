@@ -97,6 +97,9 @@ RENDERED_ANEW = {
 }
 """Widgets that are made when they are first wanted, and filled whenever they are shown."""
 
+USED_LAST = {"shapesButton"}
+"""Names of widgets that go on showing what was used last."""
+
 
 class _Kind:
     """How objects of a type are told.
@@ -231,7 +234,7 @@ class Fingerprint:
                 # Whoever shows it again sees the page that was seen last.
                 self.told[f"page of {widget.objectName()}"] = widget.currentIndex()
             # What is out of sight is told what to say before it is shown.
-            if widget.isVisibleTo(window):
+            if widget.isVisibleTo(window) and widget.objectName() not in USED_LAST:
                 self.told[f"widget {widget.objectName()}"] = self._told_of(widget)
 
     def _walk(self, place: str, value: object, kind: _Kind) -> None:

@@ -38,8 +38,9 @@ def test_an_icon_is_recoloured_aligned_and_copied(editor):
     # Without a window manager nobody gives the keyboard back.
     editor.window.activateWindow()
     assert QTest.qWaitForWindowActive(editor.window)
-    steps = ["Return"]
     session = editor.session
+    editor.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    steps = ["Return", "Ctrl+A"]
     assert session.selected.curves == frozenset(range(4))
     swatch = editor.window.findChild(QToolButton, "fillPaint_Vermillion")
     QTest.mouseClick(swatch, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton
 
+from app.appearance.theme import DARK, LIGHT, ThemeMode
 from app.document.model import Axis, Document, Guide, Page, make_curve
 from app.document.style import Style
 from app.families import HERMITE
@@ -190,3 +191,35 @@ def choose(editor, box, name):
         QTest.keyClick(box, Qt.Key.Key_Down if box.findText(name) > before else Qt.Key.Key_Up)
         assert box.currentIndex() != before
     editor.settle()
+
+
+def colour_at(editor, x, y):
+    image = editor.window.canvas.grab().toImage()
+    pixel, ratio = editor.window.canvas.to_pixel(x, y), image.devicePixelRatio()
+    return image.pixelColor(round(pixel.x() * ratio), round(pixel.y() * ratio))
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_a_page_is_seen_as_it_prints_until_the_person_chooses_otherwise(drawn, mode):
+    """In the dark the page was black, and ink on it white; in the light it was as grey as all around it."""
+    drawn.window.store.change(theme_mode=mode, grid=False)
+    drawn.settle()
+    without = colour_at(drawn, 6.0, 1.0).name()
+    assert without == (LIGHT if mode is ThemeMode.LIGHT else DARK).paper.name()
+    drawn.session.change("Page", lambda document: replace(document, page=Page(0.0, 0.0, 8.0, 4.0)))
+    drawn.trigger("fitPage")
+    drawn.trigger("zoomOut")
+    drawn.settle()
+    page, around = colour_at(drawn, 6.0, 1.0), colour_at(drawn, 6.0, -0.3)
+    assert (page.name(), colour_at(drawn, 4.0, 2.0).name()) == ("#ffffff", LIGHT.ink.name())
+    assert drawn.action("paperAsPrinted").isChecked()
+    assert 20 < page.lightness() - around.lightness() < 60
+    drawn.trigger("paperAsPrinted")
+    drawn.settle()
+    assert colour_at(drawn, 6.0, 1.0).name() == without
+    assert abs(colour_at(drawn, 6.0, -0.3).lightness() - colour_at(drawn, 6.0, 1.0).lightness()) > 20
+    assert not drawn.window.context.preferences.page_as_printed
+    drawn.trigger("noPage")
+    drawn.settle()
+    assert not drawn.action("paperAsPrinted").isChecked()
+    drawn.window.store.change(theme_mode=ThemeMode.SYSTEM, page_as_printed=True, grid=True)

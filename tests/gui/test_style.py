@@ -514,7 +514,7 @@ def test_paper_as_printed_has_the_very_colours_in_the_dark(editor, panel):
     assert f"drawn lighter than its {dim}" in child(panel, QLabel, "styleNote").text()
     editor.trigger("paperAsPrinted")
     assert seen(editor, 0, 2.5) == dim
-    assert seen(editor, 2, 2) == LIGHT.paper.name()
+    assert seen(editor, 2, 2) == "#ffffff"
     assert child(panel, QLabel, "styleNote").isHidden()
     editor.trigger("paperAsPrinted")
     editor.window.context.store.change(theme_mode=ThemeMode.SYSTEM)

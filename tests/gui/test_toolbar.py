@@ -1,7 +1,7 @@
 """The toolbar in windows of different widths, with few families and with many."""
 
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox, QToolButton, QWidget
 
@@ -195,3 +195,34 @@ def test_a_wider_window_says_more_again(editor_with):
     editor.window.resize(1024, 800)
     editor.settle()
     assert styles(editor) == [TEXT] * 3
+
+
+@pytest.mark.parametrize("width", [1024, 1440])
+def test_one_button_has_the_tools_without_a_button_and_keeps_the_last_one_used(editor_with, width):
+    editor = editor_with(8, width)
+    button = editor.window.findChild(QToolButton, "shapesButton")
+    assert button.visibleRegion().boundingRect() == button.rect()
+    assert editor.window.toolbar.sizeHint().width() <= width
+    names = ["rectangleTool", "ellipseTool", "textTool", "gradientTool", "measureTool"]
+    assert [each.objectName() for each in button.menu().actions()] == names
+    assert (button.defaultAction(), button.isChecked()) == (editor.action("rectangleTool"), False)
+    left = QPoint(12, button.height() // 2)
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton, pos=left)
+    assert editor.action("rectangleTool").isChecked()
+    assert button.isChecked()
+    menu, ellipse = button.menu(), editor.action("ellipseTool")
+
+    def choose():
+        QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(ellipse).center())
+
+    QTimer.singleShot(0, choose)
+    arrow = QPoint(button.width() - 5, button.height() // 2)
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton, pos=arrow)
+    editor.settle()
+    assert ellipse.isChecked()
+    assert button.isChecked()
+    assert button.icon().cacheKey() == ellipse.icon().cacheKey()
+    editor.trigger("selectTool")
+    assert not button.isChecked()
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton, pos=left)
+    assert ellipse.isChecked()

@@ -99,8 +99,8 @@ def test_it_shows_the_curve_with_its_stroke_or_without_and_not_its_points(leaf):
         bounds = bounds_of(leaf)
         assert bounds[1][1] > 22.1
         shown = [float(field(leaf, name).text()) for name in ("X", "Y", "Width", "Height")]
-        # Seven digits.
-        assert shown == pytest.approx([*bounds.mean(axis=0), *np.ptp(bounds, axis=0)], rel=1e-6)
+        # Four decimals.
+        assert shown == pytest.approx([*bounds.mean(axis=0), *np.ptp(bounds, axis=0)], abs=5e-5, rel=0)
         leaf.trigger("measureStrokes")
     assert label(leaf, "transformWhat") == "All 4 points"
 
@@ -279,7 +279,7 @@ def test_undo_takes_back_what_was_entered_and_while_typing_the_typing(leaf):
     for left in (2, 1):
         QTest.keyClick(edit, Key.Key_Z, CTRL)
         assert steps.index() == left
-        assert number_in(leaf, "Height") == pytest.approx(size(leaf)[1], rel=1e-6)
+        assert number_in(leaf, "Height") == pytest.approx(size(leaf)[1], abs=5e-5, rel=0)
     QTest.keyClick(edit, Key.Key_Z, CTRL | SHIFT)
     assert size(leaf)[0] == pytest.approx(70.0, abs=CLOSE)
 
@@ -470,3 +470,27 @@ def test_the_lock_binds_the_grips_at_the_corners(leaf):
     leaf.drag((x, y), (x + 20.0, y))
     assert size(leaf, 1)[1] == pytest.approx(before[1] * grown[1])
     leaf.trigger("keepProportions")
+
+
+def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_at_it(leaf):
+    """Of a width of 80.636709675 the field showed what had room; a stroke read 3.47236 mm."""
+    enter(leaf, "Width", "80.636709675")
+    leaf.window.canvas.setFocus()
+    width = field(leaf, "Width")
+    assert width.text() == "80.6367"
+    assert width.toolTip().startswith("80.636709675 · Width")
+    assert width.fontMetrics().horizontalAdvance(width.text()) < width.width() - 10
+    width.setFocus()
+    assert width.text() == "80.636709675"
+    stroke = leaf.session.document.curves[0].style.width
+    leaf.show_dock("styleDock")
+    line = leaf.window.findChild(QLineEdit, "strokeWidth")
+    assert line.text() == f"{stroke:.4f} mm" != f"{stroke} mm"
+    line.setFocus()
+    assert line.text() == f"{stroke} mm"
+    assert line.toolTip().startswith(f"{stroke} mm · ")
+    QTest.keyClick(line, Key.Key_A, CTRL)
+    leaf.type_text(line, "auto")
+    QTest.keyClick(line, Key.Key_Return)
+    leaf.settle()
+    assert line.toolTip().startswith("Width of the line")

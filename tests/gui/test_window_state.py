@@ -64,6 +64,7 @@ REMEMBERED = {
     "with_estimates",
     "theme_mode",
     "as_printed",
+    "page_as_printed",
 }
 
 

@@ -30,8 +30,8 @@ Change = Callable[[str, Edit], object]
 """Is given the name of a step and its edit."""
 
 _NONE, _OWN = "none", "own size"
-_DIGITS, _SAME = 7, 1e-9
-"""Digits of a size that are shown; and the share by which sizes differ that are the same but for rounding."""
+_SAME = 1e-9
+"""Share by which sizes differ that are the same but for rounding."""
 
 
 class Size(NamedTuple):
@@ -156,7 +156,7 @@ class PageFields:
         if length is None:
             edit.show_text("")
         else:
-            edit.show_number(length, _DIGITS)
+            edit.show_length(length)
 
     def _offer(self, unit: str) -> None:
         self._unit = unit

@@ -294,6 +294,9 @@ class ExchangeCommands:
         return (session.document_changed, session.active_changed, session.selected_curves_changed)
 
     def _release_dialog(self) -> None:
+        # Closed once more, it is released already.
+        if self._dialog is None:
+            return
         self._dialog = None
         for changed in self._shown_in_dialog:
             changed.disconnect(self._show_in_dialog)

@@ -17,7 +17,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import CHOSEN
 from ...actions.sections import CURVE_STYLE, EDIT_STYLE
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
-from ...appearance.theme import Theme
+from ...appearance.theme import LIGHT, Theme
 from ...document.gradient import Spread, Stop
 from ...document.gradient_edits import (
     PaintKind,
@@ -72,6 +72,7 @@ class StyleCommands:
         self._context, self._session = context, context.session
         self._dock = context.docks["styleDock"]
         self._panel: StylePanel | None = None
+        self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
         context.session.selected_curves_changed.connect(self._render)
         context.store.changed.connect(self._render)
@@ -125,6 +126,7 @@ class StyleCommands:
 
     def set_theme(self, theme: Theme) -> None:
         """Say how the canvas shows the styles on the paper of `theme`."""
+        self._theme = theme
         self._render()
 
     def _render(self, *_: object) -> None:
@@ -141,10 +143,10 @@ class StyleCommands:
 
     def _note(self, styles: list[Style]) -> str:
         """Return how the canvas shows them, where it is not as they print."""
-        state, paper = self._context.store.state, self._context.central.canvas.layers.theme.paper.name()
+        state, paper = self._context.store.state, self._theme.paper.name()
         if state.thin_lines:
             return "Thin Lines is on (in View, Display Mode): widths, dashes and fills are not shown."
-        if state.as_printed:
+        if state.prints(self._session.document):
             return ""
         moved = [
             adjustment_of(paper, each.stroke)

@@ -18,7 +18,7 @@ from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.choice_row import ChoiceRow
 from ...widgets.field_edit import NumberEdit
 from ...widgets.field_form import FieldForm
-from ...widgets.length_text import length_text, read_length
+from ...widgets.length_text import read_length
 from ...widgets.paint_field import PaintField
 from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
@@ -254,11 +254,13 @@ class StylePanel(FieldForm):
 
     def _render_numbers(self, values: dict[str, object], unit: str) -> None:
         width = values.get("width", MIXED)
-        auto = AUTO if width is None else MIXED
-        self._width.show_text(length_text(width, unit) if isinstance(width, float) else auto)
+        if isinstance(width, float):
+            self._width.show_length(width, unit)
+        else:
+            self._width.show_text(AUTO if width is None else MIXED)
         for edit, name in ((self._limit, "miter_limit"), (self._offset, "dash_offset")):
             value = values.get(name)
-            edit.show_number(value, 4) if isinstance(value, float) else edit.show_text(MIXED)
+            edit.show_length(value) if isinstance(value, float) else edit.show_text(MIXED)
 
     def _enable(self, styles: Iterable[Style]) -> None:
         """Enable what makes a difference."""

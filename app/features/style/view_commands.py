@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...actions.declaration import switch
+from ...actions.declaration import action, switch
 from ...actions.sections import VIEW_MODE
 from ...appearance.theme import LIGHT, PRINTED, Theme
 from ...state.window_state import WindowState
@@ -21,16 +21,19 @@ class StyleViewCommands:
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`, unless the paper is as it prints."""
         self._theme = theme
-        self._show_paper(self._store.state)
+        self._show_paper()
+
+    def show_document(self) -> None:
+        """Show paper as documents with a page, or without, have it."""
+        self._show_paper()
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.thin_lines != before.thin_lines:
             self._canvas.drawing.curves.set_thin(after.thin_lines)
-        if after.as_printed != before.as_printed:
-            self._show_paper(after)
+        self._show_paper()
 
-    def _show_paper(self, state: WindowState) -> None:
-        wanted = PRINTED if state.as_printed else self._theme
+    def _show_paper(self) -> None:
+        wanted = PRINTED if self._store.state.prints(self._session.document) else self._theme
         if self._canvas.layers.theme is not wanted:
             self._canvas.set_theme(wanted)
 
@@ -47,12 +50,15 @@ class StyleViewCommands:
         thin = self._store.state.thin_lines
         self._session.say("Thin lines, without fills." if thin else "Lines and fills as they print.")
 
-    @switch(
-        "as_printed",
+    @action(
         "paperAsPrinted",
         "Paper as Printed",
         VIEW_MODE,
-        keywords="white light exact colours proof page",
+        checked=lambda now: now.state.prints(now.session.document),
+        keywords="white light dark exact colours proof page",
     )
     def _switch_paper(self) -> None:
-        """Show light paper and the very colours that were chosen, also such as can hardly be seen."""
+        """Show white paper and the very colours that were chosen; where there is a page that is usual."""
+        state, document = self._store.state, self._session.document
+        field = "as_printed" if document.page is None else "page_as_printed"
+        self._store.change(**{field: not state.prints(document)})

@@ -28,8 +28,8 @@ from ...widgets.number_text import decimal_mark
 from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .pivot_chooser import PivotChooser
 
-_DIGITS, _CERTAIN = 7, 12
-"""Digits of a length that are shown; and of the largest number of the box, those that are no rounding."""
+_CERTAIN = 12
+"""Digits of the largest number of the box that are no rounding."""
 
 
 class Situated(msgspec.Struct, frozen=True):
@@ -229,11 +229,11 @@ class TransformPanel(FieldForm):
             if bounds is None:
                 edit.show_text("")
             else:
-                edit.show_number(value, _DIGITS)
+                edit.show_length(value)
             edit.setEnabled(is_there)
         for axis, edit in enumerate((self.width_edit, self.height_edit)):
             edit.setEnabled(is_there and shown.grows[axis])
-        self.angle_edit.show_number(shown.angle, _DIGITS)
+        self.angle_edit.show_length(shown.angle)
         self.turn_edit.show_number(self._turn_by)
         self.skew_edit.show_number(self._skew_by)
         turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons

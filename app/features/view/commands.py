@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
-from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch
+from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch, widget_at
 from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...actions.sections import (
     EDIT_TOOLS,
@@ -14,15 +14,17 @@ from ...actions.sections import (
     VIEW_SIZE,
     VIEW_THEME,
 )
-from ...actions.strips import CANVAS_MENU, TOOLBAR
+from ...actions.strips import CANVAS_MENU, SHAPES_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
 from ...document.several_curves import name_of, named
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
+from ...widgets.toolbar_widget import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.dock import LateDock
 from ...workbench.dock_room import hide_idle_docks
+from .shapes_button import ShapesButton
 from .zoom_commands import ZoomCommands
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
@@ -44,6 +46,8 @@ class ViewCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session, self._store = context.session, context.store
+        self._shapes = ShapesButton(context.actions.is_on)
+        context.actions.switched.connect(self._shapes.show_in_use)
         self._before_presentation = b""
         self._before_folding = b""
         self._before_canvas_only = _AROUND
@@ -95,6 +99,13 @@ class ViewCommands:
             f"{chosen} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
         )
 
+    @widget_at(TOOLBAR(35))
+    def build_shapes(self) -> ToolbarWidget:
+        """Return the button of the toolbar for the tools without one of their own."""
+        tools = self._context.actions.in_strip(SHAPES_MENU).values()
+        self._shapes.offer([each for ten in tools for each in ten])
+        return self._shapes
+
     @action_for_each(
         TOOLS,
         lambda tool: Action(
@@ -111,7 +122,12 @@ class ViewCommands:
             keywords=tool.keywords,
         ),
     )
-    @also_for_each(lambda tool: (TOOLBAR(30),) * tool.in_toolbar + (CANVAS_MENU(10),) * tool.in_menu)
+    @also_for_each(
+        lambda tool: (
+            (TOOLBAR if tool.in_toolbar else SHAPES_MENU)(30),
+            *(CANVAS_MENU(10),) * tool.in_menu,
+        )
+    )
     def _use_tool(self, tool: ToolRecord) -> None:
         # Taken anew, a tool ends what it was doing.
         self._context.central.canvas.choose_tool(tool)

@@ -98,6 +98,7 @@ MEASURE = ToolRecord(
     place=30,
     action="measureTool",
     title="Measure",
+    in_toolbar=False,
     full_name="Measure Tool",
     key="M",
     icon="measure",

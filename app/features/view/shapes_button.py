@@ -1,0 +1,52 @@
+"""The tools that have no button of their own in the toolbar: one button, and a menu of them all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMenu, QSizePolicy, QToolButton
+
+from ...widgets.boxes import row_of
+from ...widgets.controls import named
+from ...widgets.toolbar_widget import ToolbarWidget
+
+_ICON, _ARROW = 20, 20
+"""Pixels along the sides of the icon, and of what stands beside it."""
+
+
+class ShapesButton(ToolbarWidget):
+    """Takes the tool of the menu that was used last; its arrow offers the others.
+
+    Parameters
+    ----------
+    is_on
+        Tells by its name whether what an action switches is on.
+    """
+
+    def __init__(self, is_on: Callable[[str], bool]) -> None:
+        super().__init__()
+        self._is_on = is_on
+        self.button = named(QToolButton(), "shapesButton", "Shapes")
+        self.button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        self.button.setIconSize(QSize(_ICON, _ICON))
+        self.button.setFixedWidth(_ICON + _ARROW)
+        self._menu = named(QMenu(self.button), "shapesMenu")
+        self._menu.setToolTipsVisible(True)
+        row_of(self.button, margins=(0, 0, 0, 0), parent=self)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+
+    def offer(self, tools: Sequence[QAction]) -> None:
+        """Offer the actions of these tools, the first of them on the button."""
+        self._menu.addActions(list(tools))
+        self.button.setDefaultAction(tools[0])
+        # Afterwards: a default action brings its own menu, which is none.
+        self.button.setMenu(self._menu)
+
+    def show_in_use(self) -> None:
+        """Show the tool in use, if it is one of these; otherwise the last one stays."""
+        used = next((each for each in self._menu.actions() if self._is_on(each.objectName())), None)
+        if used is not None and used is not self.button.defaultAction():
+            self.button.setDefaultAction(used)
+            self.button.setMenu(self._menu)
