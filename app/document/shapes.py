@@ -57,11 +57,13 @@ def shapes(curves: Sequence[Curve]) -> Iterator[range]:
 
 def whole_shapes(document: Document, curves: Collection[int]) -> frozenset[int]:
     """Return curves with all others of their shapes."""
-    found: set[int] = set()
-    for curve in curves:
-        if curve not in found:
-            found.update(shape_of(document, curve))
-    return frozenset(found)
+    found, values = set(curves), document.curves
+    whole: set[int] = set()
+    # Most of thousands are shapes by themselves.
+    for curve in [each for each in found if values[each].shape]:
+        if curve not in whole:
+            whole.update(shape_of(document, curve))
+    return frozenset(found | whole)
 
 
 def tidy_shapes(document: Document, before: Document | None = None) -> Document:

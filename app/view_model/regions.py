@@ -82,7 +82,7 @@ PATH_OPERATIONS = (
         key="Alt+Shift+U",
         icon="path-union",
         tip="Make one outline around all chosen shapes; of a single one without its own crossings",
-        keywords="boolean add unite merge weld simplify remove overlap path",
+        keywords="boolean add unite merge weld remove overlap path",
         least=1,
         combine=lambda regions, told: [curvecore.union(regions, progress=told)],
     ),

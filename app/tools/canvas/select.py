@@ -45,6 +45,9 @@ class SelectTool(Tool):
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
         self._guides.let_go()
         below = find_below(context)
+        if below is None and self._is_on_pivot(context):
+            self.gesture, self._pressed_line = MovePivot(context), -1
+            return
         self._press(context)
         if below is not None:
             context.drags.mean_by_click(lambda: click_below(context, below))
@@ -53,9 +56,6 @@ class SelectTool(Tool):
 
     def _press(self, context: ToolContext) -> None:
         before, self._pressed_line = self._pressed_line, -1
-        if self._is_on_pivot(context):
-            self.gesture = MovePivot(context)
-            return
         context = self._picker.entered(context)
         hit, grip = context.hit, self._grip_at(context)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
