@@ -158,7 +158,7 @@ def test_a_point_dragged_at_frozen_parameters(open_wave, beside, family):
     """The functions rest, in the peer too."""
     editor = open_wave(20, family, frozen(family))
     what = f"{family.title} n = 20, a point"
-    assert beside(what, lambda: drag_point(editor, ["canvas"]), 3.0, functions=False)
+    assert beside(what, lambda: drag_point(editor, ["canvas"]), 2.8, functions=False)
 
 
 @pytest.mark.parametrize("family", OF_THE_COURSE)
