@@ -37,7 +37,7 @@ class MotionStage(Guarded, QObject):
         self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
         self.player.moved.connect(self.draw)
         self.player.changed.connect(self._render)
-        self._bar.installEventFilter(self)
+        context.window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Give the button its icon again when the colours are others."""
