@@ -59,7 +59,7 @@ class Canvas(ToolPlot):
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
-        self._edge = EdgeScroll(self.camera, self._move_again)
+        self._edge = EdgeScroll(self.camera, self.move_again)
         tools.curves_at = self.drawing.curves_at
         tools.write_at = self.text_placed.emit
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)

@@ -73,7 +73,7 @@ class CurvePicker:
         if hit.inside and (host.selected.is_editing or context.pointer.shift):
             return Hint(f"{_words_within(context, hit)} · Drag: select with a rubber band", grab=True)
         click = _words_of_click(context, hit, is_chosen=is_chosen)
-        drag = hints.to_move(group.quoted, context.pointer, snaps=context.settings.snapping.on)
+        drag = hints.to_move(group.quoted, context.pointer)
         return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
     def idle_hint(self, context: ToolContext) -> Hint | None:

@@ -117,7 +117,7 @@ class ToolContext(msgspec.Struct, frozen=True):
 
     def preview_snap(self, place: int) -> None:
         """Show where a press would put the point of index `place`, −1 for none in particular."""
-        if self.settings.snapping.is_active(self.pointer) and self.pointer.is_there:
+        if self.settings.snapping.on and self.pointer.is_there:
             self.snappers.show_before_press(self.pointer, place)
 
     def step_of(self, stride: Stride) -> float:

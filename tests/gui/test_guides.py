@@ -378,11 +378,13 @@ def test_places_are_typed_with_units(point_locale):
 
 
 def snap_at(editor, index, place):
-    """Drag a point near a place with snapping turned round, and return what it has snapped to."""
+    """Drag a point near a place, snapping, and return what it has snapped to."""
+    editor.trigger("toggleSnap")
     editor.press(editor.point(index))
-    editor.move(place, keys=CTRL)
+    editor.move(place)
     found = editor.window.canvas.marks.snap
-    editor.release(place, keys=CTRL)
+    editor.release(place)
+    editor.trigger("toggleSnap")
     return found.label if found is not None else None
 
 

@@ -381,7 +381,9 @@ def test_a_drag_inside_the_box_of_points_moves_them(three):
     place = (0.3, 3.9)
     three.hover(place)
     hint = three.window.status_line.hint
-    assert hint == "Drag to move 4 points · Shift+drag: rubber band · Ctrl: snap · A click lets go"
+    assert hint == (
+        "Drag to move 4 points · Ctrl: one axis · Shift+drag: rubber band · %: snap · A click lets go"
+    )
     assert three.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
     three.drag(place, (place[0] + 0.4, place[1] + 0.2))
     assert moved_by(three, before, 1) == pytest.approx((0.4, 0.2), abs=2 * three.pixel)

@@ -84,7 +84,8 @@ class Moment(msgspec.Struct, frozen=True):
 
 
 _WITH_ANY_TOOL = (
-    GestureRow("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
+    GestureRow("Hold Ctrl or Shift", "while something is dragged: one axis; of angles: steps of 15°"),
+    GestureRow("%", "snap, or not, also in mid-drag"),
     GestureRow("Escape, right button", "during a drag: take it back"),
     GestureRow(
         "Moving, scaling, rotating",

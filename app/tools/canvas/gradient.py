@@ -16,11 +16,11 @@ from ...document.several_curves import named
 from ...document.shapes import shape_of, whole_shapes
 from ...document.style import GRADIENTS, NO_PAINT, Style
 from ..curve_picker import click_curve
-from ..drag import Drag, plus
-from ..drags import in_steps
+from ..drag import Drag
+from ..drags import stepped_from
 from ..gradient_places import GradientPlace, Grip, laid, place_at, with_place
 from ..marks import GestureMarks
-from ..pointer import Cursor, Hint, Part, Pointer
+from ..pointer import STEP_KEYS, Cursor, Hint, Part, Pointer
 from ..snapping import Snapper
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 
@@ -29,7 +29,6 @@ _REACH = 8.0
 
 _HOW = "Drag to lay a gradient across"
 _NOTHING = "Choose a curve first: click one."
-_STEPS = "Shift: steps of 15°"
 _KEYS = {Grip.END: "Shift: both axes", Grip.SIDE: "Shift: both axes", Grip.FOCUS: "in the middle: none"}
 """Effects of the modifier keys on the places of a radial gradient."""
 
@@ -62,7 +61,7 @@ class MovePlace(Drag, frozen=True):
     def keys(self) -> str:
         """Effects of the modifier keys."""
         if self.gradient.kind is GradientKind.LINEAR:
-            return "" if self.at.grip is Grip.STOP else _STEPS
+            return "" if self.at.grip is Grip.STOP else STEP_KEYS
         return _KEYS.get(self.at.grip, "")
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -75,7 +74,7 @@ class MovePlace(Drag, frozen=True):
             return with_place(gradient, at, pointer.position)
         if gradient.kind is GradientKind.LINEAR:
             fixed = gradient.end if at.grip is Grip.START else gradient.start
-            return with_place(gradient, at, _stepped(pointer, fixed, self.snapper))
+            return with_place(gradient, at, stepped_from(fixed, pointer, self.snapper))
         to = self.snapper.at(pointer)
         if at.grip is Grip.FOCUS and math.dist(to, gradient.start) * pointer.scale <= _REACH:
             return replace(gradient, focus=None)
@@ -95,7 +94,7 @@ class LayGradient(Drag, frozen=True):
     curves: frozenset[int]
     start: Vector
     snapper: Snapper
-    keys = _STEPS
+    keys = STEP_KEYS
 
     @property
     def name(self) -> str:
@@ -104,7 +103,7 @@ class LayGradient(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the gradients of these curves from the press to here."""
-        end = _stepped(pointer, self.start, self.snapper)
+        end = stepped_from(self.start, pointer, self.snapper)
 
         def edit(_shape: range, style: Style) -> Style:
             paint = _paint_of(style)
@@ -114,7 +113,7 @@ class LayGradient(Drag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return how long it is, and its direction."""
-        end = _stepped(pointer, self.start, self.snapper)
+        end = stepped_from(self.start, pointer, self.snapper)
         return _measure(Gradient(fading(""), start=self.start, end=end))
 
 
@@ -132,14 +131,6 @@ def _begun(style: Style, paint: str) -> Gradient:
         return replace(before, start=(0.0, 0.0), end=(1.0, 0.0), side=(0.0, 1.0), focus=None)
     colour: str = getattr(style, paint)
     return Gradient(fading(style.colour if colour == NO_PAINT else colour))
-
-
-def _stepped(pointer: Pointer, fixed: Vector, snapper: Snapper) -> Vector:
-    if not pointer.shift:
-        return snapper.at(pointer)
-    # An angle that is held leaves nothing to be drawn elsewhere.
-    snapper.reset()
-    return plus(fixed, in_steps(pointer.way_from(fixed)))
 
 
 def _measure(gradient: Gradient) -> str:
@@ -190,7 +181,7 @@ class GradientTool(Tool):
         context.preview_snap(-1)
         what = named(context.host.document, curves) if curves else "this curve"
         click = " · Click: choose this one" if is_other else ""
-        return Hint(f"{_HOW} {what} · {_STEPS}{click} · V goes back to Select")
+        return Hint(f"{_HOW} {what} · {STEP_KEYS}{click} · V goes back to Select")
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the gradients of what is chosen, and what is snapped to."""
@@ -236,7 +227,7 @@ GRADIENT = ToolRecord(
     hint="Drag across a curve to lay a gradient; V or Escape goes back to selecting.",
     doing="laying gradients",
     gestures=(
-        GestureRow("Drag", "lay a gradient across what is chosen; Shift: steps of 15°"),
+        GestureRow("Drag", "lay a gradient across what is chosen; Ctrl or Shift: steps of 15°"),
         GestureRow("Drag a mark", "move the start, the end or a stop of a gradient"),
         GestureRow("Shift+drag the middle", "pull the focus of a radial gradient out"),
         GestureRow("Click a curve", "choose it"),
