@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from PySide6.QtGui import QAction
@@ -17,6 +18,7 @@ from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
 from ...document.model import Document, ParametrizationKind
+from ...document.paper import is_for_paper
 from ...document.words import number
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
@@ -29,6 +31,8 @@ from .family_button import FamilyButton
 
 _MOST_KEYS = 10
 """One more than there are digits for."""
+
+_ZOOM_KEYS = "Ctrl+3, F, Ctrl+4: zoom to selection, drawing, page."
 
 _BUTTONS = 3
 """Families with a button of their own in the toolbar."""
@@ -60,6 +64,23 @@ def _edited(family: Family) -> Need:
         return f"Enter edits “{name}”; {then}. The toolbar changes all that are chosen."
 
     return Need("an edited curve", lambda now: now.session.selected.is_editing or now.is_blank, why=why)
+
+
+def _reshaped(now: Situation, family: Family) -> str:
+    """Return what the digit of a family would make of a drawing for paper, empty where the shape stays.
+
+    There the digits are pressed for a zoom, as in other programs; a course is about the families.
+    """
+    if not is_for_paper(now.session.document):
+        return ""
+    views = now.session.views
+    chosen = [views[index] for index in sorted(now.session.selected.chosen)] or [now.view]
+    away = max(view_model.convert.change_of_shape(view, family) for view in chosen)
+    if not away:
+        return ""
+    by = f" by up to {number(away, 2)} {now.session.document.unit}".rstrip() if math.isfinite(away) else ""
+    what = f"{len(chosen)} curves" if len(chosen) > 1 else f"“{chosen[0].source.name}”"
+    return f"The same key again makes {what} {family.title} and changes the shape{by}. {_ZOOM_KEYS}"
 
 
 class RuleCommands:
@@ -111,6 +132,7 @@ class RuleCommands:
             checked=lambda now: now.view.source.family == family,
             group="family",
             key_needs=_edited(family),
+            key_asks=lambda now: _reshaped(now, family),
         ),
     )
     @also_for_each(lambda family: (_place_of(family),))
