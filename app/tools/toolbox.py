@@ -41,6 +41,8 @@ class Toolbox:
         Does what takes longer than a moment, whichever tool is in use by then.
     write_at
         Asks for the words of a text that begins at a place; whoever shows the plot sets it.
+    colour_at, give_colour
+        Finds the colour under a pointer; gives it to the "fill" or the "stroke" of what is chosen. Likewise.
     """
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
@@ -50,6 +52,8 @@ class Toolbox:
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
         self.write_at: Callable[[Vector], object] = lambda _place: None
+        self.colour_at: Callable[[Pointer], str] = lambda _pointer: ""
+        self.give_colour: Callable[[str, str], object] = lambda _paint, _colour: None
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
         self._host = host
         self._drags = DragMachine(host)
@@ -90,6 +94,8 @@ class Toolbox:
             self.curves_at,
             self.background,
             self.write_at,
+            self.colour_at,
+            self.give_colour,
         )
 
     @property

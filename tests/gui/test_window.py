@@ -451,7 +451,7 @@ def test_help_begins_with_what_applies_now(editor):
         "Click",
         "add a point",
         "Press and drag",
-        "add a point and set its velocity; Shift: 15° steps, Alt: ahead alone",
+        "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: ahead alone",
     ]
     assert words.index("<b>Otherwise</b>") < words.index("<b>File</b>") < words.index("<b>View</b>")
 

@@ -15,7 +15,7 @@ from ...document.model import Document, Vector
 from ...document.several_curves import named
 from ...document.shapes import shape_of, whole_shapes
 from ...document.style import GRADIENTS, NO_PAINT, Style
-from ..curve_picker import click_curve
+from ..curve_picker import click_curve, meant_shapes
 from ..drag import Drag
 from ..drags import stepped_from
 from ..gradient_places import GradientPlace, Grip, laid, place_at, with_place
@@ -150,7 +150,7 @@ class GradientTool(Tool):
             snapper = context.snappers.for_new(-1)
             context.drags.press(pointer, MovePlace(host.document, *held, snapper))
             return
-        hit, curves = context.hit, _meant(context)
+        hit, curves = context.hit, meant_shapes(context.host)
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if not curves and hit is not None and is_other:
             curves = whole_shapes(host.document, (hit.index,))
@@ -174,7 +174,7 @@ class GradientTool(Tool):
             pulls = held.at.grip is Grip.START and held.gradient.kind is GradientKind.RADIAL
             more = " · Shift: pull the focus out" if pulls else ""
             return Hint(f"Drag the {held.at.grip.words} of the gradient{more}", cursor=Cursor.MOVE)
-        hit, curves = context.hit, _meant(context)
+        hit, curves = context.hit, meant_shapes(context.host)
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if not curves and not is_other:
             return Hint(_NOTHING)
@@ -189,17 +189,10 @@ class GradientTool(Tool):
         return GestureMarks(gradients=gradients, snap=context.snappers.caught)
 
 
-def _meant(context: ToolContext) -> frozenset[int]:
-    """Return the curves that are chosen, or the one that is edited, with all of their shapes."""
-    host = context.host
-    alone = (host.active_index,) if host.selected.is_editing else ()
-    return whole_shapes(host.document, host.selected.chosen or alone)
-
-
 def _gradients(context: ToolContext) -> Iterator[tuple[range, str, Gradient]]:
     """Yield the gradients of what is chosen, with the shapes and the paints that they are of."""
     document = context.host.document
-    for place in sorted(_meant(context)):
+    for place in sorted(meant_shapes(context.host)):
         shape = shape_of(document, place)
         if place == shape.start:
             for paint in GRADIENTS:
