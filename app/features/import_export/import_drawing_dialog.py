@@ -12,7 +12,7 @@ from ...document.words import count_of, number
 from ...exchange.cubics_in import Imported
 from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of
-from .form_parts import A_NEW_DOCUMENT, into_box
+from .form_parts import A_NEW_DOCUMENT, Verb, into_box
 from .group_tree import GroupTree
 from .import_foot import ImportFoot
 from .import_picture import ImportPicture
@@ -27,6 +27,8 @@ class ImportDrawingDialog(WorkDialog):
 
     Parameters
     ----------
+    verb, name
+        What is done with the file, and what that is called.
     rest
         Returns what is said of all that stays behind where the curves go: to a new document, or this one.
 
@@ -39,9 +41,14 @@ class ImportDrawingDialog(WorkDialog):
     chosen = Signal(object, bool)
 
     def __init__(
-        self, title: str, found: Imported, rest: Callable[[bool], str], parent: QWidget | None = None
+        self,
+        verb: Verb,
+        name: str,
+        found: Imported,
+        rest: Callable[[bool], str],
+        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("importDrawingDialog", f"Import {title}", "importProblem", parent)
+        super().__init__("importDrawingDialog", f"{verb.value} {name}", "importProblem", parent)
         self._found, self._rest = found, rest
         count = sum(1 for _ in shapes(found.document.curves))
         self.groups = GroupTree(found.document) if count > 1 else None
@@ -51,10 +58,10 @@ class ImportDrawingDialog(WorkDialog):
         self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))
         self.rest = Label(name="importRest", wordWrap=True)
-        self.into = into_box()
+        self.into = into_box(verb)
         self.into.currentTextChanged.connect(self._show_rest)
         self._show_rest()
-        self.foot = ImportFoot(self, "importDrawing", "Take the curves in")
+        self.foot = ImportFoot(self, "importDrawing", "Take the curves in", verb, self.into)
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
         self._lay_out()

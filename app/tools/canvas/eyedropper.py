@@ -76,7 +76,7 @@ def _tool(paint: str, *, place: int, title: str, key: str, name: str) -> ToolRec
         full_name=f"{title} Tool",
         key=key,
         icon=name.replace("_", "-"),
-        tip=f"Pick a colour of the drawing, as it prints, for the {paint} of what is chosen; Shift: its {other}",
+        tip=f"Pick a colour seen in the drawing for the {paint} of what is chosen; Shift: for its {other}",
         in_menu=paint == "fill",
         in_toolbar=False,
         keywords="eyedropper dropper pipette pick colour color sample",
