@@ -32,7 +32,7 @@ from .family_button import FamilyButton
 _MOST_KEYS = 10
 """One more than there are digits for."""
 
-_ZOOM_KEYS = "Ctrl+3, F, Ctrl+4: zoom to selection, drawing, page."
+_ZOOM_KEYS = "Zoom: Ctrl+3 selection, F all, Ctrl+4 page."
 
 _BUTTONS = 3
 """Families with a button of their own in the toolbar."""
@@ -78,9 +78,9 @@ def _reshaped(now: Situation, family: Family) -> str:
     away = max(view_model.convert.change_of_shape(view, family) for view in chosen)
     if not away:
         return ""
-    by = f" by up to {number(away, 2)} {now.session.document.unit}".rstrip() if math.isfinite(away) else ""
+    by = f" by {number(away, 2)} {now.session.document.unit}".rstrip() if math.isfinite(away) else ""
     what = f"{len(chosen)} curves" if len(chosen) > 1 else f"“{chosen[0].source.name}”"
-    return f"The same key again makes {what} {family.title} and changes the shape{by}. {_ZOOM_KEYS}"
+    return f"Press it again to make {what} {family.title}; the shape changes{by}. {_ZOOM_KEYS}"
 
 
 class RuleCommands:

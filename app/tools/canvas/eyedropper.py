@@ -21,6 +21,8 @@ class EyedropperTool(Tool):
 
     def __init__(self, paint: str) -> None:
         self._paint = paint
+        # The colour under the pointer; empty while that is elsewhere.
+        self._seen = ""
 
     def press(self, context: ToolContext) -> None:
         """Begin a click."""
@@ -37,14 +39,15 @@ class EyedropperTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return the colour here, and what a click gives it to."""
-        if not context.pointer.is_there:
+        self._seen = context.colour_at(context.pointer) if context.pointer.is_there else ""
+        if not self._seen:
             return Hint()
-        curves, colour = meant_shapes(context.host), context.colour_at(context.pointer)
+        curves = meant_shapes(context.host)
         if not curves:
-            return Hint(f"{colour} · {_NOTHING}")
+            return Hint(f"{self._seen} · {_NOTHING}")
         what = f"{self._paint_for(context)} of {named(context.host.document, curves)}"
         other = "" if context.pointer.shift else f" · Shift: its {_OTHER[self._paint]}"
-        return Hint(f"{colour} · Click: {what}{other} · V goes back to Select")
+        return Hint(f"{self._seen} · Click: {what}{other} · V goes back to Select")
 
     def lit(self, hit: Hit | None) -> int:
         """Light up no point."""
@@ -52,10 +55,8 @@ class EyedropperTool(Tool):
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the colour beside the pointer."""
-        pointer = context.pointer
-        if not pointer.is_there:
-            return GestureMarks()
-        return GestureMarks(note=Note(pointer.position, context.colour_at(pointer), pointer.position))
+        place = context.pointer.position
+        return GestureMarks(note=Note(place, self._seen, place)) if self._seen else GestureMarks()
 
 
 def _tool(paint: str, *, place: int, title: str, key: str, name: str) -> ToolRecord:
