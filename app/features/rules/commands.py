@@ -61,7 +61,9 @@ def _edited(family: Family) -> Need:
     def why(now: Situation) -> str:
         name = now.view.source.name
         then = f"then the same key makes it {family.title}"
-        return f"Enter edits “{name}”; {then}. The toolbar changes all that are chosen."
+        rest = "The toolbar changes all that are chosen."
+        rest = _ZOOM_KEYS if is_for_paper(now.session.document) else rest
+        return f"Enter edits “{name}”; {then}. {rest}"
 
     return Need("an edited curve", lambda now: now.session.selected.is_editing or now.is_blank, why=why)
 
