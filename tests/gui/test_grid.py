@@ -6,14 +6,12 @@ import math
 from itertools import pairwise
 
 import pytest
-from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QFontMetricsF
 
 from app.canvas.grid_layer import adaptive_steps
 from app.document.model import Document, make_curve
 from app.plotting.ticks import LEAST_LABELS, LabelRoom, Stretch, choose_ticks, tick_labels
-
-CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.mark.parametrize("exponent", [-11, -3, -1, 0, 2, 9])

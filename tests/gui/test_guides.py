@@ -23,7 +23,6 @@ from app.features.guides.places import TypedPlace, read_place
 from app.storage.files import load, save
 
 LINE = Document((make_curve(((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))),))
-CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.fixture
