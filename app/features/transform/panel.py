@@ -13,18 +13,16 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
-from ...document.expression import parse_number
 from ...document.model import Vector
 from ...document.transforms import Reference
-from ...exchange.lengths import typed_length
 from ...qt.labels import Label
 from ...view_model.bounds import Bounds
 from ...widgets.action_switch import mirror
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import choice_box
-from ...widgets.field_edit import NumberEdit
+from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.field_form import FieldForm
-from ...widgets.number_text import decimal_mark
+from ...widgets.length_text import read_length
 from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .pivot_chooser import PivotChooser
 
@@ -145,7 +143,7 @@ class TransformPanel(FieldForm):
 
     def _read(self, now: Callable[[], float], text: str) -> float:
         unit = self._shown.unit if self._shown is not None else ""
-        return typed_length(text, unit, now(), decimal_mark())
+        return read_length(text, unit, now())
 
     def _lay_out(self, actions: PanelActions) -> None:
         fields = QGridLayout()
@@ -275,7 +273,7 @@ class TransformPanel(FieldForm):
 
 
 def _angle(name: str, label: str, tip: str) -> NumberEdit:
-    return NumberEdit(name, label, tip, lambda text: parse_number(text.rstrip(" °"), decimal_mark()))
+    return NumberEdit(name, label, tip, lambda text: read_number(text.rstrip(" °")))
 
 
 def _switch(action: QAction, word: str) -> QCheckBox:
