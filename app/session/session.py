@@ -23,6 +23,7 @@ from .change import Change, raiser_of, why_locked, why_not_kept
 from .files import Files
 from .history import Beginning, History, State
 from .messages import Message, MessageKind
+from .scrub_line import ScrubLine
 from .selection import Selection
 from .views import Views
 
@@ -75,7 +76,9 @@ class Session(QObject):
     active_index
         The curve that is edited.
     selected
-        Selected points and curves, the point under the pointer, the scrub line.
+        Selected points and curves, the point under the pointer.
+    scrub
+        The scrub line.
     """
 
     document_changed = Signal(object)
@@ -102,6 +105,7 @@ class Session(QObject):
         self.files = Files(self)
         self.active_index = 0
         self.selected = Selection(self)
+        self.scrub = ScrubLine(self)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
         self._home: Choice | None = None
@@ -134,7 +138,7 @@ class Session(QObject):
         self.document_changed.emit(state.document)
         self.selection_changed.emit(self.selection)
         self.selected.set_hovered(-1)
-        self.selected.keep_scrub()
+        self.scrub.keep()
         self.active_changed.emit(self.active_index)
         self.selected_curves_changed.emit(self.selected.curves)
 
@@ -317,7 +321,7 @@ class Session(QObject):
             self.undo_stack.resetClean()
         self.selected.set_points([])
         self.selected.activate(self.active_index)
-        self.selected.set_scrub(None)
+        self.scrub.set(None)
         self.selected.set_pivot(None)
         # Another document's curves are nobody's last good shape.
         self._views.take()
@@ -342,19 +346,11 @@ class Session(QObject):
         if self.active_index in selected.curves and reshaped(shown, document) is not None:
             # As under most drags: all that is selected, or pointed at, is where it was.
             self.document_changed.emit(document)
-            selected.keep_scrub()
+            self.scrub.keep()
             return
         self.active_index = min(self.active_index, len(document.curves) - 1)
-        points, has_moved = selected.followed_group(shown.curves), selected.follow_curves(shown.curves)
-        # Nobody who is told of the document finds something named that it does not have.
-        selected.keep_group(selected.group)
-        selected.set_hovered(selected.hovered)
-        self.document_changed.emit(document)
-        # Whoever draws it has had to hear of the points first.
-        selected.keep_group(points)
-        selected.keep_scrub()
-        if has_moved:
-            self.selected_curves_changed.emit(selected.curves)
+        with selected.following(shown.curves):
+            self.document_changed.emit(document)
 
     def renew(self, families: Collection[Family]) -> None:
         """Show curves of these families anew: what the families are has changed, not the document."""

@@ -30,7 +30,6 @@ class SelectionHost(Protocol):
     group: PointGroup
     curves: frozenset[int]
     is_editing: bool
-    scrub: float | None
     pivot: Pivot | None
     turns: bool
 
@@ -77,9 +76,6 @@ class SelectionHost(Protocol):
     def set_hovered(self, index: int) -> None:
         """Take note of the point under the pointer."""
 
-    def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line."""
-
     def set_pivot(self, pivot: Pivot | None) -> None:
         """Turn, scale and mirror about another place."""
 
@@ -93,6 +89,15 @@ class SelectionHost(Protocol):
         """Edit what is chosen."""
 
 
+class ScrubHost(Protocol):
+    """Scrub line of a session, as the tools use it."""
+
+    t: float | None
+
+    def set(self, t: float | None) -> None:
+        """Move the line, or put it away (None)."""
+
+
 class EditingHost(Protocol):
     """Document, selection and messages of a session, as the tools use them."""
 
@@ -101,6 +106,10 @@ class EditingHost(Protocol):
     @property
     def selected(self) -> SelectionHost:
         """The selection."""
+
+    @property
+    def scrub(self) -> ScrubHost:
+        """The scrub line."""
 
     @property
     def document(self) -> Document:
