@@ -17,7 +17,6 @@ from ..document.selection import (
 )
 from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
-from ..view_model.pivot import Pivot
 from .highlight import Highlight
 
 if TYPE_CHECKING:
@@ -45,10 +44,6 @@ class Selection:
         Whether the active curve is edited.
     hovered
         The point under the pointer, or -1.
-    pivot
-        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
-    turns
-        Whether the box around what is selected has grips that rotate and skew; until something else is.
     """
 
     def __init__(self, session: Session) -> None:
@@ -60,8 +55,6 @@ class Selection:
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
-        self.pivot: Pivot | None = None
-        self.turns = False
 
     @property
     def points(self) -> frozenset[int]:
@@ -158,7 +151,7 @@ class Selection:
     def _put(self, group: PointGroup) -> None:
         if group != self.group:
             self.group = group
-            self.set_turns(False)
+            self._session.box.set_turns(False)
             self._session.history.end_run()
             self._session.selection_changed.emit(self.points)
 
@@ -168,18 +161,6 @@ class Selection:
         self.hovered = index if 0 <= index < count else -1
         if self.hovered != before:
             self._session.hovered_changed.emit(self.hovered)
-
-    def set_pivot(self, pivot: Pivot | None) -> None:
-        """Turn, scale and mirror about another place, or about the middle (None)."""
-        before, self.pivot = self.pivot, pivot
-        if (before and before.place) != (pivot and pivot.place):
-            self._session.pivot_changed.emit()
-
-    def set_turns(self, turns: bool) -> None:
-        """Have grips that rotate and skew, or such that scale."""
-        before, self.turns = self.turns, turns
-        if self.turns != before:
-            self._session.grips_changed.emit()
 
     # Curves
 
@@ -254,7 +235,7 @@ class Selection:
         self._keep_group(NO_POINTS if self.chosen or not is_editing else self.group)
         self.last = max(existing - before.curves, default=self.last if self.last in existing else wanted)
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
-            self.set_turns(False)
+            self._session.box.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
 
     @property

@@ -19,6 +19,7 @@ from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve_view import CurveView
+from .box import SelectionBox
 from .change import Change, raiser_of, why_locked, why_not_kept
 from .files import Files
 from .history import Beginning, History, State
@@ -77,6 +78,8 @@ class Session(QObject):
         The curve that is edited.
     selected
         Selected points and curves, the point under the pointer.
+    box
+        What was chosen of the box around what is selected.
     scrub
         The scrub line.
     """
@@ -105,6 +108,7 @@ class Session(QObject):
         self.files = Files(self)
         self.active_index = 0
         self.selected = Selection(self)
+        self.box = SelectionBox(self)
         self.scrub = ScrubLine(self)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
@@ -322,7 +326,7 @@ class Session(QObject):
         self.selected.set_points([])
         self.selected.activate(self.active_index)
         self.scrub.set(None)
-        self.selected.set_pivot(None)
+        self.box.set_pivot(None)
         # Another document's curves are nobody's last good shape.
         self._views.take()
 

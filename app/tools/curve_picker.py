@@ -102,7 +102,7 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     if is_chosen:
         if is_editing:
             return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
-        grips = "scale" if context.host.selected.turns else "rotate and skew"
+        grips = "scale" if context.host.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
         return f"{click}Double-click to edit “{name}” · Shift: one axis, a click takes it out"
     later = "" if is_editing else ", double-click to edit it"
@@ -156,8 +156,8 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
         edit_curve(context, hit.index)
         return
     elif _turns_grips(context, hit):
-        selected.set_turns(not selected.turns)
-        host.say(f"{chosen_curves(host)} · The grips {'rotate and skew' if selected.turns else 'scale'} now.")
+        host.box.set_turns(not host.box.turns)
+        host.say(f"{chosen_curves(host)} · The grips {'rotate and skew' if host.box.turns else 'scale'} now.")
         return
     else:
         selected.choose(_meant(context, hit))

@@ -58,7 +58,7 @@ class TransformTarget:
             # As under most drags; a single point has no box.
             return selection, None
         views, chosen = host.views, host.selected.chosen
-        live, strokes, turns = host.is_previewing, self._strokes(), host.selected.turns
+        live, strokes, turns = host.is_previewing, self._strokes(), host.box.turns
         now = (selection, chosen, live, strokes, turns)
         if not self._known or self._known[0] is not views or self._known[1:] != now:
             self._known = (views, *now)
@@ -139,16 +139,16 @@ class TransformTarget:
     @property
     def pivot(self) -> Vector | None:
         """The pivot that was chosen, where it is by now; None for the middle."""
-        pivot = self._pivot() if self._host.selected.pivot is not None else None
+        pivot = self._pivot() if self._host.box.pivot is not None else None
         return pivot.place if pivot is not None else None
 
     @pivot.setter
     def pivot(self, place: Vector | None) -> None:
         pivot = Pivot(place, self.anchored()) if place is not None else None
-        self._host.selected.set_pivot(pivot)
+        self._host.box.set_pivot(pivot)
 
     def _pivot(self) -> Pivot | None:
-        chosen = self._host.selected.pivot
+        chosen = self._host.box.pivot
         if chosen is None or self.is_nothing:
             return None
         return chosen.at(self.anchored())
@@ -161,7 +161,7 @@ class TransformTarget:
     def keep_pivot(self) -> None:
         """Take the pivot along: the document has changed, and it belongs to what is there now."""
         if (pivot := self._pivot()) is not None and not self._host.is_previewing:
-            self._host.selected.set_pivot(pivot)
+            self._host.box.set_pivot(pivot)
 
     # Drags
 
