@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from ..document.model import Curve
+from ..document.model import Curve, Document
 from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import (
     Choice,
@@ -17,6 +17,7 @@ from ..document.selection import (
 )
 from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
+from ..document.steps import reshaped
 from .highlight import Highlight
 
 if TYPE_CHECKING:
@@ -262,22 +263,28 @@ class Selection:
     # From document to document
 
     @contextmanager
-    def following(self, before: Sequence[Curve]) -> Iterator[None]:
-        """Go along to the document that is shown now, around what tells of it; `before` were its curves.
+    def following(self, before: Document) -> Iterator[None]:
+        """Go along from a document to the one that is shown now, around what tells of it.
 
         Nobody who is told of the document finds something named that it does not have. Whoever draws it has
         to hear of the points first.
         """
-        active = self._session.active_index
-        points = followed_group(self.group, active, before, self._session.document.curves)
-        has_moved = self._follow_curves(before)
+        session, curves = self._session, self._session.document.curves
+        if session.active_index in self.curves and reshaped(before, session.document) is not None:
+            # As under most drags: all that is selected, or pointed at, is where it was.
+            yield
+            session.scrub.keep()
+            return
+        session.active_index = min(session.active_index, len(curves) - 1)
+        points = followed_group(self.group, session.active_index, before.curves, curves)
+        has_moved = self._follow_curves(before.curves)
         self._keep_group(self.group)
         self.set_hovered(self.hovered)
         yield
         self._keep_group(points)
-        self._session.scrub.keep()
+        session.scrub.keep()
         if has_moved:
-            self._session.selected_curves_changed.emit(self.curves)
+            session.selected_curves_changed.emit(self.curves)
 
     def _follow_curves(self, before: Sequence[Curve]) -> bool:
         """Select the same curves where they are now; return whether their places are other ones."""

@@ -14,7 +14,6 @@ from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
 from ..document.shapes import tidy_shapes
-from ..document.steps import reshaped
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
@@ -346,14 +345,7 @@ class Session(QObject):
 
     def _show(self, document: Document) -> None:
         shown, self._shown = self._shown, document
-        selected = self.selected
-        if self.active_index in selected.curves and reshaped(shown, document) is not None:
-            # As under most drags: all that is selected, or pointed at, is where it was.
-            self.document_changed.emit(document)
-            self.scrub.keep()
-            return
-        self.active_index = min(self.active_index, len(document.curves) - 1)
-        with selected.following(shown.curves):
+        with self.selected.following(shown):
             self.document_changed.emit(document)
 
     def renew(self, families: Collection[Family]) -> None:
