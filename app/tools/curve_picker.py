@@ -13,6 +13,7 @@ from .drag_machine import EditingHost
 from .drags import Refuse
 from .pointer import Cursor, Hint, Hit, Part
 from .tool import ToolContext
+from .transform_drags import moving
 
 
 class CurvePicker:
@@ -42,12 +43,10 @@ class CurvePicker:
 
     def press(self, context: ToolContext, hit: Hit) -> None:
         """Begin to drag what is hit, with all that is chosen together with it; or a click."""
-        host, target, pointer = context.host, context.target, context.pointer
         group = _dragged(context, hit)
-        if refusal := target.refusal_of(group):
-            context.drags.press(pointer, Refuse(host.document, refusal), lambda: click_curve(context, hit))
-        else:
-            context.drags.press(pointer, target.moving(group, pointer), lambda: click_curve(context, hit))
+        refusal = context.target.refusal_of(group)
+        drag = Refuse(context.host.document, refusal) if refusal else moving(context, group)
+        context.drags.press(context.pointer, drag, lambda: click_curve(context, hit))
 
     def unpick(self, context: ToolContext) -> None:
         """Choose the active curve alone; while none is edited, none at all."""
