@@ -115,13 +115,10 @@ class TransformPanel(FieldForm):
         self.skew_edit = _angle(
             "transformSkew", "Skew by", "Degrees: the top goes right, or the right side up; Enter: the top"
         )
-        self.skew_buttons = [
-            tool_button(f"transformSkew{name}", f"Skew {way}", f"Skew by this angle: {tip}", icon_size=ICON)
-            for name, way, tip in (
-                ("Across", "horizontally", "the top goes right, about the pivot"),
-                ("Up", "vertically", "the right side goes up, about the pivot"),
-            )
-        ]
+        self.skew_buttons = (
+            _skew_button("Across", "horizontally", "the top goes right"),
+            _skew_button("Up", "vertically", "the right side goes up"),
+        )
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
         words = ("Measured", "Scaled")
         self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
@@ -274,6 +271,11 @@ class TransformPanel(FieldForm):
 
 def _angle(name: str, label: str, tip: str) -> NumberEdit:
     return NumberEdit(name, label, tip, lambda text: read_number(text.rstrip(" °")))
+
+
+def _skew_button(name: str, way: str, what: str) -> QToolButton:
+    tip = f"Skew by this angle: {what}, about the pivot"
+    return tool_button(f"transformSkew{name}", f"Skew {way}", tip, icon_size=ICON)
 
 
 def _switch(action: QAction, word: str) -> QCheckBox:
