@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from ..view_model.pivot import Pivot
-
-if TYPE_CHECKING:
-    from .session import Session
 
 
 class SelectionBox:
     """What a person has chosen of the box around what is selected; neither saved nor undone.
 
-    `Session.pivot_changed` and `Session.grips_changed` tell of it.
+    Parameters
+    ----------
+    pivot_changed, grips_changed
+        Told when the pivot is elsewhere, and when the grips do something else.
 
     Attributes
     ----------
@@ -23,8 +23,8 @@ class SelectionBox:
         Whether its grips rotate and skew; until something else is selected.
     """
 
-    def __init__(self, session: Session) -> None:
-        self._session = session
+    def __init__(self, pivot_changed: Callable[[], None], grips_changed: Callable[[], None]) -> None:
+        self._pivot_changed, self._grips_changed = pivot_changed, grips_changed
         self.pivot: Pivot | None = None
         self.turns = False
 
@@ -32,10 +32,10 @@ class SelectionBox:
         """Turn, scale and mirror about another place, or about the middle (None)."""
         before, self.pivot = self.pivot, pivot
         if (before and before.place) != (pivot and pivot.place):
-            self._session.pivot_changed.emit()
+            self._pivot_changed()
 
     def set_turns(self, turns: bool) -> None:
         """Have grips that rotate and skew, or such that scale."""
         before, self.turns = self.turns, turns
         if self.turns != before:
-            self._session.grips_changed.emit()
+            self._grips_changed()

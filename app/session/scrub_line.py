@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
-if TYPE_CHECKING:
-    from .session import Session
+from ..view_model.curve_view import CurveView
 
 
 class ScrubLine:
-    """A place on the curve that is edited; neither saved nor undone. `Session.scrub_changed` tells of it.
+    """A place on the curve that is edited; neither saved nor undone.
+
+    Parameters
+    ----------
+    view
+        Returns the view of the curve that is edited.
+    changed
+        Told of another `t`.
 
     Attributes
     ----------
@@ -17,8 +23,8 @@ class ScrubLine:
         Where it stands, or None.
     """
 
-    def __init__(self, session: Session) -> None:
-        self._session = session
+    def __init__(self, view: Callable[[], CurveView], changed: Callable[[float | None], None]) -> None:
+        self._view, self._changed = view, changed
         self.t: float | None = None
         # The place that was asked for: the line stands there as far as the curve goes.
         self._asked: float | None = None
@@ -30,14 +36,14 @@ class ScrubLine:
         there is no curve, and at `t` again when there is one that goes as far.
         """
         self._asked, before = t, self.t
-        curve = None if t is None else self._session.active_view.curve
+        curve = None if t is None else self._view().curve
         if t is None or curve is None:
             self.t = None
         else:
             start, end = curve.domain
             self.t = float(min(max(t, start), end))
         if self.t != before:
-            self._session.scrub_changed.emit(self.t)
+            self._changed(self.t)
 
     def keep(self) -> None:
         """Put the line where it was asked for, as far as the present curve goes."""

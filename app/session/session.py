@@ -107,8 +107,8 @@ class Session(QObject):
         self.files = Files(self)
         self.active_index = 0
         self.selected = Selection(self)
-        self.box = SelectionBox(self)
-        self.scrub = ScrubLine(self)
+        self.box = SelectionBox(self.pivot_changed.emit, self.grips_changed.emit)
+        self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
         self._home: Choice | None = None
