@@ -120,7 +120,8 @@ class MovedPoints:
         if self._vertices is None:
             return None
         t, places, ways, deviation = self._vertices
-        return Pieces(t, places + ways * (dx, dy), deviation)
+        points = places.view(np.complex128) + ways.astype(np.complex128) * complex(dx, dy)
+        return Pieces(t, points.view(np.float64), deviation)
 
     def _choose(self, reach: float) -> None:
         """Choose vertices that serve within reach of the centre, a smaller one where that takes too many."""

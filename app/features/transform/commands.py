@@ -11,9 +11,10 @@ from ...actions.declaration import Action, action, action_for_each, also_for_eac
 from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
-from ...document.model import Vector
+from ...document.model import Page, Vector
 from ...document.several_curves import mapped
 from ...document.transforms import Affine, flipping, rotation
+from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
@@ -91,6 +92,8 @@ class SelectionCommands:
         self._context = context
         self._session = context.session
         self._target = context.central.canvas.tools.target
+        # What strokes were measured for: a drag changes neither.
+        self._measured_for: tuple[WindowState | None, Page | None] = (None, None)
         self._show_strokes()
         context.store.changed.connect(self._show_strokes)
         self._session.document_changed.connect(self._show_strokes)
@@ -100,8 +103,11 @@ class SelectionCommands:
 
     def _show_strokes(self, *_changed: object) -> None:
         """Show the box, and measure strokes as those of the document print."""
-        settings, state = self._context.central.canvas.tools.settings, self._context.store.state
-        page = self._session.document.page
+        state, page = self._context.store.state, self._session.document.page
+        if self._measured_for[0] is state and self._measured_for[1] is page:
+            return
+        self._measured_for = (state, page)
+        settings = self._context.central.canvas.tools.settings
         strokes = replace(state.strokes, side=max(page.width, page.height) if page is not None else 0.0)
         now = {
             "shows_box": state.transform_box,
