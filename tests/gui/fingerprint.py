@@ -35,7 +35,6 @@ PASSING = {
     *(
         "PixelMap._known_rows",
         "ShownHandles._counted",
-        "SelectionCommands._measured_for",
         "PointLayer._kinds_of",
         "Actions._seen_of",
     ),

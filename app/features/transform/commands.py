@@ -11,7 +11,7 @@ from ...actions.declaration import Action, action, action_for_each, also_for_eac
 from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
-from ...document.model import Page, Vector
+from ...document.model import Vector
 from ...document.several_curves import mapped
 from ...document.transforms import Affine, flipping, rotation
 from ...state.window_state import WindowState
@@ -92,22 +92,18 @@ class SelectionCommands:
         self._context = context
         self._session = context.session
         self._target = context.central.canvas.tools.target
-        # What strokes were measured for: a drag changes neither.
-        self._measured_for: tuple[WindowState | None, Page | None] = (None, None)
-        self._show_strokes()
-        context.store.changed.connect(self._show_strokes)
-        self._session.document_changed.connect(self._show_strokes)
+        context.store.changed.connect(self._follow_state)
         self._session.history_changed.connect(self._target.keep_pivot)
         for changed in (self._session.pivot_changed, self._session.grips_changed):
             changed.connect(context.central.canvas.show_marks)
 
-    def _show_strokes(self, *_changed: object) -> None:
+    def _follow_state(self, _before: WindowState, _after: WindowState) -> None:
+        self.show_document()
+
+    def show_document(self) -> None:
         """Show the box, and measure strokes as those of the document print."""
-        state, page = self._context.store.state, self._session.document.page
-        if self._measured_for[0] is state and self._measured_for[1] is page:
-            return
-        self._measured_for = (state, page)
-        settings = self._context.central.canvas.tools.settings
+        settings, state = self._context.central.canvas.tools.settings, self._context.store.state
+        page = self._session.document.page
         strokes = replace(state.strokes, side=max(page.width, page.height) if page is not None else 0.0)
         now = {
             "shows_box": state.transform_box,
