@@ -12,7 +12,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
-from .curve_tree import OUTSIDE, Container, whole_nodes
+from .curve_tree import OUTSIDE, Container, NodeKind, whole_nodes
 from .edits import move_points
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
@@ -36,7 +36,8 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
     return PointGroup(
         tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in places),
         is_whole=True,
-        name=name_of(document, places),
+        name=(name := name_of(document, places)),
+        several="" if name is not None else counted(document, places),
     )
 
 
@@ -248,9 +249,18 @@ def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
 
 
 def named(document: Document, curves: Collection[int]) -> str:
-    """Return the name of the curve, or of the shape or group that they are, or "3 curves"."""
+    """Return the name of the curve, or of the shape or group that they are, or "3 curves", "2 objects"."""
     name = name_of(document, curves)
-    return f"{len(curves)} curves" if name is None else name
+    return counted(document, curves) if name is None else name
+
+
+def counted(document: Document, curves: Collection[int]) -> str:
+    """Return "3 curves"; where whole shapes or groups are among them, how many a person sees: "2 objects"."""
+    if any(document.curves[curve].shape or document.curves[curve].groups for curve in curves):
+        nodes = whole_nodes(document.curves, curves, document.layers)
+        if any(node.kind is not NodeKind.CURVE for node in nodes):
+            return count_of(len(nodes), "object")
+    return f"{len(curves)} curves"
 
 
 def name_of(document: Document, curves: Collection[int]) -> str | None:

@@ -605,7 +605,7 @@ def test_a_drag_within_a_fill_moves_all_of_the_group(whole):
 
 def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
     whole.drag((6.5, 0.2), (6.6, 0.4), keys=SHIFT)
-    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 3 curves")
+    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 2 objects")
     whole.session.selected.choose({2})
     whole.trigger("ungroupCurves")
     whole.session.selected.choose(())
