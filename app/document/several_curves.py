@@ -12,7 +12,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
-from .curve_tree import OUTSIDE, Container, NodeKind, whole_nodes
+from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import move_points
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
@@ -257,10 +257,8 @@ def named(document: Document, curves: Collection[int]) -> str:
 def counted(document: Document, curves: Collection[int]) -> str:
     """Return "3 curves"; where whole shapes or groups are among them, how many a person sees: "2 objects"."""
     if any(document.curves[curve].shape or document.curves[curve].groups for curve in curves):
-        nodes = whole_nodes(document.curves, curves, document.layers)
-        if any(node.kind is not NodeKind.CURVE for node in nodes):
-            return count_of(len(nodes), "object")
-    return f"{len(curves)} curves"
+        return counted_nodes(whole_nodes(document.curves, curves, document.layers))
+    return count_of(len(curves), "curve")
 
 
 def name_of(document: Document, curves: Collection[int]) -> str | None:
