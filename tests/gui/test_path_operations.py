@@ -10,10 +10,12 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
 
 from app.document.lines import is_line
 from app.document.style import LineJoin, Style
 from app.exchange.svg.reader import read_svg
+from app.features.shapes.offset_commands import OffsetCommands
 from app.view_model.regions import PATH_OPERATIONS
 
 ORANGE, BROWN = "#ff8800", "#663300"
@@ -189,7 +191,55 @@ def test_shapes_grow_and_shrink_by_two_pixels_in_the_unit_of_the_document(drawin
     assert (counts["Disc"], counts["Frame (1)"], counts["Frame (2)"]) == (4, 4, 4)
     assert chosen(drawing) == {"Disc", "Frame (1)", "Frame (2)"}
     name = "Outset" if way > 0 else "Inset"
-    assert drawing.session.undo_stack.undoText() == f"{name} by 0.529 of Disc and Frame"
+    assert drawing.session.undo_stack.undoText() == f"{name} by 2 px of Disc and Frame"
+
+
+def field_of(editor):
+    return editor.window.commands[OffsetCommands].field
+
+
+def enter(editor, text):
+    field = field_of(editor)
+    field.edit.selectAll()
+    QTest.keyClicks(field.edit, text)
+    QTest.keyClick(field.edit, Qt.Key.Key_Return)
+    editor.wait_for_work()
+
+
+def test_a_distance_is_typed_and_used_again(drawing):
+    """Outset by exactly 1 mm, and as far back; the next time it is asked for, that is what stands there."""
+    drawing.set_unit("mm")
+    drawing.click(OUTSIDE)
+    drawing.click(DISC)
+    drawing.trigger("pathOffsetBy")
+    field = field_of(drawing)
+    assert (field.isVisible(), field.edit.text(), field.edit.selectedText()) == (True, "2 px", "2 px")
+    enter(drawing, "0.1 cm")
+    assert (field.isVisible(), drawing.window.canvas.hasFocus()) == (False, True)
+    assert drawing.session.undo_stack.undoText() == "Outset by 0.1 cm of Disc"
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-5, -5], [5, 5]]), abs=2e-3)
+    QTest.keySequence(drawing.window, QKeySequence("Ctrl+)"))
+    drawing.wait_for_work()
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-6, -6], [6, 6]]), abs=4e-3)
+    QTest.keySequence(drawing.window, QKeySequence("Alt+Shift+O"))
+    assert field.edit.text() == "0.1 cm"
+    QTest.mouseClick(field.findChild(QToolButton, "offsetWay"), Qt.MouseButton.LeftButton)
+    enter(drawing, "2")
+    assert drawing.session.undo_stack.undoText() == "Inset by 2 mm of Disc"
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-4, -4], [4, 4]]), abs=6e-3)
+
+
+def test_what_is_no_distance_is_said_beside_it(drawing):
+    drawing.set_unit("")
+    before = drawing.session.document
+    drawing.trigger("pathOffsetBy")
+    enter(drawing, "2 mm")
+    field = field_of(drawing)
+    assert field.remark == "⚠ The document has no unit of length; type a number without “mm”."
+    enter(drawing, "0")
+    assert field.remark == "⚠ Type a distance other than 0; below 0 it goes the other way."
+    QTest.keyClick(field.edit, Qt.Key.Key_Escape)
+    assert (field.isVisible(), drawing.session.document is before) == (False, True)
 
 
 def test_a_line_becomes_a_shape_in_front_of_the_fill(drawing):

@@ -26,6 +26,7 @@ from ...document.words import count_of
 from ...view_model.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
+from .offset_commands import OffsetCommands
 from .path_commands import PathCommands
 
 
@@ -165,4 +166,4 @@ class ShapeCommands:
         self._session.selected.choose(curves)
 
 
-COMMAND_SETS = (ShapeCommands, PathCommands)
+COMMAND_SETS = (ShapeCommands, OffsetCommands, PathCommands)
