@@ -18,7 +18,6 @@ from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
-from .style import USUAL_WIDTH
 from .transforms import Affine, decimal_sum, step_points, transform_points
 from .words import count_of
 
@@ -142,7 +141,7 @@ def alone(document: Document, curves: Collection[int]) -> Document:
     """
     chosen = tuple(document.curves[place] for place in sorted(curves))
     if (page := document.page) is not None:
-        chosen = tuple(_with_width(curve, USUAL_WIDTH * max(page.width, page.height)) for curve in chosen)
+        chosen = tuple(_with_width(curve, page.usual_width) for curve in chosen)
     return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
 
 

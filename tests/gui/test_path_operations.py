@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
 from app.document.lines import is_line
-from app.document.style import LineJoin, Style
+from app.document.style import LineCap, LineJoin, Style
 from app.exchange.svg.reader import read_svg
 from app.features.shapes.offset_commands import OffsetCommands
 from app.view_model.regions import PATH_OPERATIONS
@@ -275,8 +275,7 @@ def restyled(document, shape, style):
     ("style", "words"),
     [
         (Style(stroke="none", fill=ORANGE), "“Disc” has no line."),
-        (Style(), "The line of “Disc” is as wide at every zoom; give it a width first."),
-        (Style(width=1.0, dash=(2.0, 1.0)), "“Disc” has dashes; a shape is made of whole lines only."),
+        (Style(width=0.0), "The line of “Disc” has no width."),
     ],
 )
 def test_lines_that_make_no_shape(drawing, style, words):
@@ -285,6 +284,37 @@ def test_lines_that_make_no_shape(drawing, style, words):
     drawing.trigger("strokeToPath")
     assert drawing.status == words
     assert drawing.session.document is before
+
+
+def test_a_line_of_automatic_width_is_as_wide_as_it_prints_or_is_seen(drawing):
+    """The page of 20 makes lines of 0.06; without one it is 2 px of the screen."""
+    drawing.session.change("Style", lambda document: restyled(document, "Disc", Style()))
+    before = drawing.session.document
+    for page, width in ((before.page, 0.06), (None, 2.0 * drawing.pixel)):
+        drawing.session.change("Page", lambda _, page=page: replace(before, page=page))
+        drawing.session.selected.choose([0])
+        drawing.trigger("strokeToPath")
+        drawing.wait_for_work()
+        outer = extent(drawing, "Disc (1)")
+        assert outer == pytest.approx(np.array([[-4, -4], [4, 4]]) * (1 + width / 8), abs=1e-4)
+
+
+def test_each_dash_becomes_a_contour(drawing):
+    """What is painted stays as it is: dashes of 2 and gaps of 1 widths around a circle of 8 pi widths."""
+    dashed = Style(stroke=BROWN, width=1.0, dash=(2.0, 1.0), cap=LineCap.BUTT)
+    drawing.session.change("Style", lambda document: restyled(document, "Disc", dashed))
+    # The circle begins at the right and runs clockwise; the frame leaves its left half free.
+    along = (9.2, 10.8, 11.2, 11.8, 12.2, 13.8, 14.2, 14.8)
+    places = [(4 * math.cos(s / 4), -4 * math.sin(s / 4)) for s in along]
+    drawing.session.selected.choose([])
+    before = is_painted(drawing, *places, colour=BROWN)
+    assert before == [True, True, False, False, True, True, False, False]
+    drawing.session.selected.choose([0])
+    drawing.trigger("strokeToPath")
+    drawing.wait_for_work()
+    assert drawing.status.startswith("Stroke to path of Disc: 1 shape, 8 outlines")
+    drawing.click(OUTSIDE)
+    assert is_painted(drawing, *places, colour=BROWN) == before
 
 
 @pytest.fixture

@@ -19,6 +19,9 @@ from ...workbench.context import WindowContext
 from .chosen_shapes import A_SHAPE, meant
 from .shape_work import ShapeWork
 
+_SHOWN_PX = 2.0
+"""Pixels of a line whose width follows the zoom."""
+
 
 def _enough(operation: PathOperation) -> Need:
     if operation.least < 2:
@@ -33,6 +36,7 @@ class PathCommands:
     """Boolean operations on the chosen shapes."""
 
     def __init__(self, context: WindowContext) -> None:
+        self._session, self._canvas = context.session, context.central.canvas
         self._work = ShapeWork(context)
 
     @action_for_each(
@@ -64,5 +68,8 @@ class PathCommands:
         keywords="outline stroke expand line to shape object",
     )
     def _outline_strokes(self) -> None:
-        """Make shapes of the lines of the chosen shapes, with their corners and ends."""
-        self._work.compute("Stroke to path", strokes_as_shapes)
+        """Make shapes of the lines of the chosen shapes, with their corners, ends and dashes."""
+        page = self._session.document.page
+        # What a page shows prints so; else as it is seen now.
+        usual = page.usual_width if page is not None else _SHOWN_PX * self._canvas.camera.pixel_size
+        self._work.compute("Stroke to path", partial(strokes_as_shapes, usual=usual))
