@@ -76,7 +76,7 @@ def offset_by(
         name = name_of_shape(document, places)
         if not found.contours:
             raise EditError(f"Nothing would be left of “{name}”: it is narrower than that.")
-        made[places] = curves_of(found, model, name)
+        made[places] = curves_of(found, model, name, tolerance)
         off = max(off, deviation + tolerance)
     return Combined(*replaced(document, made), len(chosen), off)
 
@@ -115,7 +115,10 @@ def strokes_as_shapes(
         if style.has_fill:
             filled = [replace(curve, style=replace(style, stroke=NO_PAINT)) for curve in own]
             names.next()
-        made[places] = [*filled, *curves_of(found, replace(own[0], style=_as_fill(style)), names.next())]
+        made[places] = [
+            *filled,
+            *curves_of(found, replace(own[0], style=_as_fill(style)), names.next(), tolerance),
+        ]
         off = max(off, deviation + tolerance)
     return Combined(*replaced(document, made), len(chosen), off)
 

@@ -16,6 +16,8 @@ from app.document.lines import is_line
 from app.document.style import LineCap, LineJoin, Style
 from app.exchange.svg.reader import read_svg
 from app.features.shapes.offset_commands import OffsetCommands
+from app.view_model.analysis.teaching import NARROW, Topic, warnings_of
+from app.view_model.curve_view import view_of
 from app.view_model.regions import PATH_OPERATIONS
 
 ORANGE, BROWN = "#ff8800", "#663300"
@@ -192,6 +194,26 @@ def test_shapes_grow_and_shrink_by_two_pixels_in_the_unit_of_the_document(drawin
     assert chosen(drawing) == {"Disc", "Frame (1)", "Frame (2)"}
     name = "Outset" if way > 0 else "Inset"
     assert drawing.session.undo_stack.undoText() == f"{name} by 2 px of Disc and Frame"
+
+
+def test_a_short_edge_is_no_reason_for_a_warning(drawing):
+    """Its parameters were "almost equal" beside long ones: the curve takes its time there."""
+    notched = "M0 0H8V8H4.05V7.98H4V8H0Z"
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path id="Notch" d="{notched}"/></svg>'
+    drawing.session.commit(read_svg(text.encode(), None).document, "Begin", active=0)
+    drawing.session.selected.choose([0])
+    drawing.trigger("pathUnion")
+    drawing.wait_for_work()
+    view = drawing.session.active_view
+    gaps = np.diff(view.parameters)
+    assert (gaps[1:] / gaps[:-1]).min() < NARROW
+    assert warnings_of(view, 1.0) == []
+    # Where the points are not as near, the curve is in haste.
+    near = replace(view.source.points[1], t=view.parameters[0] + 1e-6)
+    points = (view.source.points[0], near, *view.source.points[2:])
+    hasty = view_of(replace(view.source, points=points))
+    assert [each.topic for each in warnings_of(hasty, 1.0)] == [Topic.GAP]
+    assert warnings_of(hasty, 1.0)[0].sentence.endswith("get from one to the other in no time.")
 
 
 def field_of(editor):
