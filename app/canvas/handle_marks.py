@@ -46,8 +46,8 @@ Arm = list[list[float]]
 """The pixels of a point and of the handles on one side of it, each [x, y]."""
 
 
-def mark_sizes(arm: Arm, scale: float) -> list[float]:
-    """Return half the sizes of the marks of an arm, in pixels.
+def mark_sizes(arm: Arm, scale: float, share: float = 1.0) -> list[float]:
+    """Return half the sizes of the marks of an arm, in pixels; `share` is that of what they usually are.
 
     On short segments the handles of a point lie within a few pixels of each other: the mark of each is small
     enough then to be seen beside the one that it hangs on, and the one that hangs on it.
@@ -55,7 +55,7 @@ def mark_sizes(arm: Arm, scale: float) -> list[float]:
     rooms = [math.dist(*ends) for ends in pairwise(arm)]
     rooms = [*map(min, rooms, rooms[1:]), rooms[-1]]
     return [
-        min(largest * scale, max(_SHARE * room, _LEAST * scale))
+        min(max(largest * share, _LEAST) * scale, max(_SHARE * room, _LEAST * scale))
         for largest, room in zip(HANDLE_SIZES, rooms, strict=False)
     ]
 
@@ -118,15 +118,15 @@ class ShownHandles:
             return ""
         return LEFT_AWAY
 
-    def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk) -> None:
-        """Draw them: the fainter ones below the others."""
+    def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk, share: float = 1.0) -> None:
+        """Draw them: the fainter ones below the others, their marks a share of their usual size."""
         own, facing = self._limited(shown)
         lines: dict[tuple[Shade, int], list[QLineF]] = {}
         marks: list[Mark[HandleLook]] = []
         for handles, shade in ((facing, Shade.FAINT), (own, Shade.STRONG)):
             # As plain numbers: there are few, and in every frame of a drag each step through NumPy counts.
             for arm, given in zip(_arms(handles, shown), handles.explicit.tolist(), strict=True):
-                sizes = mark_sizes(arm, ink.scale)
+                sizes = mark_sizes(arm, ink.scale, share)
                 for order, ((x0, y0), (x, y)) in enumerate(pairwise(arm)):
                     if abs(x0) + abs(y0) + abs(x) + abs(y) < _FAR:
                         lines.setdefault((shade, order), []).append(QLineF(x0, y0, x, y))
