@@ -6,8 +6,7 @@ from typing import NamedTuple
 
 from ...document.expression import ExpressionError
 from ...document.words import with_minus
-from ...exchange.lengths import typed_length
-from ...widgets.number_text import decimal_mark
+from ...widgets.length_text import read_length
 
 
 class Distance(NamedTuple):
@@ -26,7 +25,7 @@ def read_distance(text: str, unit: str) -> Distance:
         With the sentence for the person, where it is no distance.
     """
     text = text.strip()
-    value = typed_length(text, unit, locale_decimal=decimal_mark())
+    value = read_length(text, unit)
     if value == 0.0:
         raise ExpressionError("Type a distance other than 0; below 0 it goes the other way.")
     return Distance(value, with_minus(text if _has_unit(text) else f"{text} {unit}".rstrip()))
@@ -34,7 +33,7 @@ def read_distance(text: str, unit: str) -> Distance:
 
 def _has_unit(text: str) -> bool:
     try:
-        typed_length(text, "", locale_decimal=decimal_mark())
+        read_length(text, "")
     except ExpressionError:
         return True
     return False
