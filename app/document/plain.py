@@ -12,18 +12,20 @@ from collections.abc import Iterable
 from functools import cache
 from itertools import compress
 from numbers import Real
-from operator import is_not
+from operator import attrgetter, is_not
 from typing import TypeVar
 
 from msgspec.structs import replace
 
 from .fields import Field, fields_of
 from .model import Curve, Document, Point, Vector, vectors_of
-from .steps import has_only_moved, reshaped
+from .steps import moved_points
 from .ties import holds
 from .value import Value
 
 Values = TypeVar("Values", bound=Value)
+
+_x, _y = attrgetter("x"), attrgetter("y")
 
 
 def plain(document: Document, before: Document | None = None) -> Document:
@@ -45,15 +47,8 @@ def plain(document: Document, before: Document | None = None) -> Document:
 
 def _has_plain_points_elsewhere(document: Document, before: Document) -> bool:
     """Whether points have moved to plain places, and nothing else is another, as under most drags."""
-    places = reshaped(before, document)
-    if places is None:
-        return False
-    for place in places:
-        points, known = document.curves[place].points, before.curves[place].points
-        for point, old in compress(zip(points, known, strict=True), map(is_not, points, known)):
-            if not (type(point.x) is float is type(point.y) and has_only_moved(old, point)):
-                return False
-    return True
+    moved = moved_points(before, document)
+    return moved is not None and {*map(type, map(_x, moved)), *map(type, map(_y, moved))} <= {float}
 
 
 @cache

@@ -11,7 +11,15 @@ from ...actions.situation import Situation
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_edits import remove_curve
 from ...document.several_curves import active_after_removal, named
-from ...document.shape_edits import Gathered, broken_apart, combined, grouped, groups_meant, ungrouped
+from ...document.shape_edits import (
+    Gathered,
+    are_in_groups,
+    broken_apart,
+    combined,
+    grouped,
+    groups_meant,
+    ungrouped,
+)
 from ...document.shapes import shape_of
 from ...document.words import count_of
 from ...view_model.fills import fills_holes
@@ -30,7 +38,7 @@ def _are_in_shapes(now: Situation) -> bool:
 
 
 def _are_in_groups(now: Situation) -> bool:
-    return bool(groups_meant(now.session.document, meant(now.session)))
+    return are_in_groups(now.session.document, meant(now.session))
 
 
 class ShapeCommands:
