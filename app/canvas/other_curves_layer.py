@@ -39,6 +39,9 @@ _AT_ONCE = 400
 
 _ANYWHERE = np.array([[-np.inf, -np.inf], [np.inf, np.inf]])
 
+_OUTWARD = np.array([[-1.0], [1.0]])
+"""Ways of the corners of a box that grows."""
+
 _FEW = 8
 """Shapes that may be painted in every frame, whether they move or not, beside the picture of the others."""
 
@@ -283,7 +286,8 @@ class _Outline:
 
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
         self.shown, self._views = shown, views
-        self._boxes = np.array([_box_of(view) for _, view in views])
+        boxes, off = zip(*(_box_of(view) for _, view in views), strict=True)
+        self._boxes = np.array(boxes) + np.array(off)[:, None, None] * _OUTWARD
         self._near: list[int] = []
         self._segments: PixelOutline | None = None
         self._places = np.empty(0, dtype=np.intp)
@@ -312,13 +316,10 @@ class _Outline:
             )
 
 
-def _box_of(view: CurveView) -> FloatArray:
-    """Return a box that the curve does not leave."""
+def _box_of(view: CurveView) -> tuple[FloatArray, float]:
+    """Return a box, and by how much the curve leaves it at most."""
     view.drawn_box  # noqa: B018 - with it the box is known, if it can be
-    if view.known_box is None:
-        return _ANYWHERE
-    box, off = view.known_box
-    return np.array([box[0] - off, box[1] + off])
+    return view.known_box or (_ANYWHERE, 0.0)
 
 
 def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
