@@ -16,7 +16,7 @@ import msgspec
 from msgspec.structs import replace
 
 from .derivatives import VECTORS
-from .edits import EditError, placed, with_each_changed, with_points_elsewhere
+from .edits import EditError, placed, with_each_changed, with_each_shifted, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector
 from .point_group import PointGroup
@@ -119,7 +119,7 @@ def _mapped(point: Point, by: Affine) -> Point:
 def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
     across, up = map(_decimal_step, by)
-    return with_each_changed(
+    return with_each_shifted(
         document, curve, indices, lambda point: placed(point, (across(point.x), up(point.y)))
     )
 
