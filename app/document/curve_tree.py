@@ -143,7 +143,7 @@ def whole_nodes(curves: Sequence[Curve], chosen: Collection[int], layers: Collec
 def _wholes(nodes: Sequence[Node], chosen: frozenset[int], layers: frozenset[str]) -> Iterator[Node]:
     for node in nodes:
         is_layer = node.kind is NodeKind.GROUP and node.name in layers
-        if not is_layer and all(place in chosen for place in node.places):
+        if not is_layer and chosen.issuperset(node.places):
             yield node
         else:
             yield from _wholes(node.parts, chosen, layers)

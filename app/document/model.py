@@ -244,7 +244,7 @@ class Curve(Value, frozen=True, dict=True):
     def has_derivatives(self) -> bool:
         """Whether the person set any; asked at every move of a drag."""
         # A vector of two numbers is true, whatever they are.
-        return any(any(vectors_of(point)) for point in self.points)
+        return any(map(any, map(vectors_of, self.points)))
 
     @property
     def rules(self) -> tuple[EstimateRule, ...]:

@@ -260,7 +260,7 @@ class DragMachine:
             press.refused = str(reason)
             self._host.refuse(press.refused)
             return
-        press.last, press.refused = document, ""
+        press.last, press.refused, press.followed = document, "", pointer
         if self._host.preview(document, active=press.active) and press.makes is not None:
             self._host.selected.set_points([press.makes])
             press.makes = None

@@ -117,8 +117,8 @@ def box_of(
     if sum(len(indices) for _, indices in group.parts) < 2:
         return None
     bounds = bounds_of(views, group, strokes, as_drawn=live)
-    # While it is dragged there are no grips.
-    bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE)
+    # While it is dragged there are no grips; whether a side has a length can be seen of what is drawn.
+    bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE, as_drawn=True)
     if bounds is None or bare is None or not any(bare.size):
         return None
     return TransformBox(bounds.low, bounds.high, (bare.size[0] > 0.0, bare.size[1] > 0.0))

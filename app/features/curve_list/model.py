@@ -14,6 +14,7 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 
 from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, tree_of
 from ...document.model import Curve, Document
+from ...document.steps import changed_besides_points
 from ...document.style import Style
 from ...document.words import count_of
 from ...qt.overrides import Guarded
@@ -93,7 +94,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         if before is document.curves:
             return
         if _have_same_tree(before, document.curves):
-            changed = [place for place, old in enumerate(before) if old is not document.curves[place]]
+            changed = changed_besides_points(before, document.curves)
             self._show_rows({row for place in changed for row in self._rows_about(place)})
         else:
             self._follow_names(before)

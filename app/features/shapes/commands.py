@@ -14,6 +14,7 @@ from ...document.curve_tree import counted_nodes
 from ...document.several_curves import active_after_removal, named
 from ...document.shape_edits import (
     Gathered,
+    are_in_groups,
     broken_apart,
     combined,
     grouped,
@@ -40,7 +41,7 @@ def _are_in_shapes(now: Situation) -> bool:
 
 
 def _are_in_groups(now: Situation) -> bool:
-    return bool(groups_meant(now.session.document, meant(now.session)))
+    return are_in_groups(now.session.document, meant(now.session))
 
 
 class ShapeCommands:
