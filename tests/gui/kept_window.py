@@ -167,7 +167,6 @@ class KeptEditor:
         if window.actions_by_name["stopMotion"].isEnabled():
             window.actions_by_name["stopMotion"].trigger()
         window.analysis.reset()
-        window.commands.drops.open_window = None
         for pages in window.findChildren(QTabWidget):
             # Whoever shows it again would see the page that was seen last.
             pages.setCurrentIndex(0)
