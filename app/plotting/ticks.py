@@ -123,9 +123,16 @@ def choose_ticks(seen: Stretch, tick: float, wanted: float, room: LabelRoom) -> 
         The distance of the numbers, where there is room: one of `tick` times 1, 2, 5, 10, ….
     """
     best: Ticks | None = None
+    # What is asked again where numbers may be squeezed.
+    known: dict[tuple[float, float], Ticks] = {}
+    least = (room.gap + min(map(room.along, "0123456789"))) / seen.scale
     for offset, squeezed in ((0.0, 1.0), (0.0, _SQUEEZED), (_offset(seen), 1.0), (0.0, 0.0)):
         for step in _steps(tick, wanted):
-            found = _labels_at(seen, step, offset, room)
+            if best is not None and step < min(wanted, least):
+                # From here on they are ever denser.
+                break
+            found = known.get((offset, step)) or _labels_at(seen, step, offset, room)
+            known[offset, step] = found
             if len(found.labels) < LEAST_LABELS:
                 if step >= wanted:
                     continue

@@ -72,6 +72,7 @@ PASSING = {
         "MotionStage._rivals_of",
     ),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
+    *("_autoRangeNeedsUpdate", "_painterPathCache", "ScrubLayer.scrub"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
     *("GuidesLayer.last", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
@@ -79,6 +80,8 @@ PASSING = {
         "CurvePicker.entered",
         "Snappers._hovered",
     ),
+    # A drag that is over until the next press.
+    "LiveSlider._is_over",
     # Where a motion was stopped, what a panel showed that is closed; both begin anew.
     *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),
     *("ViewCommands._before_folding", "ViewCommands._before_presentation"),
@@ -93,7 +96,7 @@ PASSING = {
 }
 """Names of attributes that may differ, some of one class only."""
 
-DRAWN = {"PointInk", "SeenColours", "Stamps"}
+DRAWN = {"PointInk", "SeenColours", "Stamps", "_Batch"}
 """Classes, with those derived from them, of which all that differs is what was drawn last."""
 
 RENDERED_ANEW = {

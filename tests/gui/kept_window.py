@@ -21,12 +21,13 @@ import msgspec
 import pytest
 from fingerprint import Fingerprint, differences, forget, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
-from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QTabWidget, QWidget
 
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.features.motion.commands import MotionCommands
 from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
+from app.features.view.zoom_commands import ZoomCommands
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
@@ -67,6 +68,7 @@ class KeptEditor:
         # tests/conftest.py looks for windows that are left over.
         window.setProperty("isKept", True)
         self._curtain = Curtain(window)
+        self._tool_settings = window.canvas.tools.settings
         self._sketch, self._views = self._editor.session.document, tuple(self._editor.session.views)
         self._docks = window.findChildren(QDockWidget)
         self._in_front = [dock for dock in self._docks if is_in_front(dock)]
@@ -114,6 +116,7 @@ class KeptEditor:
 
     def _reset(self) -> None:
         editor, window, session = self._editor, self._editor.window, self._editor.session
+        zoom = window.commands[ZoomCommands].field
         # Nobody looks at it before the next test begins.
         self._curtain.close()
         self._put_away()
@@ -135,6 +138,8 @@ class KeptEditor:
         window.canvas.setFocus()
         editor.settle()
         window.status_line.reset()
+        if zoom._soon.isActive():
+            zoom._write()
         for plot in (window.canvas, window.basis_panel):
             # Found out when it is first asked for.
             _ = plot.pixel_map
@@ -162,6 +167,9 @@ class KeptEditor:
         if window.actions_by_name["stopMotion"].isEnabled():
             window.actions_by_name["stopMotion"].trigger()
         window.analysis.reset()
+        for pages in window.findChildren(QTabWidget):
+            # Whoever shows it again would see the page that was seen last.
+            pages.setCurrentIndex(0)
         self._keep_without_autosave()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
@@ -183,6 +191,8 @@ class KeptEditor:
     def _reset_settings(self) -> None:
         settings: QSettings = self._editor.window.preferences.file._settings
         if settings.allKeys():
+            # Before the rest: they are remembered at once.
+            self._editor.window.context.actions.keymap.reset_all()
             settings.clear()
             self._editor.window.store.read_preferences()
 
@@ -191,6 +201,11 @@ class KeptEditor:
         window = self._editor.window
         if window.store.state.scale != 1.0:
             window.actions_by_name["usualSize"].trigger()
+        # As they follow from settings and document, where a test has changed them itself.
+        if window.canvas.tools.settings != self._tool_settings:
+            window.canvas.change_tool_settings(**msgspec.structs.asdict(self._tool_settings))
+        if window.canvas.drawing.grid._fixed != self._sketch.grid_spacing:
+            window.canvas.drawing.grid.set_spacing(self._sketch.grid_spacing)
         window.central["plotPanel"].kept_height = USUAL_HEIGHT
         if (stage := window.commands[MotionCommands]._stage) is not None:
             stage.player.change(**msgspec.structs.asdict(MotionSettings()))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -56,16 +58,22 @@ def drawing(style):
     )
 
 
+@cache
+def picture_of(style):
+    """The drawing as a picture, whichever curve is edited."""
+    return QImage.fromData(png_file(drawing(style), Options(width=2400, style=LIGHT_PAPER)).data)
+
+
 def uniform(image, places, reach):
     """Return the colours (k, 4) around pixels (k, 2), and whether each is the only one: no edge is near."""
     image = image.convertToFormat(QImage.Format.Format_RGBA8888)
     pixels = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    pixels = pixels[:, : 4 * image.width()].reshape(image.height(), image.width(), 4).astype(int)
+    pixels = pixels[:, : 4 * image.width()].reshape(image.height(), image.width(), 4)
     near = np.arange(-reach, reach + 1)
     columns, rows = places.T[:, :, np.newaxis, np.newaxis]
     around = pixels[rows + near[:, np.newaxis], columns + near]
     colours = pixels[places[:, 1], places[:, 0]]
-    return colours, (around == colours[:, np.newaxis, np.newaxis]).all(axis=(1, 2, 3))
+    return colours.astype(int), (around == colours[:, np.newaxis, np.newaxis]).all(axis=(1, 2, 3))
 
 
 @pytest.mark.parametrize("active", [0, 2], ids=["resting", "edited"])
@@ -79,7 +87,7 @@ def test_canvas_and_picture_agree(editor, style, active):
     editor.wait_for_rest()
     canvas = editor.window.canvas
     shot = canvas.viewport().grab().toImage()
-    picture = QImage.fromData(png_file(document, Options(width=2400, style=LIGHT_PAPER)).data)
+    picture = picture_of(style)
     frame = drawing_of(document).frame
     points = np.vstack([view.points for view in editor.session.views])
     plane = np.stack(np.meshgrid(np.arange(-1.0, 11.5, 0.17), np.arange(-0.6, 4.6, 0.17)), axis=-1)

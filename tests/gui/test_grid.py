@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
+from itertools import pairwise, product
 
 import pytest
 from PySide6.QtCore import QRect, QSize
@@ -11,7 +11,9 @@ from PySide6.QtGui import QFontMetricsF
 
 from app.canvas.grid_layer import adaptive_steps
 from app.document.model import Document, make_curve
-from app.plotting.ticks import LEAST_LABELS, LabelRoom, Stretch, choose_ticks, tick_labels
+from app.plotting import ticks
+from app.plotting.ticks import LEAST_LABELS, LabelRoom, Stretch, choose_ticks, nice_step, tick_labels
+from tests.effort import noted_calls
 
 
 @pytest.mark.parametrize("exponent", [-11, -3, -1, 0, 2, 9])
@@ -30,8 +32,8 @@ def test_steps_are_round_and_never_dense(exponent):
 def labels(editor, side):
     """The distance of the numbers of an axis of the canvas, and where they stand with their texts."""
     canvas = editor.window.canvas
-    ticks = canvas.getAxis(side).ticks_in(canvas.pixel_map)
-    return ticks.step, ticks.labels
+    found = canvas.getAxis(side).ticks_in(canvas.pixel_map)
+    return found.step, found.labels
 
 
 @pytest.mark.parametrize("notches", [-9, -4, -1, 0, 1, 2, 3, 5, 12])
@@ -120,6 +122,25 @@ def test_a_narrow_axis_says_at_its_end_what_the_numbers_leave_out(qapp):
     found = choose_ticks(seen, 0.01, 0.02, room)
     assert found.offset == "1700000000 +"
     assert [text for _, text in found.labels] == ["0", "0.02", "0.04"]
+
+
+@pytest.mark.parametrize("middle", [0.0, -3.7, 1234567.0, -1.7e9])
+def test_numbers_for_which_there_is_no_room_are_not_written_to_find_that_out(middle, monkeypatch):
+    """An axis of 540 pixels wrote up to 10,000 numbers to choose its ticks, at every step of a zoom."""
+    written = noted_calls(monkeypatch, ticks, "number")
+    for exponent, digit in product(range(-6, 10), (1.0, 1.7, 2.9, 4.4, 7.3)):
+        half = digit * 10.0**exponent
+        if half < 1e-12 * abs(middle):
+            continue
+        seen = Stretch(middle - half, middle + half, 540.0)
+        own = nice_step(80.0 / seen.scale)
+        for room in (
+            LabelRoom(lambda text: 7.0 * len(text), lambda _text: 13.0, 14.0, 13.0, 25.0, 10.0),
+            LabelRoom(lambda _text: 13.0, lambda text: 7.0 * len(text), 8.0, 40.0, 3.0, 3.0),
+        ):
+            written.clear()
+            assert len(choose_ticks(seen, own / 5, own, room).labels) >= LEAST_LABELS
+            assert len(written) < seen.size / 2
 
 
 def test_what_snaps_to_the_grid_meets_a_fine_line_both_ways(editor):
