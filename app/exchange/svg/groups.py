@@ -14,6 +14,14 @@ if TYPE_CHECKING:
     from .state import State
 
 
+@dataclass(frozen=True, eq=False)
+class Anchor:
+    """What in a file shows something: its element, or the outermost `use` of it; with the state around."""
+
+    element: ET.Element
+    around: State
+
+
 @dataclass(frozen=True)
 class Group:
     """A group around shapes.
@@ -26,22 +34,14 @@ class Group:
         What the file calls it; empty where it does not.
     is_layer
         Whether it is a layer of Inkscape's, in nothing but layers.
-    element
+    anchor
         What it is in the file.
     """
 
     number: int
     name: str
     is_layer: bool = False
-    element: ET.Element | None = field(default=None, compare=False)
-
-
-@dataclass(frozen=True, eq=False)
-class Anchor:
-    """What in a file shows a shape: its element, or the outermost `use` of it; with the state around."""
-
-    element: ET.Element
-    around: State
+    anchor: Anchor | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, eq=False)

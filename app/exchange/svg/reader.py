@@ -184,7 +184,7 @@ class SvgReader:
         elif tag == "use":
             yield from self._used(element, replace(state, anchor=anchor), depth)
         elif tag in _CONTAINERS:
-            yield from self._contained(element, tag, state, depth)
+            yield from self._contained(element, tag, state, depth, anchor)
         count = len(self._shapes) - first
         if count and state.properties.is_visible:
             self._miss_effects(element, declared, state, is_many=count > 1)
@@ -211,11 +211,13 @@ class SvgReader:
             is_locked=state.is_locked or element.get(INSENSITIVE) == "true",
         )
 
-    def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
+    def _contained(
+        self, element: ET.Element, tag: str, state: State, depth: int, anchor: Anchor | None
+    ) -> Iterator[Drawn]:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
         if not is_around_copied and (tag == "g" or (depth > 0 and name_of(element))):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
-            group = Group(self._visited, name_of(element), is_layer, element)
+            group = Group(self._visited, name_of(element), is_layer, anchor)
             state = replace(state, groups=(*state.groups, group))
         if tag == "svg" and depth > 0:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
@@ -259,7 +261,7 @@ class SvgReader:
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (x, y))
             entered = self._entered(target, self._cascade.of(target), state)
-            yield from self._contained(target, "symbol", entered, depth + 1)
+            yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
         else:
             state = replace(state, matrix=combined(state.matrix, _moving(x, y)))
             yield from self._drawn(target, state, depth + 1)

@@ -87,6 +87,13 @@ def is_plain_path(node: Node, found: Found) -> bool:
     return node.tag == "path" and not is_more and not hangs and not found.style.is_placed
 
 
+def move_whole(node: Node, around: FloatArray, by: FloatArray) -> None:
+    """Move an element with all that is in it; `around` is the map of what is around it."""
+    own = transform_of(node.get("transform") or "")
+    inner = combined(combined(inverse_of(around), by), around)
+    node.set("transform", _transform(combined(inner, own)))
+
+
 def move(node: Node, found: Found, by: FloatArray) -> None:
     """Move an element as it is, with all that hangs at its place."""
     around = found.drawn[0].anchor.around.matrix
@@ -99,7 +106,7 @@ def move(node: Node, found: Found, by: FloatArray) -> None:
     )
     if is_shift and not hangs and _shifted(node, inverse_of(own)[:, :2] @ inner[:, 2]):
         return
-    node.set("transform", _transform(combined(inner, own)))
+    move_whole(node, around, by)
 
 
 def _shifted(node: Node, by: FloatArray) -> bool:

@@ -21,6 +21,7 @@ from ...errors import ExchangeError
 from ..groups import Drawn, settled
 from ..guides import guides_of
 from ..reader import SvgReader, is_seen, with_line
+from ..state import State
 from ..xml_tree import parsed
 from .source import Node, Source, SourceError
 
@@ -147,7 +148,9 @@ class Reading:
     seen
         Those of them that come in.
     groups
-        The names of the groups of those, by their elements.
+        The names of the groups around those, by their elements.
+    states
+        The states around these groups.
     layers
         The elements that are layers.
     nodes, root
@@ -168,13 +171,14 @@ class Reading:
         seen = [each for each in drawn if is_seen(each)] or [with_line(each) for each in drawn]
         told = settled(seen)
         named = {each.element: path.look for each, path in zip(seen, told.paths, strict=True)}
-        groups = [
-            (of_element[each.element], each, name)
-            for each, name in told.names.items()
-            if each.element is not None
-        ]
-        self.groups = {node: name for node, _, name in groups}
-        self.layers = {node for node, group, _ in groups if group.is_layer}
+        self.states: dict[Node, State] = {}
+        self.groups: dict[Node, str] = {}
+        self.layers: set[Node] = set()
+        for group in dict.fromkeys(group for each in seen for group in each.anchor.around.groups):
+            if group.anchor is not None and group in told.names:
+                node = of_element[group.anchor.element]
+                self.states[node], self.groups[node] = group.anchor.around, told.names[group]
+                self.layers |= {node} if group.is_layer else set()
 
         def found(parts: Sequence[Drawn]) -> Found:
             first, look = parts[0], named.get(parts[0].element)
@@ -182,7 +186,7 @@ class Reading:
             return Found(
                 tuple(parts),
                 of_element[first.anchor.element],
-                tuple(of_element[each.element] for each in around if each.element is not None),
+                tuple(of_element[each.anchor.element] for each in around if each.anchor is not None),
                 (look.shape if look else "") or first.path.name,
                 look.groups if look else (),
             )

@@ -11,7 +11,7 @@ from msgspec.structs import astuple, replace
 
 from curvecore.arrays import FloatArray
 
-from ....document.gradient import Gradient
+from ....document.gradient import Gradient, GradientKind
 from ....document.model import Vector
 from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, Style
 from ....document.value import Value
@@ -25,20 +25,21 @@ _ROUNDING = 1e-6
 
 
 class Part(NamedTuple):
-    """Fields of a style that are declared together, and the properties that do."""
+    """Fields of a style that are declared together, the properties that do, and the paint that shows them."""
 
     fields: tuple[str, ...]
     properties: tuple[str, ...]
+    paint: str = "stroke"
 
 
 _PARTS = (
-    Part(("fill", "fill_opacity", "fill_gradient"), ("fill", "fill-opacity")),
-    Part(("fill_rule",), ("fill-rule",)),
+    Part(("fill", "fill_opacity", "fill_gradient"), ("fill", "fill-opacity"), "fill"),
+    Part(("fill_rule",), ("fill-rule",), "fill"),
     Part(("stroke", "stroke_opacity", "stroke_gradient"), ("stroke", "stroke-opacity")),
     Part(("width", "dash", "dash_offset"), ("stroke-width", "stroke-dasharray", "stroke-dashoffset")),
     Part(("cap",), ("stroke-linecap",)),
     Part(("join", "miter_limit"), ("stroke-linejoin", "stroke-miterlimit")),
-    Part(("opacity",), ("opacity",)),
+    Part(("opacity",), ("opacity",), ""),
 )
 
 
@@ -72,7 +73,7 @@ class Looks:
             style = replace(style, fill_rule=FillRule.NONZERO, fill_opacity=1.0, fill_gradient=None)
         for name, gradient in style.gradients.items():
             stops = tuple(replace(stop, colour=stop.colour or self._picture.ink) for stop in gradient.stops)
-            style = replace(style, **{name: replace(gradient, stops=stops)})
+            style = replace(style, **{name: _plainest(replace(gradient, stops=stops))})
         # The colour that stands for a gradient is not drawn.
         flat = {name: "" for name, field in GRADIENTS.items() if getattr(style, field) is not None}
         return replace(style, **flat)
@@ -80,10 +81,14 @@ class Looks:
     def differing(self, one: Style, other: Style) -> tuple[Part, ...]:
         """Return the parts in which two styles are drawn differently."""
         one, other = self.shown(one), self.shown(other)
+        painted = {"fill": one.has_fill, "stroke": one.has_stroke}
+        # What an element says of a stroke that it does not have is not read.
+        new = {paint for paint, was in painted.items() if not was and getattr(other, paint) != NO_PAINT}
         return tuple(
             part
             for part in _PARTS
-            if not all(self._is_same(getattr(one, name), getattr(other, name)) for name in part.fields)
+            if part.paint in new
+            or not all(self._is_same(getattr(one, name), getattr(other, name)) for name in part.fields)
         )
 
     def _is_same(self, one: object, other: object) -> bool:
@@ -133,6 +138,24 @@ class Looks:
             "stroke-miterlimit": number(style.miter_limit),
             "opacity": number(style.opacity / around if around else style.opacity),
         }
+
+
+def _plainest(gradient: Gradient) -> Gradient:
+    """Return the one of the gradients that look the same whose axes are at right angles, if there is one."""
+    if gradient.is_flat:
+        return gradient
+    (x, y), ((a, b), (c, d)) = gradient.start, gradient.axes
+    if gradient.kind is GradientKind.LINEAR:
+        # Only what its end has across the lines of one colour counts.
+        share = (a * d - b * c) / (c * c + d * d)
+        a, b = share * d, -share * c
+    elif abs(a * c + b * d) > _ROUNDING * (a * a + b * b) or not math.isclose(
+        math.hypot(a, b), math.hypot(c, d), rel_tol=_ROUNDING
+    ):
+        return gradient
+    else:
+        a, b = math.hypot(a, b), 0.0
+    return replace(gradient, end=(x + a, y + b), side=(x - b, y + a))
 
 
 def _upside_down(gradient: Gradient, inverse: FloatArray) -> Gradient:

@@ -76,8 +76,8 @@ class Placing:
     ----------
     nodes
         The element of each entry.
-    groups
-        That of each group, by its name.
+    groups, owners
+        That of each group, by its name, and all elements that are groups, and the outermost one.
     """
 
     def __init__(
@@ -86,6 +86,7 @@ class Placing:
         entries: Sequence[Entry],
         groups: Mapping[str, GroupWanted],
         removed: Sequence[int],
+        dissolved: Sequence[int],
     ) -> None:
         self._source, self._groups = source, groups
         self._all = list(source.root.walk())
@@ -93,7 +94,8 @@ class Placing:
         free = {each.identity for each in entries} & {self._all[each].get("id") or "" for each in removed}
         self._ids = Names(source.ids - free, between="_")
         self.groups = {name: self._group(each) for name, each in groups.items()}
-        self._owners = {*self.groups.values(), source.root}
+        self._kept = {*self.groups.values(), source.root}
+        self.owners = {*self._kept, *(self._all[each] for each in dissolved)}
         for number in removed:
             self._remove(self._all[number])
         self.nodes = [self._shape(each) for each in entries]
@@ -149,7 +151,7 @@ class Placing:
         """Take out groups that nothing is left in, but for layers and those that something comes to."""
         is_layer = any(name.endswith(":groupmode") for name in node.names)
         is_empty = all(each.tag in _NOTES for each in node.elements)
-        if node.tag in _HOLDERS and is_empty and not is_layer and node not in self._owners and node.parent:
+        if node.tag in _HOLDERS and is_empty and not is_layer and node not in self._kept and node.parent:
             around = node.parent
             node.take_out()
             self._prune(around)
@@ -182,7 +184,7 @@ class Placing:
 
     def _owner(self, node: Node) -> Node | None:
         around = node.parent
-        while around is not None and around not in self._owners:
+        while around is not None and around not in self.owners:
             around = around.parent
         return around
 
@@ -243,7 +245,8 @@ def definitions(source: Source) -> Node:
 def show(node: Node, visible: bool) -> None:
     """Show or hide an element."""
     if not visible:
-        declare(node, "display", "none")
+        # Not as an attribute: Inkscape would not show it again.
+        declare(node, "display", "none", has_rules=True)
         return
     if declares(node, "display"):
         declare(node, "display", "inline")

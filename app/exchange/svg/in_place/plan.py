@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from .found import Found, Reading, Wanted
 from .looks import value_of
@@ -24,11 +25,14 @@ class Plan:
         The groups around, by their names.
     removed
         The places, among all of the file, of those that show nothing any more.
+    dissolved
+        Those of groups that are none any more.
     """
 
     entries: tuple[Entry, ...]
     groups: Mapping[str, GroupWanted]
     removed: tuple[int, ...]
+    dissolved: tuple[int, ...]
 
 
 class Planner:
@@ -62,7 +66,6 @@ class Planner:
             if place in taken:
                 self._units[shape.node].append(place)
         self._number = {node: number for number, node in enumerate(base.nodes)}
-        self._physical = {node for shape in base.seen for node in shape.around}
 
     def plan(self, anew: Collection[int]) -> Plan:
         """Return the plan with some elements, by their places in the file, to be written anew."""
@@ -76,7 +79,11 @@ class Planner:
             if node is not None:
                 kept.add(node)
         removed = tuple(self._number[node] for node in self._units if node not in kept)
-        return Plan(tuple(entries), self._group_plan(entries), removed)
+        groups = self._group_plan(entries)
+        inside = {each for node in self._units for each in self._base.seen[self._units[node][0]].around}
+        known = {self._number[node] for node in inside if node in self._base.groups}
+        dissolved = tuple(known - {each.number for each in groups.values()})
+        return Plan(tuple(entries), groups, removed, dissolved)
 
     def _entry(self, place: int, anew: Collection[int], kept: Collection[Node]) -> tuple[Entry, Node | None]:
         """Return what shows a shape, and those behind that the same element shows, and that element."""
@@ -114,13 +121,24 @@ class Planner:
             for depth, name in enumerate(entry.groups):
                 inside[name] += entry.shapes
                 depths[name] = depth
-        known = {name: node for node, name in self._base.groups.items() if node in self._physical}
+        known = {name: node for node, name in self._base.groups.items()}
         nodes = {name: known[name] for name in inside if name in known}
         for name, places in inside.items():
             was = self._former(places, depths[name])
             if name not in nodes and was and was not in inside and known[was] not in nodes.values():
                 nodes[name] = known[was]
-        return {name: self._group(name, places, nodes.get(name)) for name, places in inside.items()}
+        groups = {name: self._group(name, places, nodes.get(name)) for name, places in inside.items()}
+        for entry in entries:
+            for outer, name in pairwise(entry.groups):
+                # What is hidden or locked with all around it is not itself.
+                hides, locks = (groups[outer].hides, groups[outer].locks)
+                inner = groups[name]
+                groups[name] = replace(
+                    inner,
+                    hides=None if hides and inner.hides else inner.hides,
+                    locks=None if locks and inner.locks else inner.locks,
+                )
+        return groups
 
     def _former(self, places: Iterable[int], depth: int) -> str:
         """Return what the group of some shapes was called; empty if they were not in one."""

@@ -28,7 +28,7 @@ from ..gradient_elements import GradientElements
 from ..matrices import combined, is_uneven, mean_scale, moved
 from ..our_own import OurOwn
 from ..sheet import Sheet
-from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, redraw
+from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, move_whole, redraw
 from .found import Found, Reading, Wanted, runs_as
 from .looks import Looks, declare_style
 from .matching import matched
@@ -157,9 +157,11 @@ class _Round:
 
     def __init__(self, job: _Rewriting, source: Source, plan: Plan, ways: dict[int, Way]) -> None:
         self._job, self._source, self._plan = job, source, plan
-        self._placing = Placing(source, plan.entries, plan.groups, plan.removed)
+        self._placing = Placing(source, plan.entries, plan.groups, plan.removed, plan.dissolved)
         set_page(source, job.base.sheet, job.document.page, job.document.unit)
         placed = Reading(source)
+        if self._move_groups(placed):
+            placed = Reading(source)
         set_guides(source, placed, job.document.guides)
         self._gradients = GradientElements(INK, Names(source.ids, between="_"))
         self.wrong: list[int | None] = []
@@ -174,6 +176,24 @@ class _Round:
             self.wrong = self._check(Reading(source))
 
     # Changes
+
+    def _move_groups(self, reading: Reading) -> bool:
+        """Move groups of which everything moved alike, with what else is in them; return whether some did."""
+        shapes, done = _by_node(reading), set[str]()
+        entries = list(zip(self._plan.entries, self._placing.nodes, strict=True))
+        for name, group in self._plan.groups.items():
+            inside = [(entry, node) for entry, node in entries if name in entry.groups]
+            if group.number is None or group.is_layer or done & set(inside[0][0].groups):
+                continue
+            found = [shape for _, node in inside for shape in shapes.get(node, [])]
+            wanted = [self._job.wanted[each] for entry, _ in inside for each in entry.shapes]
+            if any(runs_as(*pair, self._job.room) for pair in zip(found, wanted, strict=False)):
+                continue
+            by, node = motion_of(found, wanted, self._job.room), self._placing.groups[name]
+            if by is not None and not is_uneven(by) and node in reading.states:
+                move_whole(node, reading.states[node].matrix, by)
+                done.add(name)
+        return bool(done)
 
     def _adapt(self, node: Node, found: list[Found], wanted: list[Wanted], way: Way) -> bool:
         """Make an element show shapes of the document; return whether it can."""
@@ -242,8 +262,7 @@ class _Round:
         order = [shape.node for shape in reading.shapes if shape.node in set(nodes)]
         if list(dict.fromkeys(order)) != nodes:
             return [None]
-        groups = self._placing.groups
-        owners = set(groups.values())
+        groups, owners = self._placing.groups, self._placing.owners
         for entry, node in zip(self._plan.entries, nodes, strict=True):
             around = [each for each in shapes[node][0].around if each in owners]
             if around != [groups[name] for name in entry.groups]:

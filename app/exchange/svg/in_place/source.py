@@ -124,11 +124,9 @@ class Node:
     def put_last(self, parent: Node) -> None:
         """Put it, which is nowhere, at the end of another one."""
         last = max((i for i, each in enumerate(parent.children) if isinstance(each, Node)), default=-1)
-        if last < 0 and (parent.parent is not None):
-            parent.insert(0, self)
-            parent.children.append(parent._gap_before())
-        else:
-            parent.insert(last + 1, self)
+        parent.insert(last + 1, self)
+        if last < 0 and parent.parent is not None and (gap := parent._gap_before()):
+            parent.children[-1:] = [f"{gap}  ", self, gap]
 
     def _gap_before(self) -> str:
         parent, place = self._place()
