@@ -13,7 +13,8 @@ from .xml_tree import tag_of
 
 MARK = "Largest deviation from the true curves"
 EXACT = "Its curves are exactly those of the document"
-MARKS = (MARK, EXACT)
+CLOSE = "Its curves are those of the document"
+MARKS = (MARK, EXACT, CLOSE)
 """Words of which some are in the metadata of every picture."""
 
 _NOTES = ("metadata", "desc")

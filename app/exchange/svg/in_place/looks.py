@@ -78,8 +78,8 @@ class Looks:
         flat = {name: "" for name, field in GRADIENTS.items() if getattr(style, field) is not None}
         return replace(style, **flat)
 
-    def differing(self, one: Style, other: Style) -> tuple[Part, ...]:
-        """Return the parts in which two styles are drawn differently."""
+    def differing(self, one: Style, other: Style, *, with_gradients: bool = False) -> tuple[Part, ...]:
+        """Return the parts in which two styles are drawn differently, or with all gradients of the other."""
         one, other = self.shown(one), self.shown(other)
         painted = {"fill": one.has_fill, "stroke": one.has_stroke}
         # What an element says of a stroke that it does not have is not read.
@@ -88,6 +88,7 @@ class Looks:
             part
             for part in _PARTS
             if part.paint in new
+            or (with_gradients and not other.gradients.keys().isdisjoint(part.fields))
             or not all(self._is_same(getattr(one, name), getattr(other, name)) for name in part.fields)
         )
 

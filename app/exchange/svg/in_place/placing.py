@@ -14,6 +14,7 @@ from .looks import declare, declares
 from .source import Node, Source
 
 _NOTES = ("title", "desc", "metadata")
+_REFERENCE = re.compile(r"""["'(]#([^"')]+)["')]""")
 _HOLDERS = ("g", "a", "switch")
 
 
@@ -96,8 +97,7 @@ class Placing:
         self.groups = {name: self._group(each) for name, each in groups.items()}
         self._kept = {*self.groups.values(), source.root}
         self.owners = {*self._kept, *(self._all[each] for each in dissolved)}
-        for number in removed:
-            self._remove(self._all[number])
+        self._remove([self._all[each] for each in removed])
         self.nodes = [self._shape(each) for each in entries]
         self._arrange(source.root, list(zip(entries, self.nodes, strict=True)), 0)
 
@@ -135,26 +135,33 @@ class Placing:
             node.set(self._source.inkscape("label"), entry.name)
         return node
 
-    def _remove(self, node: Node) -> None:
-        """Take an element out; one that something else refers to is only not shown any more."""
-        if node.parent is None:
-            return
+    def _remove(self, nodes: Sequence[Node]) -> None:
+        """Take elements out; one that something else refers to is only not shown any more."""
+        out = [node for node in nodes if node.parent is not None]
+        for node in out:
+            self._take_away(node)
+        while out:
+            referred = set(_REFERENCE.findall(self._source.text))
+            wanted = [node for node in out if any(each.get("id") in referred for each in node.walk())]
+            if not wanted:
+                return
+            for node in wanted:
+                node.put_last(definitions(self._source))
+            out = [node for node in out if node.parent is None]
+
+    def _take_away(self, node: Node) -> None:
+        """Take an element out, and the groups around it that nothing is left in."""
         around = node.parent
         node.take_out()
-        self._prune(around)
-        text = self._source.data.decode(errors="replace")
-        names = [re.escape(each.get("id") or "") for each in node.walk() if each.get("id")]
-        if names and re.search(rf"#(?:{'|'.join(names)})['\")\s]", text):
-            node.put_last(definitions(self._source))
+        if around is not None:
+            self._prune(around)
 
     def _prune(self, node: Node) -> None:
         """Take out groups that nothing is left in, but for layers and those that something comes to."""
         is_layer = any(name.endswith(":groupmode") for name in node.names)
         is_empty = all(each.tag in _NOTES for each in node.elements)
         if node.tag in _HOLDERS and is_empty and not is_layer and node not in self._kept and node.parent:
-            around = node.parent
-            node.take_out()
-            self._prune(around)
+            self._take_away(node)
 
     # Order
 
@@ -168,9 +175,7 @@ class Placing:
         staying = self._staying(container, nodes)
         for node in nodes:
             if node not in staying and node.parent is not None:
-                around = node.parent
-                node.take_out()
-                self._prune(around)
+                self._take_away(node)
         self._put(container, nodes, staying)
         for node, inner in items:
             if inner:

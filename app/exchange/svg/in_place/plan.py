@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+import re
+from collections import Counter, defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -33,6 +34,10 @@ class Plan:
     groups: Mapping[str, GroupWanted]
     removed: tuple[int, ...]
     dissolved: tuple[int, ...]
+
+
+_NUMBERED = re.compile(r"\w+( \d+)?( \(\d+\))?")
+"""A name that the reader gives to what has none."""
 
 
 class Planner:
@@ -97,7 +102,8 @@ class Planner:
         is_whole = [self._pairs.get(each) for each in places] == unit and found.node not in kept
         groups = self._outer(found, wanted)
         if is_whole and groups is not None and number not in anew:
-            name = wanted.name if len(unit) == 1 and wanted.name != found.name else ""
+            is_renamed = wanted.name != found.name and not _is_unnamed(found.node, wanted.name)
+            name = wanted.name if is_renamed and len(unit) == 1 else ""
             return Entry(places, groups, number, name=name), found.node
         identity = (found.node.get("id") or "") if len(unit) == 1 else ""
         return Entry((place,), wanted.groups, None, identity, wanted.name), None
@@ -121,12 +127,7 @@ class Planner:
             for depth, name in enumerate(entry.groups):
                 inside[name] += entry.shapes
                 depths[name] = depth
-        known = {name: node for node, name in self._base.groups.items()}
-        nodes = {name: known[name] for name in inside if name in known}
-        for name, places in inside.items():
-            was = self._former(places, depths[name])
-            if name not in nodes and was and was not in inside and known[was] not in nodes.values():
-                nodes[name] = known[was]
+        nodes = self._group_nodes(inside, depths)
         groups = {name: self._group(name, places, nodes.get(name)) for name, places in inside.items()}
         for entry in entries:
             for outer, name in pairwise(entry.groups):
@@ -140,11 +141,31 @@ class Planner:
                 )
         return groups
 
-    def _former(self, places: Iterable[int], depth: int) -> str:
-        """Return what the group of some shapes was called; empty if they were not in one."""
-        origins = [self._base.seen[self._pairs[each]] for each in places if each in self._pairs]
-        names = {self._outer_names(found)[depth : depth + 1] for found in origins}
-        return names.pop()[0] if len(names) == 1 and () not in names else ""
+    def _group_nodes(
+        self, inside: Mapping[str, Sequence[int]], depths: Mapping[str, int]
+    ) -> Mapping[str, Node]:
+        """Return the element of each group that there is in the file: of its name, or around its shapes."""
+        known = {name: node for node, name in self._base.groups.items()}
+        nodes: dict[str, Node] = {}
+        around = {
+            name: [
+                self._outer_names(self._base.seen[self._pairs[each]])
+                for each in places
+                if each in self._pairs
+            ]
+            for name, places in inside.items()
+        }
+        same = {name: name for name, outer in around.items() if any(name in each for each in outer)}
+        at_depth = {
+            name: [each[depths[name]] for each in outer if len(each) > depths[name]]
+            for name, outer in around.items()
+        }
+        former = {name: Counter(outer).most_common(1)[0][0] for name, outer in at_depth.items() if outer}
+        for wishes in (same, former, {name: name for name in inside if name in known}):
+            for name, wish in wishes.items():
+                if name not in nodes and known[wish] not in nodes.values():
+                    nodes[name] = known[wish]
+        return nodes
 
     def _group(self, name: str, places: Iterable[int], node: Node | None) -> GroupWanted:
         is_layer = name in self._layers
@@ -162,7 +183,7 @@ class Planner:
             name,
             self._number[node],
             is_layer,
-            name != self._base.groups[node],
+            name != self._base.groups[node] and not _is_unnamed(node, name),
             is_layer != (node in self._base.layers),
             hides,
             locks,
@@ -174,3 +195,9 @@ def _as_a_whole(all_now: bool, all_before: bool, group_is: bool) -> bool | None:
     if all_now and not all_before:
         return None if group_is else True
     return False if group_is and not all_now else None
+
+
+def _is_unnamed(node: Node, name: str) -> bool:
+    """Whether an element has no name, and the document none that somebody gave it."""
+    has_name = any(each == "id" or each.endswith((":label", "data-name")) for each in node.names)
+    return not has_name and _NUMBERED.fullmatch(name) is not None

@@ -15,7 +15,8 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ....document.model import Document, Vector
+from ....document.model import Curve, Document, Vector
+from ....document.shapes import shapes
 from ....tasks.progress import Report, part, silent
 from ...corner import shifted
 from ...drawing.drawing import Drawing, drawing_of
@@ -31,7 +32,7 @@ from ..sheet import Sheet
 from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, move_whole, redraw
 from .found import Found, Reading, Wanted, runs_as
 from .looks import Looks, declare_style
-from .matching import matched
+from .matching import origins
 from .placing import Placing, definitions, lock, show
 from .plan import Plan, Planner
 from .sheets import set_guides, set_page
@@ -80,9 +81,8 @@ def rewritten(
         return None
     placed = _in_file(document, base.sheet)
     drawing = drawing_of(placed, None, part(report, 0.0, 0.3), with_hidden=True)
-    before = None if begun is None else drawing_of(_in_file(begun, base.sheet), with_hidden=True)
     try:
-        result = _Rewriting(data, base, placed, drawing, before).result(part(report, 0.3, 1.0))
+        result = _Rewriting(data, base, placed, drawing, begun).result(part(report, 0.3, 1.0))
     except (SourceError, ExchangeError, np.linalg.LinAlgError) as problem:
         _log.info("a file is not kept: %s", type(problem).__name__)
         return None
@@ -111,7 +111,7 @@ class _Rewriting:
     """
 
     def __init__(
-        self, data: bytes, base: Reading, document: Document, drawing: Drawing, before: Drawing | None
+        self, data: bytes, base: Reading, document: Document, drawing: Drawing, begun: Document | None
     ) -> None:
         self._data, self.base, self.document = data, base, document
         self.wanted = [Wanted(each) for each in drawing.all_shapes]
@@ -120,13 +120,23 @@ class _Rewriting:
             self.reach = max(self.reach, page.width, page.height)
         self.room = _ROUNDING * self.reach
         self.looks = Looks(INK, drawing.usual_width, self.reach)
-        pairs = matched(self.wanted, base.seen, self.reach)
-        taken = set(range(len(base.seen)))
-        if before is not None:
-            known = matched([Wanted(each) for each in before.all_shapes], base.seen, self.reach)
-            taken = {*pairs.values(), *known.values()}
-        self._planner = Planner(self.wanted, base, pairs, taken, document.layers)
+        before = None if begun is None else self._begun(_in_file(begun, base.sheet))
+        known = origins(self.wanted, before, base.seen, self.reach)
+        self._planner = Planner(self.wanted, base, known.pairs, known.taken, document.layers)
         self.has_rules = b"<style" in data or b":style" in data
+
+    def _begun(self, begun: Document) -> list[Wanted]:
+        """Return the shapes that the document began with; those that it still has are not computed again."""
+        now = {_curves(self.document, each): place for place, each in enumerate(shapes(self.document.curves))}
+        before = [_curves(begun, each) for each in shapes(begun.curves)]
+        gone = [each for each in before if each not in now]
+        # Only where they run counts.
+        curves = tuple(replace(curve, visible=True) for each in gone for curve in each)
+        other = drawing_of(replace(begun, curves=curves)).all_shapes if gone else []
+        if len(now) != len(self.wanted) or len(other) != len(gone):
+            return [Wanted(each) for each in drawing_of(begun, with_hidden=True).all_shapes]
+        rest = iter(map(Wanted, other))
+        return [self.wanted[now[each]] if each in now else next(rest) for each in before]
 
     def result(self, report: Report) -> bytes | None:
         """Return the file; None where it cannot be kept."""
@@ -143,6 +153,11 @@ class _Rewriting:
                     return None
                 ways[number] = Way(ways.get(number, Way.IN_ITS_PLACE) + 1)
         return None
+
+
+def _curves(document: Document, places: range) -> tuple[Curve, ...]:
+    """Return the curves of a shape."""
+    return document.curves[places.start : places.stop]
 
 
 class _Round:
@@ -210,7 +225,7 @@ class _Round:
             else:
                 redraw(node, wanted[0], inverse_of(matrix))
         return all(
-            self._show_as(node, *pair, by, is_alone=len(wanted) == 1)
+            self._show_as(node, *pair, by, way, is_alone=len(wanted) == 1)
             for pair in zip(found, wanted, strict=True)
         )
 
@@ -221,7 +236,9 @@ class _Round:
         by = motion_of(found, wanted, self._job.room)
         return None if by is None or is_uneven(by) else by
 
-    def _show_as(self, node: Node, found: Found, wanted: Wanted, by: FloatArray, *, is_alone: bool) -> bool:
+    def _show_as(
+        self, node: Node, found: Found, wanted: Wanted, by: FloatArray, way: Way, *, is_alone: bool
+    ) -> bool:
         """Give an element that was moved the look of a shape of the document; return whether it can be."""
         drawn, stretch = found.drawn[0], mean_scale(by)
         style = (
@@ -230,7 +247,8 @@ class _Round:
             else replace(found.style, width=found.style.width * stretch)
         )
         style = style.mapped(lambda place: _pair(moved(np.array(place), by)))
-        parts = self._job.looks.differing(style, wanted.style)
+        # A gradient may hang on the box around the element, which is another one now.
+        parts = self._job.looks.differing(style, wanted.style, with_gradients=way is Way.REDRAWN)
         own = is_alone and not found.is_used
         if (parts or found.visible != wanted.visible) and not own:
             return False
@@ -259,7 +277,8 @@ class _Round:
         ]
         if wrong:
             return wrong
-        order = [shape.node for shape in reading.shapes if shape.node in set(nodes)]
+        ours = set(nodes)
+        order = [shape.node for shape in reading.shapes if shape.node in ours]
         if list(dict.fromkeys(order)) != nodes:
             return [None]
         groups, owners = self._placing.groups, self._placing.owners

@@ -124,8 +124,11 @@ class Node:
     def put_last(self, parent: Node) -> None:
         """Put it, which is nowhere, at the end of another one."""
         last = max((i for i, each in enumerate(parent.children) if isinstance(each, Node)), default=-1)
+        gap = parent._gap_before() if last < 0 and parent.parent is not None else ""
+        if gap:
+            parent.children = [each for each in parent.children if isinstance(each, Node) or each.strip()]
         parent.insert(last + 1, self)
-        if last < 0 and parent.parent is not None and (gap := parent._gap_before()):
+        if gap:
             parent.children[-1:] = [f"{gap}  ", self, gap]
 
     def _gap_before(self) -> str:
@@ -190,13 +193,18 @@ class Source:
     @property
     def data(self) -> bytes:
         """The file."""
+        return self.text.encode(self._encoding, "xmlcharrefreplace")
+
+    @property
+    def text(self) -> str:
+        """The file as text."""
         parts: list[str] = []
         for each in self._around.children:
             if isinstance(each, Node):
                 each.write(parts)
             else:
                 parts.append(each)
-        return "".join(parts).encode(self._encoding, "xmlcharrefreplace")
+        return "".join(parts)
 
     def named(self, space: str, name: str) -> str:
         """Return a name of a name space as it is written in this file, which may have to declare that."""
