@@ -228,18 +228,22 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
 
 def opened_with_more(editor, tmp_path):
     """Open a file that holds more than curves; return its place and what it holds."""
-    blank(editor)
     path = tmp_path / "layers.svg"
     cut = '<clipPath id="c"><circle r="1"/></clipPath><text id="Title" x="1" y="2">Hi</text>'
     whole = INCH.replace("<path ", f'{cut}<path clip-path="url(#c)" ')
     path.write_text(whole, encoding="utf-8")
+    open_as_document(editor, path)
+    return path, whole
+
+
+def open_as_document(editor, path):
+    blank(editor)
     editor.window.commands[ExchangeCommands].import_files([path], opened=path)
     editor.wait_for_work()
     dialog = editor.window.findChild(QDialog, "importDrawingDialog")
     drawn(editor, dialog)
     QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
     editor.settle()
-    return path, whole
 
 
 def overwrite(editor):
@@ -267,6 +271,25 @@ def test_overwrite_keeps_what_did_not_come_in(editor, tmp_path):
         assert found.endswith(after)
     (back,), (mine,) = import_file(path).document.curves, editor.session.document.curves
     assert [each.position for each in back.points] == [each.position for each in mine.points]
+
+
+def test_one_path_that_is_dragged_is_all_that_changes_in_a_file_of_inkscape(editor, tmp_path):
+    """Layers, text, clips, filters, clones, guides and names of what was not touched stay as they were."""
+    path, whole = tmp_path / "badge.svg", SVG.parent / "overwrite" / "badge.svg"
+    before = whole.read_text(encoding="utf-8").splitlines()
+    path.write_bytes(whole.read_bytes())
+    open_as_document(editor, path)
+    # The middle of the wave, from the lower left corner of the page.
+    editor.escape()
+    editor.drag((32, 24.5), to=(37, 27))
+    assert editor.session.undo_stack.undoText() == "Move wave"
+    overwrite(editor)
+    after = path.read_text(encoding="utf-8").splitlines()
+    changed = [line.strip() for line in before if line not in after]
+    assert changed == ['d="m 20,60 c 5,-10 15,-10 20,0"', 'id="wave"', 'sodipodi:nodetypes="cc" />']
+    course, name = [line.strip() for line in after if line not in before]
+    assert [float(each) for each in course.split()[1:3]] == pytest.approx([25, 57.5], abs=0.5)
+    assert name == 'id="wave" />'
 
 
 def test_overwrite_asks_before_it_changes_what_another_program_has_written(editor, tmp_path):
