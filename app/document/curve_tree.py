@@ -9,6 +9,7 @@ from itertools import takewhile
 import msgspec
 
 from .model import Curve, Document
+from .words import count_of
 
 
 class NodeKind(Enum):
@@ -118,6 +119,12 @@ def _run_end(curves: Sequence[Curve], place: int, depth: int, stop: int) -> int:
     while end < stop and curves[end].groups[: depth + 1] == path:
         end += 1
     return end
+
+
+def counted_nodes(nodes: Sequence[Node]) -> str:
+    """Return "3 curves", or "2 objects" where shapes or groups are among them."""
+    are_curves = all(node.kind is NodeKind.CURVE for node in nodes)
+    return count_of(len(nodes), "curve" if are_curves else "object")
 
 
 def group_around(curves: Sequence[Curve], place: int, depth: int) -> range:

@@ -13,7 +13,7 @@ from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, Requirement, above, at_least, between, printed
-from .style import PLAIN_STYLE, Style
+from .style import PLAIN_STYLE, USUAL_WIDTH, Style
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
@@ -338,6 +338,11 @@ class Page(Value, frozen=True, omit_defaults=False):
     y: Length
     width: Annotated[Length, above(0)]
     height: Annotated[Length, above(0)]
+
+    @property
+    def usual_width(self) -> float:
+        """Width of a line on it whose style says none."""
+        return USUAL_WIDTH * max(self.width, self.height)
 
 
 class Document(Value, frozen=True):

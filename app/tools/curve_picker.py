@@ -13,6 +13,7 @@ from .drag_machine import EditingHost
 from .drags import Refuse
 from .pointer import Cursor, Hint, Hit, Part
 from .tool import ToolContext
+from .transform_drags import moving
 
 
 class CurvePicker:
@@ -42,12 +43,10 @@ class CurvePicker:
 
     def press(self, context: ToolContext, hit: Hit) -> None:
         """Begin to drag what is hit, with all that is chosen together with it; or a click."""
-        host, target, pointer = context.host, context.target, context.pointer
         group = _dragged(context, hit)
-        if refusal := target.refusal_of(group):
-            context.drags.press(pointer, Refuse(host.document, refusal), lambda: click_curve(context, hit))
-        else:
-            context.drags.press(pointer, target.moving(group, pointer), lambda: click_curve(context, hit))
+        refusal = context.target.refusal_of(group)
+        drag = Refuse(context.host.document, refusal) if refusal else moving(context, group)
+        context.drags.press(context.pointer, drag, lambda: click_curve(context, hit))
 
     def unpick(self, context: ToolContext) -> None:
         """Choose the active curve alone; while none is edited, none at all."""
@@ -102,7 +101,7 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     if is_chosen:
         if is_editing:
             return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
-        grips = "scale" if context.host.selected.turns else "rotate and skew"
+        grips = "scale" if context.host.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
         return f"{click}Double-click to edit “{name}” · Shift: one axis, a click takes it out"
     later = "" if is_editing else ", double-click to edit it"
@@ -156,8 +155,8 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
         edit_curve(context, hit.index)
         return
     elif _turns_grips(context, hit):
-        selected.set_turns(not selected.turns)
-        host.say(f"{chosen_curves(host)} · The grips {'rotate and skew' if selected.turns else 'scale'} now.")
+        host.box.set_turns(not host.box.turns)
+        host.say(f"{chosen_curves(host)} · The grips {'rotate and skew' if host.box.turns else 'scale'} now.")
         return
     else:
         selected.choose(_meant(context, hit))

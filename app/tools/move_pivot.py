@@ -41,7 +41,7 @@ class MovePivot(Gesture):
 
     def __init__(self, context: ToolContext) -> None:
         self._press, self._start = context.pointer, context.target.centre
-        self._before = context.host.selected.pivot
+        self._before = context.host.box.pivot
         self._snapper = context.snappers.for_pivot(context.target.bounds)
         self._is_moving = False
         if context.pointer.is_double:
@@ -57,7 +57,7 @@ class MovePivot(Gesture):
 
     def cancel(self, context: ToolContext) -> None:
         """Put it where it was."""
-        context.host.selected.set_pivot(self._before)
+        context.host.box.set_pivot(self._before)
         if self._is_moving:
             context.host.say(CANCELLED)
 

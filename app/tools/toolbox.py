@@ -37,6 +37,8 @@ class Toolbox:
         What the person has chosen.
     grid
         Tells the spacing of the grid at the present zoom; whoever shows the plot sets it.
+    target
+        Subject of the transforms, and their pivot.
     background
         Does what takes longer than a moment, whichever tool is in use by then.
     write_at
@@ -54,12 +56,7 @@ class Toolbox:
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
-        self._target = TransformTarget(
-            host,
-            self._snappers,
-            lambda: self.settings.strokes,
-            lambda: self.settings.keeps_proportions,
-        )
+        self.target = TransformTarget(host, lambda: self.settings.strokes)
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None
@@ -71,11 +68,6 @@ class Toolbox:
         return self._above or self._chosen
 
     @property
-    def target(self) -> TransformTarget:
-        """Subject of the transforms, and their pivot."""
-        return self._target
-
-    @property
     def context(self) -> ToolContext:
         """The context of the last event, as things are now."""
         return ToolContext(
@@ -85,7 +77,7 @@ class Toolbox:
             self.grid,
             self._drags,
             self._snappers,
-            self._target,
+            self.target,
             lambda pointer: self.hit_test(pointer, self.tool),
             self.curves_at,
             self.background,
@@ -250,7 +242,7 @@ class Toolbox:
         marks = self._chosen.marks(self.context)
         if self.background.lines:
             marks = replace(marks, waiting=self.background.lines)
-        if marks.pivot is None and (pivot := self._target.pivot) is not None:
+        if marks.pivot is None and (pivot := self.target.pivot) is not None:
             # One that was chosen is there whatever tool is in use.
             marks = replace(marks, pivot=pivot)
         return self._above.marks(self.context).above(marks) if self._above is not None else marks

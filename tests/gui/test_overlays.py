@@ -108,6 +108,22 @@ def test_an_overlay_follows_a_drag(editor, name):
     assert not legend(editor)
 
 
+def test_what_is_switched_on_during_a_drag_follows_it(editor):
+    editor.choose_family(HERMITE)
+    x, y = editor.point(3)
+    editor.press((x, y))
+    for step in range(1, 4):
+        # While nothing is shown, nobody but the basis functions and the table is asked.
+        editor.move((x + 0.05 * step, y))
+    editor.window.context.analysis.show(comb.COMB, shown=True)
+    seen = []
+    for step in range(1, 4):
+        editor.move((x + 0.3 * step, y + 0.3))
+        seen.append(first(editor, comb.TEETH).tobytes())
+    assert len(set(seen)) == 3
+    editor.escape()
+
+
 HEAVY = {
     "overlayMarks": marks.INFLECTION,
     "overlayEnsemble": ensemble.LINES,
@@ -200,7 +216,7 @@ def test_the_number_of_ticks(dock, qtbot):
 def test_the_circle_brings_the_scrub_line_and_follows_it(dock, qtbot):
     editor = dock
     editor.trigger("overlayCircle")
-    assert editor.session.selected.scrub == pytest.approx(0.5)
+    assert editor.session.scrub.t == pytest.approx(0.5)
     before = first(editor, circle.LINE)
     editor.scrub(0.8)
     assert not np.array_equal(first(editor, circle.LINE), before)
@@ -216,7 +232,7 @@ def test_an_arrow_at_the_scrub_line_has_its_length_in_words(editor):
     editor.scrub(0.5)
     arrow = figures(editor, vectors.VELOCITY)[1]
     assert arrow.label.startswith("|c′| ")
-    velocity = editor.session.active_view.curve.evaluate(editor.session.selected.scrub, 1)
+    velocity = editor.session.active_view.curve.evaluate(editor.session.scrub.t, 1)
     assert float(arrow.label.split()[1]) == pytest.approx(np.hypot(*velocity), rel=0.01)
 
 

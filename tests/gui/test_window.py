@@ -323,7 +323,7 @@ def test_the_keys_work_in_presentation(editor):
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
     assert editor.curve.family is HERMITE
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_T)
-    assert editor.session.selected.scrub is not None
+    assert editor.session.scrub.t is not None
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_F11)
     assert not editor.action("presentation").isChecked()
 

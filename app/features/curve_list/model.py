@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from ...document.curve_tree import Container, Node, NodeKind, tree_of
+from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, tree_of
 from ...document.model import Curve, Document
 from ...document.style import Style
 from ...document.words import count_of
@@ -154,7 +154,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         parts = self._curves[node.places.start : node.places.stop]
         if node.kind is NodeKind.CURVE:
             return _row_of_curve(parts[0])
-        what = f"{node.kind.name.lower()} of {count_of(len(parts), 'curve')}"
+        what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}"
         visible, locked = any(part.visible for part in parts), all(part.locked for part in parts)
         return Row(node.name, parts[0].style, visible, locked, what)
 

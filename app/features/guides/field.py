@@ -4,162 +4,53 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtCore import QPoint, Signal
+from PySide6.QtWidgets import QWidget
 
-from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.model import Axis, Guide
-from ...qt.keys import ENTER, PASSING, ClaimsKeys
-from ...qt.labels import Label
-from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named
+from ...widgets.entry_field import EntryEdit, EntryField
 from ...widgets.number_text import typed_text
-from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
 from .places import read_place
 
-_WIDTH = 110
 _TIP = "Where the guide lies: a number or an expression, with a unit if you like, such as 20, 1/3 or 1 in"
 
 
-class PlaceEdit(ClaimsKeys, QLineEdit):
-    """A line to type into that is done with Enter and given up with Escape.
-
-    Signals
-    -------
-    entered
-        The text is to be taken.
-    given_up
-        It is not: Escape, or a click elsewhere.
-    """
-
-    entered = Signal()
-    given_up = Signal()
-
-    def claims(self, event: QKeyEvent) -> bool:
-        return event.key() in (*ENTER, Qt.Key.Key_Escape)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in ENTER:
-            self.entered.emit()
-        elif event.key() == Qt.Key.Key_Escape:
-            self.given_up.emit()
-        else:
-            super().keyPressEvent(event)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        # Nor where another part of the field has it now.
-        frame, now = self.parentWidget(), QApplication.focusWidget()
-        goes_on = frame is not None and now is not None and frame.isAncestorOf(now)
-        if event.reason() not in PASSING and not goes_on:
-            self.given_up.emit()
-
-
-class GuideField(OverlayFrame):
+class GuideField(EntryField):
     """A small frame beside a ruler, in which the place of one guide is typed.
 
     Signals
     -------
     entered
         A guide shall be there: its axis and its position.
-    closed
-        It is done, or given up.
     """
 
     entered = Signal(object, float)
-    closed = Signal()
 
     def __init__(self, below: QWidget) -> None:
-        super().__init__("guideField", below)
-        self.setAccessibleName("Guide")
         self._axis, self._unit = Axis.X, ""
         self._guide: Guide | None = None
-        self._corner: Callable[[Axis], QPoint] = lambda _axis: QPoint(0, 0)
-        self._turn = tool_button(
-            "guideAxis", "Coordinate of the guide", "Upright (x) or level (y)", text="x ="
-        )
-        # Else a click on it would give the focus to the canvas.
-        self._turn.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._turn.clicked.connect(self._change_axis)
-        self.edit = named(PlaceEdit(), "guidePlace", "Place of the guide", _TIP)
-        self.edit.setFixedWidth(_WIDTH)
-        self.edit.entered.connect(self._enter)
-        self.edit.given_up.connect(self.close_field)
-        self.edit.textEdited.connect(lambda: self._say(""))
-        self._suffix, self._remark = Label(), Label(name="guideRemark", wordWrap=True)
-        row = row_of(self._turn, self.edit, self._suffix, spacing=6)
-        column_of(row, self._remark, margins=(8, 6, 8, 6), spacing=4, parent=self)
-        self.hide()
-        self.follow_theme()
-
-    @property
-    def remark(self) -> str:
-        """Why what was typed cannot be used; empty where it can."""
-        return "" if self._remark.isHidden() else self._remark.text()
+        turn = tool_button("guideAxis", "Coordinate of the guide", "Upright (x) or level (y)", text="x =")
+        edit = named(EntryEdit(), "guidePlace", "Place of the guide", _TIP)
+        super().__init__("guideField", "Guide", below, turn, edit)
 
     def open_for(self, guide: Guide | None, axis: Axis, unit: str, corner: Callable[[Axis], QPoint]) -> None:
         """Ask for the place of a guide, or of a new one of this axis, at a corner of the canvas."""
-        self._guide, self._unit, self._corner = guide, unit, corner
-        self._suffix.setText(unit)
-        self._suffix.setVisible(bool(unit))
+        self._guide, self._axis, self._unit = guide, axis, unit
         self._turn.setEnabled(guide is None)
-        self.edit.setText(typed_text(guide.position) if guide is not None else "")
-        self._show_axis(axis)
-        self._say("")
-        self.show()
-        self.raise_()
-        self.edit.setFocus(Qt.FocusReason.OtherFocusReason)
-        self.edit.selectAll()
+        self.ask(typed_text(guide.position) if guide is not None else "", unit, lambda: corner(self._axis))
 
-    def close_field(self) -> None:
-        """Put it away, if it is there."""
-        if not self.isHidden():
-            self.hide()
-            self.closed.emit()
+    def _kind(self) -> str:
+        return f"{self._axis.value} ="
 
-    def place(self) -> None:
-        if (layout := self.layout()) is not None:
-            layout.activate()
-        size, below = self.sizeHint(), self.below.size()
-        corner = self._corner(self._axis)
-        x = max(min(corner.x(), below.width() - size.width()), 0)
-        y = max(min(corner.y(), below.height() - size.height()), 0)
-        self.setGeometry(x, y, size.width(), size.height())
+    def _other_kind(self) -> None:
+        self._axis = Axis.Y if self._axis is Axis.X else Axis.X
 
-    def set_theme(self, theme: Theme) -> None:
-        self.set_sheet()
-        self._remark.setStyleSheet(f"color: {theme.warning.name()}")
-
-    def _change_axis(self) -> None:
-        self._show_axis(Axis.Y if self._axis is Axis.X else Axis.X)
-        self.edit.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def _show_axis(self, axis: Axis) -> None:
-        self._axis = axis
-        self._turn.setText(f"{axis.value} =")
-        self.place()
-
-    def _enter(self) -> None:
-        if not self.edit.text().strip():
-            self.close_field()
-            return
-        try:
-            now = self._guide.position if self._guide is not None else 0.0
-            typed = read_place(self.edit.text(), self._unit, now)
-            if typed.axis not in (None, self._axis) and self._guide is not None:
-                raise ExpressionError(f"This guide holds {self._axis.value}; type that.")
-        except ExpressionError as reason:
-            self._say(f"⚠ {reason}")
-            self.edit.selectAll()
-            return
-        axis = typed.axis or self._axis
-        self.close_field()
-        self.entered.emit(axis, typed.position)
-
-    def _say(self, text: str) -> None:
-        self._remark.setText(text)
-        self._remark.setVisible(bool(text))
-        self.place()
+    def _take(self, text: str) -> Callable[[], object]:
+        now = self._guide.position if self._guide is not None else 0.0
+        typed = read_place(text, self._unit, now)
+        if typed.axis not in (None, self._axis) and self._guide is not None:
+            raise ExpressionError(f"This guide holds {self._axis.value}; type that.")
+        return lambda: self.entered.emit(typed.axis or self._axis, typed.position)

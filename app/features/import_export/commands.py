@@ -16,6 +16,7 @@ from ...actions.declaration import action
 from ...actions.sections import FILE_EXCHANGE
 from ...document.edits import EditError
 from ...document.model import Document
+from ...document.shapes import counted_shapes
 from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import (
@@ -259,7 +260,7 @@ class ExchangeCommands:
         if added.start == 0 or not self._context.central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
-        what = f"{count_of(len(curves), 'curve')}, {count_of(count, 'point')}"
+        what = f"{counted_shapes(curves)}, {count_of(count, 'point')}"
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
         self._session.say(f"Imported {path.name}: {what}, {exact}. {rest}".rstrip())
 

@@ -58,16 +58,16 @@ class OverlayCommands:
 
     # What is shown
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, view: CurveView) -> bool:
         """Draw the figures of `view` that are switched on."""
         settings = self._context.analysis.settings
         if settings.is_empty:
             if self._is_drawn:
                 self._clear()
-            return
+            return False
         waits = analysis.picture.settling(view, settings)
         self._settle(view, settings, waits)
-        live = analysis.picture.live_picture(view, settings, self._context.session.selected.scrub)
+        live = analysis.picture.live_picture(view, settings, self._context.session.scrub.t)
         self._ghosts = self._ghosts_of(view, settings)
         settled = self._settled
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
@@ -80,6 +80,7 @@ class OverlayCommands:
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._context.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
         self._is_drawn = True
+        return True
 
     def _ghosts_of(self, view: CurveView, settings: AnalysisSettings) -> dict[Ghost, GhostView]:
         if not (settings.ghosts and view.is_current):
@@ -105,7 +106,7 @@ class OverlayCommands:
             self._task.give_up()
             return
 
-        scrub = self._context.session.selected.scrub
+        scrub = self._context.session.scrub.t
         asked = (view, analysis.picture.settling_key(view, settings, scrub))
         if asked == self._asked:
             return
@@ -154,9 +155,9 @@ class OverlayCommands:
         analysis, session = self._context.analysis, self._context.session
         shown = overlay not in analysis.settings.overlays
         view = session.active_view
-        if overlay.brings_scrub and shown and session.selected.scrub is None and view.curve is not None:
+        if overlay.brings_scrub and shown and session.scrub.t is None and view.curve is not None:
             start, end = view.curve.domain
-            session.selected.set_scrub((start + end) / 2)
+            session.scrub.set((start + end) / 2)
         analysis.show(overlay, shown)
 
     @action_for_each(

@@ -17,6 +17,7 @@ from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
 from ...document.model import Document, ParametrizationKind
+from ...document.several_curves import counted, name_of, named
 from ...document.words import number
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
@@ -117,7 +118,7 @@ class RuleCommands:
     def _use_family(self, family: Family) -> None:
         session = self._session
         chosen = sorted(session.selected.chosen) or [session.active_index]
-        several = f"{len(chosen)} curves to " if len(chosen) > 1 else ""
+        several = f"{named(session.document, chosen)} to " if len(chosen) > 1 else ""
         before = list[CurveView]()
 
         def edit(document: Document) -> Document:
@@ -127,11 +128,15 @@ class RuleCommands:
             return document
 
         if session.change(f"Switch {several or 'to '}{family.title}", edit):
-            self._say_switched(family, before, [session.views[index] for index in chosen])
+            self._say_switched(family, chosen, before)
 
-    def _say_switched(self, family: Family, before: Sequence[CurveView], after: Sequence[CurveView]) -> None:
+    def _say_switched(self, family: Family, curves: Sequence[int], before: Sequence[CurveView]) -> None:
         """Say what may not have been meant: several curves, some that are open now, or shaped by hand."""
-        said = [f"{len(after)} curves are {family.title} now."] if len(after) > 1 else []
+        after = [self._session.views[curve] for curve in curves]
+        document = self._session.document
+        name = name_of(document, curves)
+        what = f"{counted(document, curves)} are" if name is None else f"“{name}” is"
+        said = [f"{what} {family.title} now."] if len(after) > 1 else []
         away = max(map(view_model.convert.needless_change, before, after))
         if away:
             said.append(

@@ -16,7 +16,7 @@ from ...document.transforms import clean_step_within, decimal_product, decimal_s
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.choice_row import ChoiceRow
-from ...widgets.field_edit import NumberEdit
+from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.field_form import FieldForm
 from ...widgets.length_text import read_length
 from ...widgets.paint_field import PaintField
@@ -291,7 +291,7 @@ def _next_width(width: float, count: int) -> float:
 
 
 def _read_limit(text: str) -> float:
-    limit = read_length(text, "")
+    limit = read_number(text)
     if limit < 1:
         raise ExpressionError("The limit is 1 or greater.")
     return limit
