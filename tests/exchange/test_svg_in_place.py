@@ -14,6 +14,7 @@ from app.document.shapes import tidy_shapes, whole_shapes
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.extents import extent_of
 from app.exchange.formats.pictures import read
+from app.exchange.options import DEFAULT, Options
 from app.exchange.rescaled import in_unit
 from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.in_place.source import Source
@@ -309,6 +310,11 @@ def test_the_source_is_the_same_to_the_byte():
     assert b"\xe4&lt; <s:tspan/>" in found
 
 
-def test_what_shows_no_page_is_written_anew(badge):
-    data = svg_of(replace(badge, page=None)).data
-    assert rewritten(data, read(data, None).document) is None
+def test_a_picture_that_hangs_on_its_curves_is_written_anew(badge):
+    """It has the size of its curves, or discs at their points."""
+    for document, options in ((replace(badge, page=None), DEFAULT), (badge, Options(points=True))):
+        data = svg_of(document, options).data
+        assert rewritten(data, read(data, None).document) is None
+    data = svg_of(badge).data
+    document = read(data, None).document
+    assert rewritten(data, document, document).data == data

@@ -76,8 +76,9 @@ def rewritten(
         base = Reading(Source(data))
     except (SourceError, ExchangeError):
         return None
-    if OurOwn(base.root).is_so and base.sheet.page is None:
-        # It shows what its curves take, and all of it is ours.
+    own = OurOwn(base.root)
+    if own.is_annotated or (own.is_so and base.sheet.page is None):
+        # What is beside its curves, or how large it is, hangs on them; and all of it is ours.
         return None
     placed = _in_file(document, base.sheet)
     drawing = drawing_of(placed, None, part(report, 0.0, 0.3), with_hidden=True)
