@@ -259,12 +259,15 @@ def test_overwrite_keeps_what_did_not_come_in(editor, tmp_path):
     path, whole = opened_with_more(editor, tmp_path)
     overwrite(editor)
     assert path.read_text(encoding="utf-8") == whole
+    assert editor.status == "layers.svg is like this already."
+    assert list(tmp_path.iterdir()) == [path]
     for x, data in ((0.25, "M 1 4 "), (0.5, "M 2 4 ")):
         move_first_point(editor, x)
         overwrite(editor)
         assert editor.status.startswith(
             "Wrote layers.svg, exact; 2 things that had not come in are as before."
         )
+        assert (tmp_path / "layers.svg.before.bak").read_text(encoding="utf-8") == whole
         found = path.read_text(encoding="utf-8")
         before, after = whole.split(' d="')[0], whole.split(' d="')[1].partition('"')[2]
         assert found.startswith(f'{before} d="{data}')

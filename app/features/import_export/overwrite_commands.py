@@ -74,12 +74,15 @@ class _Done(NamedTuple):
         What keeps what it was; None where nothing had to.
     now
         The file as it is now.
+    is_same
+        Whether it was like that already, so that nothing was written.
     """
 
     written: Written
     is_kept: bool
     copy: Path | None
     now: Foreign
+    is_same: bool = False
 
 
 class _Question(NamedTuple):
@@ -120,6 +123,9 @@ class OverwriteCommands:
                 return
             session.files.note_written_back(beginning, found.now)
             session.offer("", "overwriteForeign")
+            if found.is_same:
+                session.say(f"{shown(foreign.path.name)} is like this already.")
+                return
             copy = f" What it was is kept as {shown(found.copy.name)}." if found.copy is not None else ""
             session.say(f"Wrote {shown(foreign.path.name)}{_words_about(foreign, found)}.{copy}")
             self._work.warn_of(found.written.remarks)
@@ -140,6 +146,8 @@ def _written_back(foreign: Foreign, document: Document, may: bool, report: Repor
         kept = writing.with_changes(content.data, foreign.path, document, foreign.begun, ahead)
     if kept is None and foreign.missed and not may:
         return _Question(_words_about_loss(foreign))
+    if kept is not None and content is not None and kept.data == content.data:
+        return _Done(kept, True, None, foreign, is_same=True)
     copy = foreign.keep_what_would_be_lost()
     if kept is not None:
         writing.put(kept, foreign.path, report)
