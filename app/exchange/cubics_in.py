@@ -56,12 +56,15 @@ class Imported:
         One sentence for everything that was left out.
     missed
         The elements of a drawing that come in otherwise than they are drawn.
+    digest
+        That of the file; empty where there is none.
     """
 
     document: Document
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
     missed: tuple[Missed, ...] = ()
+    digest: bytes = b""
 
     @property
     def sentences(self) -> tuple[str, ...]:

@@ -257,7 +257,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     path
         The file that is written, for formats that say where other files lie.
     tells_exactness
-        Of an SVG: whether one that deviates from nothing has a sentence about it, too.
+        Of an SVG: whether it has a sentence about how near it is to the true curves.
     """
 
     width: int | None = None

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import exchange
 from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
-from ..storage.files import document_in, read
+from ..storage.files import document_in, read_content
 from ..storage.format_error import FormatError
 from ..tasks.progress import Report, silent
 from . import table
@@ -71,13 +71,14 @@ def import_file(
     """
     options = options or ImportOptions()
     form = format_of(path, FORMATS.read)
-    data = read(path)
+    content = read_content(path)
     try:
-        found = _imported(Path(path), form, data, options, report)
+        found = _imported(Path(path), form, content.data, options, report)
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
+    found = replace(found, digest=content.stamp.digest)
     return found.called(options.only) if options.only else found
 
 

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from ..document.model import Document
 from ..storage.files import write
-from ..tasks.progress import FINAL
+from ..tasks.progress import FINAL, Report
 from .errors import ExchangeError
 from .formats import FORMATS, Written, format_of
 from .options import DEFAULT, Options
@@ -31,7 +31,34 @@ def export(document: Document, path: str | os.PathLike[str], options: Options = 
     options.report(0.0, "Writing")
     assert form.write is not None
     written = form.write(document, options)
-    # What follows cannot be taken back.
-    options.report(FINAL, "Writing")
-    write(path, written.data)
+    put(written, path, options.report)
     return written
+
+
+def put(written: Written, path: str | os.PathLike[str], report: Report) -> None:
+    """Write what a writer made; it cannot be taken back.
+
+    Raises
+    ------
+    StorageError
+        If the file cannot be written; an old one stays as it was.
+    """
+    report(FINAL, "Writing")
+    write(path, written.data)
+
+
+def with_changes(
+    data: bytes, path: str | os.PathLike[str], document: Document, begun: Document | None, report: Report
+) -> Written | None:
+    """Return a file that was read before with the changes of a document, and nothing else of it changed.
+
+    None where its format or what was done does not allow that: then it can only be written anew. `begun` is
+    what of the file came in; without it, all.
+
+    Raises
+    ------
+    ExchangeError
+        If there is nothing to write.
+    """
+    rewrite = format_of(path, FORMATS.written).rewrite
+    return rewrite(data, document, begun, report) if rewrite is not None else None

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import msgspec
 
-from .files import MissingError, StorageError, keep_backup, read_content
+from ..document.model import Document
+from .files import Content, MissingError, StorageError, keep_backup, read_content
 from .reasons import why_unwritable
 
 
@@ -20,12 +21,36 @@ class Foreign(msgspec.Struct, frozen=True):
     written
         The digest of what was written back last; empty before that.
     missed
-        What in it did not come in as it stands there, in words; writing back loses it.
+        What in it did not come in as it stands there, in words; writing it anew loses it.
+    opened
+        The digest of what was opened; empty where nobody knows it.
+    begun
+        What of it came in, or was written back last; None where nobody knows it.
     """
 
     path: Path
     written: bytes = b""
     missed: tuple[str, ...] = ()
+    opened: bytes = b""
+    begun: Document | None = None
+
+    def content(self) -> Content | None:
+        """Return what the file holds now; None where it is not there any more.
+
+        Raises
+        ------
+        StorageError
+            If it cannot be read.
+        """
+        try:
+            return read_content(self.path)
+        except MissingError:
+            return None
+
+    def is_another(self, content: Content) -> bool:
+        """Whether somebody else has written the file since it was opened, or written back."""
+        known = self.written or self.opened
+        return bool(known) and content.stamp.digest != known
 
     def keep_what_would_be_lost(self) -> Path | None:
         """Copy the file beside itself, unless it is as it was written back last; return the copy.
@@ -37,11 +62,8 @@ class Foreign(msgspec.Struct, frozen=True):
         StorageError
             If it cannot be read, or the copy not be written.
         """
-        try:
-            found = read_content(self.path)
-        except MissingError:
-            return None
-        if found.stamp.digest == self.written:
+        found = self.content()
+        if found is None or found.stamp.digest == self.written:
             return None
         try:
             return keep_backup(self.path, found.data, "before")
@@ -50,6 +72,7 @@ class Foreign(msgspec.Struct, frozen=True):
         except OSError as problem:
             raise StorageError(why_unwritable(self.path, problem)) from problem
 
-    def as_it_is(self) -> Foreign:
-        """Return the file that the document was just written to."""
-        return Foreign(self.path, read_content(self.path).stamp.digest)
+    def as_it_is(self, document: Document, *, is_kept: bool) -> Foreign:
+        """Return the file that a document was just written to; one that is not kept was written anew."""
+        digest = read_content(self.path).stamp.digest
+        return Foreign(self.path, digest, self.missed if is_kept else (), begun=document)

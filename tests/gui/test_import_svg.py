@@ -233,36 +233,109 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     back = import_file(path).document
     assert [each.position for each in back.curves[0].points] == [(7, 0), (1, 1), (1, 0)]
     assert (back.curves[0].style, back.unit, back.page) == (document.curves[0].style, "in", document.page)
-    # Another time nothing of it is lost; where another program has written it, that is kept.
+    # Another time nothing of it is lost.
     move_first_point(editor, 8.0)
     editor.trigger("overwriteForeign")
     editor.wait_for_work()
     assert editor.status == "Wrote badge.svg, exact."
-    path.write_text(INCH + "\n", encoding="utf-8")
-    editor.session.change("Guide", lambda document: add_guide(document, Axis.X, 1.0))
-    editor.trigger("overwriteForeign")
-    editor.wait_for_work()
-    assert import_file(path).document.guides == editor.session.document.guides
-    assert editor.status.endswith("kept as badge.svg.before.2.bak.")
     # What was there already is not replaced unasked.
     editor.session.files.begin_imported(document, "badge", foreign=session.files.foreign)
     editor.trigger("saveDocument")
     assert [Path(each).name for each in saved] == ["badge.curve.json"]
 
 
-def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
-    """It wrote a file without its texts and clip paths at the first press, and called that exact."""
-    blank(editor)
+def opened_with_more(editor, tmp_path):
+    """Open a file that holds more than curves; return its place and what it holds."""
     path = tmp_path / "layers.svg"
     cut = '<clipPath id="c"><circle r="1"/></clipPath><text id="Title" x="1" y="2">Hi</text>'
     whole = INCH.replace("<path ", f'{cut}<path clip-path="url(#c)" ')
     path.write_text(whole, encoding="utf-8")
+    open_as_document(editor, path)
+    return path, whole
+
+
+def open_as_document(editor, path):
+    blank(editor)
     editor.window.commands[ExchangeCommands].import_files([path], opened=path)
     editor.wait_for_work()
     dialog = editor.window.findChild(QDialog, "importDrawingDialog")
     drawn(editor, dialog)
     QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
     editor.settle()
+
+
+def overwrite(editor):
+    # No window manager does it where there is no screen.
+    editor.window.activateWindow()
+    editor.settle()
+    editor.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
+    editor.wait_for_work()
+
+
+def test_overwrite_keeps_what_did_not_come_in(editor, tmp_path):
+    """It wrote the whole file anew, without its texts and clip paths."""
+    path, whole = opened_with_more(editor, tmp_path)
+    overwrite(editor)
+    assert path.read_text(encoding="utf-8") == whole
+    assert editor.status == "layers.svg is like this already."
+    assert list(tmp_path.iterdir()) == [path]
+    for x, data in ((0.25, "M 1 4 "), (0.5, "M 2 4 ")):
+        move_first_point(editor, x)
+        overwrite(editor)
+        assert editor.status.startswith(
+            "Wrote layers.svg, exact; 2 things that had not come in are as before."
+        )
+        assert (tmp_path / "layers.svg.before.bak").read_text(encoding="utf-8") == whole
+        found = path.read_text(encoding="utf-8")
+        before, after = whole.split(' d="')[0], whole.split(' d="')[1].partition('"')[2]
+        assert found.startswith(f'{before} d="{data}')
+        assert found.endswith(after)
+    (back,), (mine,) = import_file(path).document.curves, editor.session.document.curves
+    assert [each.position for each in back.points] == [each.position for each in mine.points]
+
+
+def test_one_path_that_is_dragged_is_all_that_changes_in_a_file_of_inkscape(editor, tmp_path):
+    """Layers, text, clips, filters, clones, guides and names of what was not touched stay as they were."""
+    path, whole = tmp_path / "badge.svg", SVG.parent / "overwrite" / "badge.svg"
+    before = whole.read_text(encoding="utf-8").splitlines()
+    path.write_bytes(whole.read_bytes())
+    open_as_document(editor, path)
+    # The middle of the wave, from the lower left corner of the page.
+    editor.escape()
+    editor.drag((32, 24.5), to=(37, 27))
+    assert editor.session.undo_stack.undoText() == "Move wave"
+    overwrite(editor)
+    after = path.read_text(encoding="utf-8").splitlines()
+    changed = [line.strip() for line in before if line not in after]
+    assert changed == ['d="m 20,60 c 5,-10 15,-10 20,0"', 'id="wave"', 'sodipodi:nodetypes="cc" />']
+    course, name = [line.strip() for line in after if line not in before]
+    assert [float(each) for each in course.split()[1:3]] == pytest.approx([25, 57.5], abs=0.5)
+    assert name == 'id="wave" />'
+
+
+def test_overwrite_asks_before_it_changes_what_another_program_has_written(editor, tmp_path):
+    path, whole = opened_with_more(editor, tmp_path)
+    theirs = whole.replace("</svg>", "<text>theirs</text></svg>\n")
+    path.write_text(theirs, encoding="utf-8")
+    editor.session.change("Guide", lambda document: add_guide(document, Axis.X, 1.0))
+    overwrite(editor)
+    assert editor.message == (
+        "layers.svg was changed by another program since it was opened here. Overwrite again to put these "
+        "curves into what it holds now, of which a copy is kept."
+    )
+    assert path.read_text(encoding="utf-8") == theirs
+    overwrite(editor)
+    assert import_file(path).document.guides == editor.session.document.guides
+    assert "<text>theirs</text></svg>\n" in path.read_text(encoding="utf-8")
+    assert editor.status.endswith("kept as layers.svg.before.bak.")
+    assert (tmp_path / "layers.svg.before.bak").read_text(encoding="utf-8") == theirs
+
+
+def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
+    """It wrote a file without its texts and clip paths at the first press, and called that exact."""
+    path, whole = opened_with_more(editor, tmp_path)
+    # What has no page is written anew, as large as its curves.
+    editor.session.change("Page", lambda document: replace(document, page=None))
     told = (
         "2 things in layers.svg did not come in as drawn and would be lost: <text> “Title” (text is no "
         "curve) and <path> “a” (a clip path cuts some of it off). Overwrite again to write it without them."
@@ -270,8 +343,7 @@ def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
     for x in (0.25, 0.5):
         # Asked anew of another drawing.
         move_first_point(editor, x)
-        editor.trigger("overwriteForeign")
-        editor.wait_for_work()
+        overwrite(editor)
         assert editor.message == told
         assert editor.status == "layers.svg is not written yet."
         assert path.read_text(encoding="utf-8") == whole
@@ -287,8 +359,7 @@ def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
     (back,), (mine,) = import_file(path).document.curves, editor.session.document.curves
     assert [each.position for each in back.points] == [each.position for each in mine.points]
     # Now there is nothing left to lose.
-    editor.trigger("overwriteForeign")
-    editor.wait_for_work()
+    overwrite(editor)
     assert editor.status == "Wrote layers.svg, exact."
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import re
 from itertools import product
 from pathlib import Path
@@ -81,6 +82,8 @@ def tips_of_items(view):
 
 def shown():
     """Every text that is on a widget now: where, as it was given, as it is seen."""
+    # Shiboken wraps all of them one by one, and a collection meanwhile would take some away.
+    gc.collect()
     for widget in QApplication.allWidgets():
         where = f"{type(widget).__name__} {widget.objectName()}"
         yield f"tip of {where}", widget.toolTip(), tip_shows(widget.toolTip())

@@ -23,6 +23,7 @@ from ..errors import ExchangeError
 
 if TYPE_CHECKING:
     from ...document.model import Document
+    from ...tasks.progress import Report
     from ..drawing.image import PicturePreview
     from ..options import Option, Options
 
@@ -129,6 +130,9 @@ class Format(FileKind):
         Of a drawing a function at the top level of its module, for a process of its own calls it by name: it
         takes the content and the tolerance and returns what was `Imported`. That of a table takes the content
         and returns a `Table`. None for documents and for tables of text.
+    rewrite
+        Takes a file that was read, the document that shall be in it, and what of it came in; returns the file
+        with nothing else changed, or None if that cannot be. None where files are always written anew.
     """
 
     description: str = ""
@@ -140,6 +144,7 @@ class Format(FileKind):
     kind: ContentKind | None = None
     plural: str = ""
     read: Callable[..., Any] | None = None
+    rewrite: Callable[[bytes, Document, Document | None, Report], Written | None] | None = None
 
 
 class Registry:

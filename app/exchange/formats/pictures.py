@@ -41,6 +41,9 @@ FORMATS = (
         kind=ContentKind.DRAWING,
         plural="SVG drawings",
         read=read,
+        rewrite=lambda data, document, begun, report: svg.in_place.rewriting.rewritten(
+            data, document, begun, report
+        ),
     ),
     Format(
         endings=(".pdf",),

@@ -12,6 +12,7 @@
   and rules.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
   ``copied``: as Inkscape does.
+- ``in_place``: files with the changes of a document in them, and everything else as it was.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 

@@ -13,7 +13,8 @@ from .xml_tree import tag_of
 
 MARK = "Largest deviation from the true curves"
 EXACT = "Its curves are exactly those of the document"
-MARKS = (MARK, EXACT)
+CLOSE = "Its curves are those of the document"
+MARKS = (MARK, EXACT, CLOSE)
 """Words of which some are in the metadata of every picture."""
 
 _NOTES = ("metadata", "desc")
@@ -34,27 +35,33 @@ class OurOwn:
 
     Attributes
     ----------
+    is_so
+        Whether it is.
     has_nominal_size
         Whether the size of the file says nothing.
     has_page
         Whether it shows a page, and not what its curves take.
+    is_annotated
+        Whether points, a grid or the like are drawn beside its curves.
     """
 
     def __init__(self, root: ET.Element) -> None:
         notes = ("".join(child.itertext()) for child in root if tag_of(child) in _NOTES)
-        self._is_so = any(mark in note for note in notes for mark in MARKS)
-        self.has_nominal_size = self._is_so and root.get("width", "")[-1:].isdigit()
-        self.has_page = not self._is_so or root.get("id") == PAGE
+        self.is_so = any(mark in note for note in notes for mark in MARKS)
+        self.has_nominal_size = self.is_so and root.get("width", "")[-1:].isdigit()
+        self.has_page = not self.is_so or root.get("id") == PAGE
+        beside = (each.get("id") in NO_CURVES[1:] for each in root.iter())
+        self.is_annotated = self.is_so and any(beside)
         box = box_of(root.get("viewBox", ""))
         self._usual_width = USUAL_WIDTH * max(box[2:]) if box else 0.0
 
     def is_no_curve(self, element: ET.Element) -> bool:
         """Whether an element is the paper, or something else beside the curves."""
-        return self._is_so and element.get("id") in NO_CURVES
+        return self.is_so and element.get("id") in NO_CURVES
 
     def restored(self, style: Style) -> Style:
         """Return a style as it was before it had the ink and the line of a picture."""
-        if not self._is_so:
+        if not self.is_so:
             return style
         stroke, fill = map(_restored_paint, (style.stroke, style.fill))
         for name, gradient in style.gradients.items():

@@ -25,7 +25,7 @@ from ..missed import Missed
 from .cascade import Cascade
 from .clips import clip_box
 from .gradients import Ground
-from .groups import Drawn, Group, Settled, settled
+from .groups import Anchor, Drawn, Group, Settled, settled
 from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
@@ -102,8 +102,8 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     root = parsed(data)
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
-    reader = _Reader(root, tolerance, is_in_groups=is_in_groups)
-    (paths, layers), guides = reader.all_paths(), reader.guides()
+    reader = SvgReader(root, tolerance, is_in_groups=is_in_groups)
+    (paths, layers, _), guides = reader.all_paths(), reader.guides()
     found = imported(paths, missed=tuple(reader.missed))
     sheet = reader.sheet
     document = msgspec.structs.replace(
@@ -112,7 +112,7 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     return replace(found, document=tidy_shapes(document))
 
 
-class _Reader:
+class SvgReader:
     """Walks the tree of one file.
 
     Attributes
@@ -123,7 +123,9 @@ class _Reader:
         What does not come in as it is.
     """
 
-    def __init__(self, root: ET.Element, tolerance: float | None, *, is_in_groups: bool) -> None:
+    def __init__(
+        self, root: ET.Element, tolerance: float | None = None, *, is_in_groups: bool = False
+    ) -> None:
         self._root, self._tolerance, self._is_in_groups = root, tolerance, is_in_groups
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
         self._by_id = {element.get("id", ""): element for element in root.iter()}
@@ -138,14 +140,18 @@ class _Reader:
 
     def all_paths(self) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
-        state = State(self.sheet.matrix, self.sheet.viewport)
-        drawn = list(self._drawn(self._root, state, depth=0))
-        seen = [each for each in drawn if _is_seen(each)]
+        drawn = self.drawn()
+        seen = [each for each in drawn if is_seen(each)]
         instead = "left out" if seen else "it comes in as a line"
-        unseen = [each for each in drawn if not _is_seen(each) and each.path.look.visible]
+        unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        return settled(seen or [_with_line(each) for each in drawn])
+        return settled(seen or [with_line(each) for each in drawn])
+
+    def drawn(self) -> list[Drawn]:
+        """Return all paths of the file, painted or not."""
+        state = State(self.sheet.matrix, self.sheet.viewport)
+        return list(self._drawn(self._root, state, depth=0))
 
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
@@ -166,6 +172,7 @@ class _Reader:
         if element.get("requiredExtensions") or self._ours.is_no_curve(element):
             return
         declared = self._cascade.of(element)
+        anchor = state.anchor or Anchor(element, state)
         state = self._entered(element, declared, state)
         if tag in _NO_CURVES:
             if state.properties.is_visible:
@@ -173,11 +180,11 @@ class _Reader:
             return
         first = len(self._shapes)
         if tag in SHAPES:
-            yield from self._shape(element, tag, declared, state)
+            yield from self._shape(element, tag, declared, state, anchor)
         elif tag == "use":
-            yield from self._used(element, state, depth)
+            yield from self._used(element, replace(state, anchor=anchor), depth)
         elif tag in _CONTAINERS:
-            yield from self._contained(element, tag, state, depth)
+            yield from self._contained(element, tag, state, depth, anchor)
         count = len(self._shapes) - first
         if count and state.properties.is_visible:
             self._miss_effects(element, declared, state, is_many=count > 1)
@@ -204,11 +211,13 @@ class _Reader:
             is_locked=state.is_locked or element.get(INSENSITIVE) == "true",
         )
 
-    def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
+    def _contained(
+        self, element: ET.Element, tag: str, state: State, depth: int, anchor: Anchor | None
+    ) -> Iterator[Drawn]:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
         if not is_around_copied and (tag == "g" or (depth > 0 and name_of(element))):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
-            group = Group(self._visited, name_of(element), is_layer)
+            group = Group(self._visited, name_of(element), is_layer, anchor)
             state = replace(state, groups=(*state.groups, group))
         if tag == "svg" and depth > 0:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
@@ -252,13 +261,13 @@ class _Reader:
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (x, y))
             entered = self._entered(target, self._cascade.of(target), state)
-            yield from self._contained(target, "symbol", entered, depth + 1)
+            yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
         else:
             state = replace(state, matrix=combined(state.matrix, _moving(x, y)))
             yield from self._drawn(target, state, depth + 1)
 
     def _shape(
-        self, element: ET.Element, tag: str, declared: Mapping[str, str], state: State
+        self, element: ET.Element, tag: str, declared: Mapping[str, str], state: State, anchor: Anchor
     ) -> Iterator[Drawn]:
         stretch = largest_scale(state.matrix)
         tolerance = self._tolerance / stretch if self._tolerance is not None and stretch > 0 else None
@@ -278,7 +287,9 @@ class _Reader:
             return
         self._shapes.append(element)
         name = name_of(element) or f"{tag.capitalize()} {self._number[element]}"
-        look = self._look(element, declared, state, [each.controls for each in drawn])
+        keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
+        scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
+        look = self._look(element, state, scale, [each.controls for each in drawn], keeps_width=keeps_width)
         look = replace(look, shape=name) if len(drawn) > 1 else look
         for index, subpath in enumerate(drawn, start=1):
             self._found += 1
@@ -291,14 +302,18 @@ class _Reader:
                 subpath.closed,
                 subpath.deviation * stretch,
             )
-            yield Drawn(path, len(self._shapes), state.groups)
+            yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale)
             self._miss_beyond(element, path, state)
 
     def _look(
-        self, element: ET.Element, declared: Mapping[str, str], state: State, outlines: Sequence[FloatArray]
+        self,
+        element: ET.Element,
+        state: State,
+        scale: float,
+        outlines: Sequence[FloatArray],
+        *,
+        keeps_width: bool,
     ) -> Look:
-        keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
-        scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         ground = Ground(state.matrix, state.viewport, outlines)
         style, flaws = self._styles.style(state.properties, ground, scale)
         if style.has_stroke and not keeps_width and is_uneven(state.matrix):
@@ -368,11 +383,12 @@ def _moving(x: float, y: float) -> FloatArray:
     return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
 
 
-def _is_seen(drawn: Drawn) -> bool:
+def is_seen(drawn: Drawn) -> bool:
+    """Whether a path has a paint."""
     style = drawn.path.look.style
     return style.has_stroke or style.has_fill
 
 
-def _with_line(drawn: Drawn) -> Drawn:
+def with_line(drawn: Drawn) -> Drawn:
     """Return a shape without any paint as a line."""
     return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))

@@ -8,7 +8,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from .groups import Group
+from .groups import Anchor, Group
 from .lengths import Viewport
 from .matrices import Box, moved
 from .properties import Flaw, Properties
@@ -61,6 +61,8 @@ class State:
         The boxes that it is shown in, but for that of the file.
     is_locked
         Whether Inkscape keeps it from being touched.
+    anchor
+        The outermost `use` around it.
     """
 
     matrix: FloatArray
@@ -70,3 +72,4 @@ class State:
     groups: tuple[Group, ...] = ()
     windows: tuple[Window, ...] = ()
     is_locked: bool = False
+    anchor: Anchor | None = None

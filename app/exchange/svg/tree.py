@@ -89,7 +89,7 @@ class Tree:
     def _layer(self, name: str) -> str:
         """Return the tag that opens a layer; one in another says only what that does not."""
         state, around = self._layers[name], [self._layers[each] for each in self._open]
-        own = self._ids.different(_stem(name, "layer"))
+        own = self._ids.different(stem(name, "layer"))
         tag = f'<g id="{own}" inkscape:groupmode="layer" inkscape:label="{quoted(name)}"'
         if state.is_locked and not any(each.is_locked for each in around):
             tag += _LOCKED
@@ -105,7 +105,7 @@ class Tree:
 
     def _called(self, name: str) -> str:
         """Return a name as an id of its own and, where that is another word, as Inkscape's label."""
-        own = self._ids.different(_stem(name, "curve"))
+        own = self._ids.different(stem(name, "curve"))
         return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
 
 
@@ -121,10 +121,10 @@ class _LayerState:
         self.is_locked &= outline.locked
 
 
-def _stem(name: str, kind: str) -> str:
+def stem(name: str, kind: str) -> str:
     """Return a name as an id may be."""
-    stem = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
-    return stem if stem[:1].isalpha() else f"{kind}_{stem}".rstrip("_")
+    word = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
+    return word if word[:1].isalpha() else f"{kind}_{word}".rstrip("_")
 
 
 def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:

@@ -18,7 +18,7 @@ from ..units import css_length, known_unit
 from .guides import guide_elements
 from .names import INKSCAPE_SPACE, SODIPODI_SPACE
 from .numbers import number
-from .our_own import EXACT, MARK, PAGE
+from .our_own import CLOSE, EXACT, MARK, PAGE
 from .style_attributes import dash_style
 from .tree import Tree, escaped, pair
 
@@ -99,14 +99,15 @@ def svg_text(
     curves = _curves(drawing, style, report)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
-    note = accuracy_of(drawing) if drawing.deviation or tells_exactness else ""
+    note = accuracy_of(drawing) if tells_exactness else ""
+    mark = note or f"{CLOSE if drawing.deviation else EXACT}."
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {note} -->" if note else f"<!-- Curvebench {__version__} -->",
         f'<svg{name} xmlns="http://www.w3.org/2000/svg" {_SPACES} '
         f'width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
-        f"  <metadata>{escaped(' '.join([note or f'{EXACT}.', *drawing.remarks]))}</metadata>",
+        f"  <metadata>{escaped(' '.join([mark, *drawing.remarks]))}</metadata>",
         *guide_elements(drawing.guides, frame),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),

@@ -201,8 +201,7 @@ class ExchangeCommands:
                 if not begins and session.committed is not target:
                     arrival = intake.intake(session.committed, new)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
-                missed = taken.lost if isinstance(taken, exchange.cubics_in.Imported) else ()
-                if self._put(path, arrival, missed, begins=begins, anew=anew):
+                if self._put(path, arrival, taken, begins=begins, anew=anew):
                     said = "Opened" if anew and path == self._opened else "Imported"
                     self._show_added(f"{said} {path.name}", path, arrival, taken.deviation * factor, rest)
             finally:
@@ -228,7 +227,7 @@ class ExchangeCommands:
         self._series.end()
 
     def _put(
-        self, path: Path, arrival: Arrival, missed: tuple[str, ...], *, begins: bool, anew: bool
+        self, path: Path, arrival: Arrival, taken: Imported | PreparedTable, *, begins: bool, anew: bool
     ) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
         session, step, is_opened = self._session, f"Import {path.name}", anew or path == self._opened
@@ -241,7 +240,7 @@ class ExchangeCommands:
                 path.stem,
                 "" if anew else step,
                 arrival.views,
-                Foreign(path.absolute(), missed=missed) if is_opened and can_write_back(path) else None,
+                _origin(path, arrival, taken) if is_opened and can_write_back(path) else None,
             )
         except EditError as reason:
             session.refuse(str(reason))
@@ -355,6 +354,13 @@ class ExchangeCommands:
         self._preferences.last_folder = path.parent
         self._session.say(f"Wrote {path.name}, {written.words}.")
         self._work.warn_of(written.remarks)
+
+
+def _origin(path: Path, arrival: Arrival, taken: Imported | PreparedTable) -> Foreign:
+    """Return the file that a document begins with."""
+    if not isinstance(taken, exchange.cubics_in.Imported):
+        return Foreign(path.absolute())
+    return Foreign(path.absolute(), missed=taken.lost, opened=taken.digest, begun=arrival.document)
 
 
 @dataclass(frozen=True)

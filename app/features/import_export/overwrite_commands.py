@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -16,7 +18,7 @@ from ...document.words import count_of, names_of
 from ...exchange.formats import Written
 from ...storage.foreign import Foreign
 from ...storage.reasons import shown
-from ...tasks.progress import Report
+from ...tasks.progress import Report, part
 from ...workbench.context import WindowContext
 
 
@@ -29,6 +31,14 @@ def _title(now: Situation) -> str:
     return f"Overwrite “{shown(foreign.path.name)}”" if foreign is not None else "Overwrite the Opened File"
 
 
+def _words_about_change(foreign: Foreign) -> str:
+    """Return what is said before a file is written that somebody else has written meanwhile."""
+    return (
+        f"{shown(foreign.path.name)} was changed by another program since it was opened here. Overwrite "
+        "again to put these curves into what it holds now, of which a copy is kept."
+    )
+
+
 def _words_about_loss(foreign: Foreign) -> str:
     """Return what is said before a file is written without what did not come in."""
     count, name = len(foreign.missed), shown(foreign.path.name)
@@ -39,12 +49,46 @@ def _words_about_loss(foreign: Foreign) -> str:
     )
 
 
-def _words_about(foreign: Foreign, written: Written) -> str:
+def _words_about(foreign: Foreign, done: _Done) -> str:
     """Return how near a file is to the document, and to what it was."""
     if not foreign.missed:
-        return f", {written.words}"
-    near = f", {written.words}" if written.deviation else ""
-    return f" without {count_of(len(foreign.missed), 'thing')} that had not come in{near}"
+        return f", {done.written.words}"
+    count = count_of(len(foreign.missed), "thing")
+    if done.is_kept:
+        verb = "is" if len(foreign.missed) == 1 else "are"
+        return f", {done.written.words}; {count} that had not come in {verb} as before"
+    near = f", {done.written.words}" if done.written.deviation else ""
+    return f" without {count} that had not come in{near}"
+
+
+class _Done(NamedTuple):
+    """A file that was written.
+
+    Attributes
+    ----------
+    written
+        What.
+    is_kept
+        Whether nothing else of it was changed.
+    copy
+        What keeps what it was; None where nothing had to.
+    now
+        The file as it is now.
+    is_same
+        Whether it was like that already, so that nothing was written.
+    """
+
+    written: Written
+    is_kept: bool
+    copy: Path | None
+    now: Foreign
+    is_same: bool = False
+
+
+class _Question(NamedTuple):
+    """What a person is to know before a file is written."""
+
+    words: str
 
 
 class OverwriteCommands:
@@ -65,29 +109,49 @@ class OverwriteCommands:
         title=_title,
     )
     def _overwrite(self) -> None:
-        """Write the drawing back to the SVG or DXF file that it was opened from."""
+        """Write the drawing back to the file that it was opened from; what else is in an SVG stays."""
         session, foreign = self._session, self._session.files.foreign
         assert foreign is not None
         document, beginning = session.committed, session.files.beginning
-        if foreign.missed and self._told != (foreign, document):
-            self._told = foreign, document
-            session.offer(_words_about_loss(foreign), "overwriteForeign")
-            session.refuse(f"{shown(foreign.path.name)} is not written yet.")
-            return
-        options = replace(exchange.options.DEFAULT, unit=document.unit, tells_exactness=False)
+        may = self._told == (foreign, document)
 
-        def work(report: Report) -> tuple[Path | None, Written, Foreign]:
-            kept = foreign.keep_what_would_be_lost()
-            written = exchange.writing.export(document, foreign.path, options.reporting(report))
-            return kept, written, foreign.as_it_is()
-
-        def done(found: tuple[Path | None, Written, Foreign]) -> None:
-            kept, written, now = found
-            session.files.note_written_back(beginning, now)
+        def done(found: _Done | _Question) -> None:
+            if isinstance(found, _Question):
+                self._told = foreign, document
+                session.offer(found.words, "overwriteForeign")
+                session.refuse(f"{shown(foreign.path.name)} is not written yet.")
+                return
+            session.files.note_written_back(beginning, found.now)
             session.offer("", "overwriteForeign")
-            copy = f" What it was is kept as {shown(kept.name)}." if kept is not None else ""
-            session.say(f"Wrote {shown(foreign.path.name)}{_words_about(foreign, written)}.{copy}")
-            self._work.warn_of(written.remarks)
+            if found.is_same:
+                session.say(f"{shown(foreign.path.name)} is like this already.")
+                return
+            copy = f" What it was is kept as {shown(found.copy.name)}." if found.copy is not None else ""
+            session.say(f"Wrote {shown(foreign.path.name)}{_words_about(foreign, found)}.{copy}")
+            self._work.warn_of(found.written.remarks)
 
         name = shown(foreign.path.name)
+        work = partial(_written_back, foreign, document, may)
         self._work.start(f"Writing {name}", work, done, foreign.path, "written")
+
+
+def _written_back(foreign: Foreign, document: Document, may: bool, report: Report) -> _Done | _Question:
+    """Write a document back to a file, unless a person who was not asked yet is to know something first."""
+    writing, content = exchange.writing, foreign.content()
+    if content is not None and foreign.is_another(content) and not may:
+        return _Question(_words_about_change(foreign))
+    kept = None
+    if content is not None:
+        ahead = part(report, 0.0, 0.9)
+        kept = writing.with_changes(content.data, foreign.path, document, foreign.begun, ahead)
+    if kept is None and foreign.missed and not may:
+        return _Question(_words_about_loss(foreign))
+    if kept is not None and content is not None and kept.data == content.data:
+        return _Done(kept, True, None, foreign, is_same=True)
+    copy = foreign.keep_what_would_be_lost()
+    if kept is not None:
+        writing.put(kept, foreign.path, report)
+        return _Done(kept, True, copy, foreign.as_it_is(document, is_kept=True))
+    options = replace(exchange.options.DEFAULT, unit=document.unit, tells_exactness=False)
+    written = writing.export(document, foreign.path, options.reporting(report))
+    return _Done(written, False, copy, foreign.as_it_is(document, is_kept=False))

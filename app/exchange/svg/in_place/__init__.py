@@ -1,0 +1,12 @@
+"""SVG files with the changes of a document in them, and everything else as it was.
+
+- ``rewriting``: the whole.
+- ``source``: the file as a tree that is written back to the byte.
+- ``found``: its shapes, and those that the document wants.  ``matching``: which are which.
+- ``plan``, ``placing``: what there shall be in which groups, and putting it there.
+- ``courses``, ``looks``, ``sheets``: how elements run and look; page and guides.
+"""
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,159 @@
+"""Elements made to run otherwise: moved as they are, or drawn anew as paths."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore.arrays import FloatArray
+
+from ..basic_shapes import LENGTHS
+from ..matrices import combined, moved, transform_of
+from ..numbers import number
+from ..shapes import SHAPES
+from ..tree import path_data
+from .found import Found, Wanted
+from .source import Node
+
+_ALONG = {
+    "rect": (("x",), ("y",)),
+    "circle": (("cx",), ("cy",)),
+    "ellipse": (("cx",), ("cy",)),
+    "line": (("x1", "x2"), ("y1", "y2")),
+    "use": (("x",), ("y",)),
+}
+"""The attributes that say where an element is: across, and down."""
+
+_OF_COURSES = ("points", "x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2", "y2")
+_OF_PROGRAMS = (
+    *("type", "cx", "cy", "rx", "ry", "start", "end", "open", "arc-type", "sides", "r1", "r2", "arg1"),
+    *("arg2", "expansion", "revolution", "radius", "argument", "t0", "nodetypes", "flatsided", "rounded"),
+    *("randomized", "path-effect", "original-d", "original", "connector-curvature"),
+)
+"""What programs note of a shape that is more to them than a path: it would not be true any more."""
+
+_HANGING = ("clip-path", "mask", "filter", "transform")
+_DIGITS = 10
+_EVEN = 1e-9
+
+
+def inverse_of(matrix: FloatArray) -> FloatArray:
+    """Return the matrix (2, 3) that undoes another.
+
+    Raises
+    ------
+    np.linalg.LinAlgError
+        If there is none.
+    """
+    linear = np.linalg.inv(matrix[:, :2])
+    return np.hstack([linear, -(linear @ matrix[:, 2:])])
+
+
+def motion(before: Sequence[FloatArray], after: Sequence[FloatArray], room: float) -> FloatArray | None:
+    """Return the affine map (2, 3) from some pieces to others; None where there is none."""
+    if [len(each) for each in before] != [len(each) for each in after] or not before:
+        return None
+    here, there = (np.concatenate(each).reshape(-1, 2) for each in (before, after))
+    shift = (there - here).mean(axis=0)
+    if (np.abs(here + shift - there) <= room).all():
+        return np.column_stack([np.eye(2), shift])
+    middle = here.mean(axis=0)
+    solved, _, rank, _ = np.linalg.lstsq(here - middle, there - there.mean(axis=0), rcond=1e-9)
+    if rank < 2:
+        return None
+    linear = solved.T
+    result = np.column_stack([linear, there.mean(axis=0) - linear @ middle])
+    return result if (np.abs(moved(here, result) - there) <= room).all() else None
+
+
+def motion_of(found: Sequence[Found], wanted: Sequence[Wanted], room: float) -> FloatArray | None:
+    """Return the affine map from shapes of a file to those of the document; None where there is none."""
+    if [each.closed for each in found] != [each.closed for each in wanted]:
+        return None
+    after = [piece for each in wanted for piece in each.pieces]
+    as_written = motion([piece for each in found for piece in each.pieces], after, room)
+    if as_written is not None:
+        return as_written
+    return motion([piece for each in found for piece in each.smooth_pieces], after, room)
+
+
+def is_plain_path(node: Node, found: Found) -> bool:
+    """Whether an element is a path and nothing else: no star or spiral, nothing that hangs at its place."""
+    is_more = any(name.rpartition(":")[2] in ("type", "path-effect") for name in node.names if ":" in name)
+    css = node.get("style") or ""
+    hangs = any(node.get(each) is not None or f"{each}:" in css for each in _HANGING)
+    return node.tag == "path" and not is_more and not hangs and not found.style.is_placed
+
+
+def move_whole(node: Node, around: FloatArray, by: FloatArray) -> None:
+    """Move an element with all that is in it; `around` is the map of what is around it."""
+    own = transform_of(node.get("transform") or "")
+    inner = combined(combined(inverse_of(around), by), around)
+    node.set("transform", _transform(combined(inner, own)))
+
+
+def move(node: Node, found: Found, by: FloatArray) -> None:
+    """Move an element as it is, with all that hangs at its place."""
+    around = found.drawn[0].anchor.around.matrix
+    inner = combined(combined(inverse_of(around), by), around)
+    own = transform_of(node.get("transform") or "")
+    is_shift = bool(np.allclose(inner[:, :2], np.eye(2), rtol=0, atol=_EVEN))
+    css = node.get("style") or ""
+    hangs = found.style.is_placed or any(
+        node.get(each) is not None or f"{each}:" in css for each in _HANGING[:3]
+    )
+    if is_shift and not hangs and _shifted(node, inverse_of(own)[:, :2] @ inner[:, 2]):
+        return
+    move_whole(node, around, by)
+
+
+def _shifted(node: Node, by: FloatArray) -> bool:
+    """Move an element by the attributes that say where it is; return whether it has such in plain numbers."""
+    names = _ALONG.get(node.tag, ())
+    try:
+        places = [
+            (name, float(node.get(name) or 0.0) + step)
+            for each, step in zip(names, by.tolist(), strict=False)
+            for name in each
+        ]
+    except ValueError:
+        return False
+    for name, place in places:
+        if (text := _short(place)) != (node.get(name) or "0"):
+            node.set(name, text)
+    return bool(places)
+
+
+def _transform(matrix: FloatArray) -> str:
+    (a, c, e), (b, d, f) = matrix.tolist()
+    if max(abs(a - 1), abs(b), abs(c), abs(d - 1)) <= _EVEN:
+        return f"translate({_short(e)},{_short(f)})"
+    return f"matrix({','.join(map(_short, (a, b, c, d, e, f)))})"
+
+
+def _short(value: float) -> str:
+    plain = float(f"{value:.{_DIGITS}g}")
+    return number(0.0 if abs(plain) < 1e-12 else plain)
+
+
+def redraw(node: Node, wanted: Wanted, inverse: FloatArray) -> None:
+    """Make an element a path that runs so; its map to the plane of the file is undone by a matrix."""
+    upside_down = np.array([1.0, -1.0])
+    outlines = [
+        replace(each, control_points=moved(each.control_points, inverse) * upside_down)
+        for each in wanted.outlines
+    ]
+    for name in node.names:
+        prefix, _, own = name.rpartition(":")
+        gone = _OF_PROGRAMS if prefix else _OF_COURSES
+        if own in gone and not prefix.startswith("xml"):
+            node.drop(name)
+    node.rename("path")
+    node.set("d", " ".join(path_data(outlines).split()))
+
+
+def can_be_redrawn(node: Node) -> bool:
+    """Whether an element draws, and can be made a path."""
+    return node.tag in SHAPES and (node.tag == "path" or node.tag in (*LENGTHS, "polyline", "polygon"))

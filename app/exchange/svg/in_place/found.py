@@ -1,0 +1,211 @@
+"""The shapes of a file with what shows each, as the reader finds them and as a document wants them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
+from operator import attrgetter
+
+import numpy as np
+
+from curvecore import cubic_path
+from curvecore.arrays import FloatArray
+
+from ....document.style import Style
+from ....view_model.curve_view import view_of
+from ...cubics_in import imported
+from ...drawing.outlines import Outline
+from ...errors import ExchangeError
+from ..groups import Drawn, settled
+from ..guides import guides_of
+from ..reader import SvgReader, is_seen, with_line
+from ..state import State
+from ..xml_tree import parsed
+from .source import Node, Source, SourceError
+
+
+@dataclass(frozen=True, eq=False)
+class Wanted:
+    """A shape of the document, in the coordinates and the unit of the file.
+
+    Attributes
+    ----------
+    outlines
+        Its outlines.
+    """
+
+    outlines: tuple[Outline, ...]
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self.outlines[0].shape or self.outlines[0].name
+
+    @property
+    def groups(self) -> tuple[str, ...]:
+        """The names of the groups around it."""
+        return self.outlines[0].groups
+
+    @property
+    def style(self) -> Style:
+        """Its style."""
+        return self.outlines[0].style
+
+    @property
+    def visible(self) -> bool:
+        """Whether it is shown."""
+        return self.outlines[0].visible
+
+    @property
+    def locked(self) -> bool:
+        """Whether it is locked."""
+        return self.outlines[0].locked
+
+    @property
+    def pieces(self) -> list[FloatArray]:
+        """The pieces of each outline, (k, 4, 2)."""
+        return [each.control_points for each in self.outlines]
+
+    @property
+    def closed(self) -> list[bool]:
+        """Of each outline whether it is closed."""
+        return [each.closed for each in self.outlines]
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A shape of the file.
+
+    Attributes
+    ----------
+    drawn
+        Its paths.
+    node
+        What shows it: its element, or the outermost `use` of it.
+    around
+        The groups around that, the outermost first.
+    name, groups
+        As the document calls it, and the groups around it.
+    """
+
+    drawn: tuple[Drawn, ...]
+    node: Node
+    around: tuple[Node, ...]
+    name: str
+    groups: tuple[str, ...]
+
+    @property
+    def style(self) -> Style:
+        """Its style."""
+        return self.drawn[0].path.look.style
+
+    @property
+    def visible(self) -> bool:
+        """Whether it is shown."""
+        return self.drawn[0].path.look.visible
+
+    @property
+    def locked(self) -> bool:
+        """Whether it is locked."""
+        return self.drawn[0].path.look.locked
+
+    @property
+    def is_used(self) -> bool:
+        """Whether a `use` shows it."""
+        return self.drawn[0].state.anchor is not None
+
+    @property
+    def closed(self) -> list[bool]:
+        """Of each path whether it is closed."""
+        return [each.path.closed for each in self.drawn]
+
+    @property
+    def pieces(self) -> list[FloatArray]:
+        """The pieces of each path as they stand in the file, (k, 4, 2)."""
+        return [each.path.pieces for each in self.drawn]
+
+    @cached_property
+    def smooth_pieces(self) -> list[FloatArray]:
+        """The same as they come in: with smooth joints, without what is a point; none if they cannot."""
+        try:
+            curves = [curve for each in self.drawn for curve in imported([each.path]).document.curves]
+        except ExchangeError:
+            return []
+        cores = [view_of(curve).curve for curve in curves]
+        # They are cubics, which is what a path is at any tolerance.
+        return [cubic_path(core, 1.0).control_points for core in cores if core is not None]
+
+
+class Reading:
+    """The shapes of a source.
+
+    Attributes
+    ----------
+    shapes
+        All that are drawn, in their order.
+    seen
+        Those of them that come in.
+    groups
+        The names of the groups around those, by their elements.
+    states
+        The states around these groups.
+    layers
+        The elements that are layers.
+    nodes, root
+        All elements, in the order of the file, and the outermost one as the reader has it.
+    sheet, guides
+        The size of the file, and its guides.
+    """
+
+    def __init__(self, source: Source) -> None:
+        root = parsed(source.data)
+        self.root, self.nodes, elements = root, list(source.root.walk()), list(root.iter())
+        if len(self.nodes) != len(elements):
+            raise SourceError("its elements are not found")
+        of_element = dict(zip(elements, self.nodes, strict=True))
+        reader = SvgReader(root)
+        self.sheet, drawn = reader.sheet, reader.drawn()
+        self.guides = [(of_element[each], guide) for each, guide in guides_of(root, reader.sheet)]
+        seen = [each for each in drawn if is_seen(each)] or [with_line(each) for each in drawn]
+        told = settled(seen)
+        named = {each.element: path.look for each, path in zip(seen, told.paths, strict=True)}
+        self.states: dict[Node, State] = {}
+        self.groups: dict[Node, str] = {}
+        self.layers: set[Node] = set()
+        for group in dict.fromkeys(group for each in seen for group in each.anchor.around.groups):
+            if group.anchor is not None and group in told.names:
+                node = of_element[group.anchor.element]
+                self.states[node], self.groups[node] = group.anchor.around, told.names[group]
+                self.layers |= {node} if group.is_layer else set()
+
+        def found(parts: Sequence[Drawn]) -> Found:
+            first, look = parts[0], named.get(parts[0].element)
+            around = first.anchor.around.groups
+            return Found(
+                tuple(parts),
+                of_element[first.anchor.element],
+                tuple(of_element[each.anchor.element] for each in around if each.anchor is not None),
+                (look.shape if look else "") or first.path.name,
+                look.groups if look else (),
+            )
+
+        self.shapes = [found(list(each)) for _, each in groupby(drawn, attrgetter("element"))]
+        self.seen = [each for each in self.shapes if each.drawn[0].element in named]
+
+
+def same_course(one: Sequence[FloatArray], other: Sequence[FloatArray], room: float) -> bool:
+    """Whether pieces are the same, but for rounding."""
+    return len(one) == len(other) and all(
+        len(a) == len(b) and bool((np.abs(a - b) <= room).all()) for a, b in zip(one, other, strict=True)
+    )
+
+
+def runs_as(found: Found, wanted: Wanted, room: float) -> bool:
+    """Whether a shape of the file runs as the document has it."""
+    if found.closed != wanted.closed:
+        return False
+    return same_course(found.pieces, wanted.pieces, room) or same_course(
+        found.smooth_pieces, wanted.pieces, room
+    )

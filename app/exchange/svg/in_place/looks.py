@@ -1,0 +1,213 @@
+"""Styles as an element declares them: what of two differs, and the properties that say it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+from msgspec.structs import astuple, replace
+
+from curvecore.arrays import FloatArray
+
+from ....document.gradient import Gradient, GradientKind
+from ....document.model import Vector
+from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, Style
+from ....document.value import Value
+from ...drawing.styles import PictureStyle
+from ..gradient_elements import GradientElements
+from ..matrices import moved
+from ..numbers import number
+from .source import Node
+
+_ROUNDING = 1e-6
+
+
+class Part(NamedTuple):
+    """Fields of a style that are declared together, the properties that do, and the paint that shows them."""
+
+    fields: tuple[str, ...]
+    properties: tuple[str, ...]
+    paint: str = "stroke"
+
+
+_PARTS = (
+    Part(("fill", "fill_opacity", "fill_gradient"), ("fill", "fill-opacity"), "fill"),
+    Part(("fill_rule",), ("fill-rule",), "fill"),
+    Part(("stroke", "stroke_opacity", "stroke_gradient"), ("stroke", "stroke-opacity")),
+    Part(("width", "dash", "dash_offset"), ("stroke-width", "stroke-dasharray", "stroke-dashoffset")),
+    Part(("cap",), ("stroke-linecap",)),
+    Part(("join", "miter_limit"), ("stroke-linejoin", "stroke-miterlimit")),
+    Part(("opacity",), ("opacity",), ""),
+)
+
+
+class Looks:
+    """Comparison of styles in a picture.
+
+    Parameters
+    ----------
+    picture, usual_width
+        What stands for the ink, and for a width that is not said.
+    reach
+        How large the coordinates are.
+    """
+
+    def __init__(self, picture: PictureStyle, usual_width: float, reach: float) -> None:
+        self._picture, self._usual_width, self._reach = picture, usual_width, reach
+
+    def shown(self, style: Style) -> Style:
+        """Return a style as it is drawn; what is not drawn is as usual."""
+        if style.has_stroke:
+            width = self._usual_width if style.width is None else style.width
+            style = replace(style, stroke=self._picture.stroke_of(style), width=width)
+            if style.join is not LineJoin.MITER:
+                style = replace(style, miter_limit=4.0)
+        else:
+            of_fill = ("fill", "fill_rule", "fill_opacity", "opacity", "fill_gradient")
+            style = Style(stroke=NO_PAINT, **{name: getattr(style, name) for name in of_fill})
+        if style.has_fill:
+            style = replace(style, fill=self._picture.fill_of(style))
+        else:
+            style = replace(style, fill_rule=FillRule.NONZERO, fill_opacity=1.0, fill_gradient=None)
+        for name, gradient in style.gradients.items():
+            stops = tuple(replace(stop, colour=stop.colour or self._picture.ink) for stop in gradient.stops)
+            style = replace(style, **{name: _plainest(replace(gradient, stops=stops))})
+        # The colour that stands for a gradient is not drawn.
+        flat = {name: "" for name, field in GRADIENTS.items() if getattr(style, field) is not None}
+        return replace(style, **flat)
+
+    def differing(self, one: Style, other: Style, *, with_gradients: bool = False) -> tuple[Part, ...]:
+        """Return the parts in which two styles are drawn differently, or with all gradients of the other."""
+        one, other = self.shown(one), self.shown(other)
+        painted = {"fill": one.has_fill, "stroke": one.has_stroke}
+        # What an element says of a stroke that it does not have is not read.
+        new = {paint for paint, was in painted.items() if not was and getattr(other, paint) != NO_PAINT}
+        return tuple(
+            part
+            for part in _PARTS
+            if part.paint in new
+            or (with_gradients and not other.gradients.keys().isdisjoint(part.fields))
+            or not all(self._is_same(getattr(one, name), getattr(other, name)) for name in part.fields)
+        )
+
+    def _is_same(self, one: object, other: object) -> bool:
+        if isinstance(one, Value) and isinstance(other, Value):
+            one, other = astuple(one), astuple(other)
+        if isinstance(one, tuple) and isinstance(other, tuple):
+            return len(one) == len(other) and all(map(self._is_same, one, other))
+        if isinstance(one, float) and isinstance(other, float):
+            return math.isclose(one, other, rel_tol=_ROUNDING, abs_tol=_ROUNDING * min(1.0, self._reach))
+        return one == other
+
+    def properties(
+        self, style: Style, inverse: FloatArray, scale: float, around: float, gradients: GradientElements
+    ) -> Mapping[str, str]:
+        """Return all properties of a style.
+
+        Parameters
+        ----------
+        style
+            The style.
+        inverse
+            (2, 3), from the plane of the file to that of the element.
+        scale
+            By how much the stroke of the element is enlarged.
+        around
+            The opacity of all around it.
+        gradients
+            Where its gradients are put.
+        """
+        style = self.shown(style)
+        paints = {"fill": style.fill, "stroke": style.stroke}
+        for name, field in GRADIENTS.items():
+            if (gradient := getattr(style, field)) is not None:
+                paints[name] = gradients.reference(_upside_down(gradient, inverse))
+        width = (style.width or 0.0) / scale
+        return {
+            "fill": paints["fill"],
+            "fill-opacity": number(style.fill_opacity),
+            "fill-rule": str(style.fill_rule.value),
+            "stroke": paints["stroke"],
+            "stroke-opacity": number(style.stroke_opacity),
+            "stroke-width": number(width),
+            "stroke-dasharray": ",".join(number(each * width) for each in style.dash) or "none",
+            "stroke-dashoffset": number(style.dash_offset * width),
+            "stroke-linecap": str(style.cap.value),
+            "stroke-linejoin": str(style.join.value),
+            "stroke-miterlimit": number(style.miter_limit),
+            "opacity": number(style.opacity / around if around else style.opacity),
+        }
+
+
+def _plainest(gradient: Gradient) -> Gradient:
+    """Return the one of the gradients that look the same whose axes are at right angles, if there is one."""
+    if gradient.is_flat:
+        return gradient
+    (x, y), ((a, b), (c, d)) = gradient.start, gradient.axes
+    if gradient.kind is GradientKind.LINEAR:
+        # Only what its end has across the lines of one colour counts.
+        share = (a * d - b * c) / (c * c + d * d)
+        a, b = share * d, -share * c
+    elif abs(a * c + b * d) > _ROUNDING * (a * a + b * b) or not math.isclose(
+        math.hypot(a, b), math.hypot(c, d), rel_tol=_ROUNDING
+    ):
+        return gradient
+    else:
+        a, b = math.hypot(a, b), 0.0
+    return replace(gradient, end=(x + a, y + b), side=(x - b, y + a))
+
+
+def _upside_down(gradient: Gradient, inverse: FloatArray) -> Gradient:
+    """Return a gradient in the plane of an element with y turned up, as `GradientElements` wants it."""
+
+    def there(place: Vector) -> Vector:
+        x, y = moved(np.array(place), inverse).tolist()
+        return x, -y
+
+    return gradient.mapped(there)
+
+
+def declare_style(
+    node: Node,
+    parts: tuple[Part, ...],
+    values: Mapping[str, str],
+    around: Mapping[str, str],
+    *,
+    has_rules: bool,
+) -> None:
+    """Declare parts of a style; what the element has from those around it only where it says so itself."""
+    for part in parts:
+        for name in part.properties:
+            if values[name] != around.get(name) or has_rules or declares(node, name):
+                declare(node, name, values[name], has_rules=has_rules)
+
+
+def declares(node: Node, name: str) -> bool:
+    """Whether an element declares a property."""
+    return node.get(name) is not None or any(each == name for each, _ in _declarations(node))
+
+
+def value_of(node: Node, name: str) -> str:
+    """Return what an element itself declares of a property; empty for nothing."""
+    found = [text.partition(":")[2].strip() for each, text in _declarations(node) if each == name]
+    return found[-1] if found else node.get(name) or ""
+
+
+def declare(node: Node, name: str, value: str, *, has_rules: bool = False) -> None:
+    """Declare a property where the element does, or else where it declares others; rules are outweighed."""
+    css = node.get("style") or ""
+    if any(each == name for each, _ in _declarations(node)):
+        parts = [f"{name}:{value}" if each == name else text for each, text in _declarations(node)]
+        node.set("style", ";".join(parts))
+    elif has_rules or (css.strip() and node.get(name) is None):
+        node.set("style", f"{css.rstrip().rstrip(';')};{name}:{value}".lstrip(";"))
+    else:
+        node.set(name, value)
+
+
+def _declarations(node: Node) -> list[tuple[str, str]]:
+    """Return the name and the text of each declaration of a `style` attribute."""
+    parts = (node.get("style") or "").split(";")
+    return [(each.partition(":")[0].strip(), each) for each in parts]

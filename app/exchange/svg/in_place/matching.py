@@ -1,0 +1,84 @@
+"""Which shapes of a document are which of a file."""
+
+from __future__ import annotations
+
+from collections import defaultdict, deque
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from .found import Found, Wanted
+
+_Shape = Found | Wanted
+_Key = Callable[[_Shape], Hashable]
+_COARSE = 1e-5
+"""Share of the drawing to which places are rounded."""
+
+
+class Origins(NamedTuple):
+    """Where the shapes of a document come from.
+
+    Attributes
+    ----------
+    pairs
+        For each that is one of the file, by its place, the place of that.
+    taken
+        The places of all of the file that came in.
+    """
+
+    pairs: Mapping[int, int]
+    taken: Collection[int]
+
+
+def origins(
+    wanted: Sequence[Wanted], begun: Sequence[Wanted] | None, found: Sequence[Found], reach: float
+) -> Origins:
+    """Return where shapes come from; by way of those that the document began with, where these are known.
+
+    Names hold within a document: a file numbers what has none anew each time that it is read.
+    """
+    if begun is None:
+        return Origins(matched(wanted, found, reach), range(len(found)))
+    came_in = matched(begun, found, reach, by_course=True)
+    first = matched(wanted, begun, reach)
+    pairs = {place: came_in[before] for place, before in first.items() if before in came_in}
+    return Origins(pairs, set(came_in.values()))
+
+
+def matched(
+    wanted: Sequence[_Shape], found: Sequence[_Shape], reach: float, *, by_course: bool = False
+) -> Mapping[int, int]:
+    """Return the place of each shape among others.
+
+    That of the same name, groups and course first. One that was renamed or put into another group is known by
+    its course, and one that runs otherwise by its name: the likelier of both comes first.
+    """
+
+    def course(shape: _Shape) -> Hashable:
+        grain = _COARSE * reach
+        return tuple(
+            (len(each), *np.round(each[[0, len(each) // 2, -1], 0] / grain).ravel().tolist())
+            for each in shape.pieces
+        )
+
+    of_course: tuple[_Key, ...] = (lambda shape: (shape.groups, course(shape)), course)
+    of_name: tuple[_Key, ...] = (lambda shape: (shape.name, shape.groups), lambda shape: shape.name)
+    keys: tuple[_Key, ...] = (
+        lambda shape: (shape.name, shape.groups, course(shape)),
+        lambda shape: (shape.name, course(shape)),
+        *((*of_course, *of_name) if by_course else (*of_name, *of_course)),
+    )
+    pairs: dict[int, int] = {}
+    left = set(range(len(found)))
+    for key in keys:
+        known: defaultdict[Hashable, deque[int]] = defaultdict(deque)
+        for place in sorted(left):
+            known[key(found[place])].append(place)
+        for place, shape in enumerate(wanted):
+            if place not in pairs and (places := known.get(key(shape))):
+                pairs[place] = places.popleft()
+        left -= set(pairs.values())
+        if not left:
+            break
+    return pairs
