@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
+from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, Requirement, above, at_least, between, printed
 from .style import PLAIN_STYLE, Style
@@ -358,7 +359,10 @@ class Document(Value, frozen=True):
     page
         What pictures of it show; None for what its curves take.
     layers
-        Names of those of its groups that are layers: a press means what is in them.
+        Names of those of its groups that are layers, and of the layers that are empty, from the back to the
+        front, each after the one that it is in: see ``layers``.
+    empty_layers
+        What else is known of those that are empty.
     export
         Its last export.
     """
@@ -370,6 +374,7 @@ class Document(Value, frozen=True):
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
     layers: tuple[str, ...] = ()
+    empty_layers: tuple[EmptyLayer, ...] = ()
     export: Export = NEVER_EXPORTED
 
     def with_curve(self, index: int, curve: Curve) -> Document:

@@ -103,11 +103,16 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance, is_in_groups=is_in_groups)
-    (paths, layers), guides = reader.all_paths(), reader.guides()
-    found = imported(paths, missed=tuple(reader.missed))
+    drawn, guides = reader.all_paths(), reader.guides()
+    found = imported(drawn.paths, missed=tuple(reader.missed))
     sheet = reader.sheet
     document = msgspec.structs.replace(
-        found.document, unit=sheet.unit, page=sheet.page, guides=guides, layers=layers
+        found.document,
+        unit=sheet.unit,
+        page=sheet.page,
+        guides=guides,
+        layers=drawn.layers,
+        empty_layers=drawn.empty_layers,
     )
     return replace(found, document=tidy_shapes(document))
 
@@ -135,6 +140,7 @@ class _Reader:
         self._styles = StyleReader(Paints(self._by_id, self._cascade.of))
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
+        self._layers: list[tuple[Group, ...]] = []
 
     def all_paths(self) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
@@ -145,7 +151,7 @@ class _Reader:
         unseen = [each for each in drawn if not _is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        return settled(seen or [_with_line(each) for each in drawn])
+        return settled(seen or [_with_line(each) for each in drawn], self._layers)
 
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
@@ -208,8 +214,11 @@ class _Reader:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
         if not is_around_copied and (tag == "g" or (depth > 0 and name_of(element))):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
-            group = Group(self._visited, name_of(element), is_layer)
+            visible = state.properties.is_displayed
+            group = Group(self._visited, name_of(element), is_layer, visible, state.is_locked)
             state = replace(state, groups=(*state.groups, group))
+            if is_layer:
+                self._layers.append(state.groups)
         if tag == "svg" and depth > 0:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             state = self._in_view_box(element, element, state, (x, y))
