@@ -14,13 +14,13 @@ from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, J
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, Requirement, above, at_least, between, printed
+from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
+from .guide import Guide as Guide  # noqa: PLC0414
+from .guide import Length
 from .style import PLAIN_STYLE, Style
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
-
-Length = Annotated[float, LENGTH]
-"""A number that is twice as large in a drawing twice as large."""
 
 Lengths = Annotated[Vector | None, LENGTH]
 """A vector of such, or none."""
@@ -300,28 +300,6 @@ class ReferenceImage(Value, frozen=True, omit_defaults=False):
     height: Annotated[Length, above(0)]
     opacity: Annotated[float, between(0, 1)] = 0.5
     locked: bool = False
-
-
-class Axis(NamedEnum):
-    """A coordinate of the plane."""
-
-    X = "x", "x"
-    Y = "y", "y"
-
-
-class Guide(Value, frozen=True):
-    """A line to draw along, all across the plane.
-
-    Attributes
-    ----------
-    axis
-        The coordinate that all of its points have in common: x of an upright line.
-    position
-        That coordinate.
-    """
-
-    axis: Axis
-    position: Length
 
 
 class Page(Value, frozen=True, omit_defaults=False):

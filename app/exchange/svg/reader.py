@@ -73,7 +73,7 @@ _CUT_OFF = Flaw("the view box around it cuts some of it off", "it comes in whole
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
 _NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", "left out")
-_ODD_GUIDE = Flaw("guides here are level or upright", "left out")
+_ODD_GUIDE = Flaw("it does not say where it lies", "left out")
 _ONE_POINT = Flaw("it is a single point", "left out")
 _UNPAINTED = "it has neither a stroke nor a fill"
 
