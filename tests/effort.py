@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 
+import pytest
+
 
 def calls_of(work: Callable[[], object]) -> int:
     """Return how many functions `work` calls, those written in C included."""
@@ -21,3 +23,16 @@ def calls_of(work: Callable[[], object]) -> int:
     finally:
         sys.setprofile(before)
     return count
+
+
+def noted_calls(monkeypatch: pytest.MonkeyPatch, owner: object, name: str) -> list[tuple[object, ...]]:
+    """Return the arguments of all calls of a function of `owner` from now on; it does what it did."""
+    calls: list[tuple[object, ...]] = []
+    work = getattr(owner, name)
+
+    def noted(*arguments: object) -> object:
+        calls.append(arguments)
+        return work(*arguments)
+
+    monkeypatch.setattr(owner, name, noted)
+    return calls

@@ -33,8 +33,8 @@ class ControlPolygonLayer(Layer):
         """Draw the polygon of `view` from the next paint on."""
         self._view = view
         self.set_visible(view.source.family.has_control_points)
-        self.set_opacity(opacity_of(view))
         if self.is_visible:
+            self.set_opacity(opacity_of(view))
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

@@ -52,10 +52,11 @@ def mark_sizes(arm: Arm, scale: float) -> list[float]:
     On short segments the handles of a point lie within a few pixels of each other: the mark of each is small
     enough then to be seen beside the one that it hangs on, and the one that hangs on it.
     """
-    rooms = [math.dist(*ends) for ends in pairwise(arm)]
+    rooms = [*map(math.dist, arm, arm[1:])]
     rooms = [*map(min, rooms, rooms[1:]), rooms[-1]]
+    least = _LEAST * scale
     return [
-        min(largest * scale, max(_SHARE * room, _LEAST * scale))
+        min(largest * scale, max(_SHARE * room, least))
         for largest, room in zip(HANDLE_SIZES, rooms, strict=False)
     ]
 
@@ -70,12 +71,15 @@ class ShownHandles:
     """
 
     def __init__(self) -> None:
-        self._own = self._facing = NO_HANDLES
+        # The facing ones come first: they lie below the others.
+        self._handles = NO_HANDLES
         self._view: CurveView | None = None
         # Which sides of points have them, and what that follows from: it stays under a drag.
-        self._sides: tuple[PointSides, PointSides] = (sides_at(()), sides_at(()))
+        self._sides: PointSides = sides_at(())
         self._sides_of: tuple[object, ...] = ()
-        self._in_sight: tuple[PixelMap | None, Handles, Handles] = (None, NO_HANDLES, NO_HANDLES)
+        self._selection: frozenset[int] = frozenset()
+        self._counted: tuple[object, int] = (None, 0)
+        self._in_sight: tuple[PixelMap | None, Handles, int] = (None, NO_HANDLES, 0)
 
     def find(self, view: CurveView, selection: frozenset[int], *, free: bool) -> None:
         """Find the handles; `free`, while points are added: at an end one point has them on both sides."""
@@ -87,51 +91,66 @@ class ShownHandles:
         # A line stays one while points are dragged.
         if sides_of != self._sides_of or not view.is_followed:
             indices = [index for index in selection if index < count]
-            facing = sides_facing(() if free else indices, count, closed=is_closed)
-            sides = sides_at(indices)
-            self._sides = (sides if is_one else _bent(view.source, sides), _bent(view.source, facing))
-        self._view, self._sides_of = view, sides_of
-        self._in_sight = (None, NO_HANDLES, NO_HANDLES)
-        own = handles_on(view, self._sides[0], free=free and is_one)
-        self._own = own if is_one else own.of_velocities()
-        self._facing = handles_on(view, self._sides[1]).of_velocities()
+            sides, facing = sides_at(indices), sides_facing(() if free else indices, count, closed=is_closed)
+            self._sides = _joined(_bent(view.source, facing), sides if is_one else _bent(view.source, sides))
+        self._view, self._sides_of, self._selection = view, sides_of, selection
+        self._in_sight = (None, NO_HANDLES, 0)
+        handles = handles_on(view, self._sides, free=free and is_one)
+        self._handles = handles if is_one else handles.of_velocities()
 
     def of_selected(self, shown: PixelMap) -> Handles:
         """Return the handles of the selected points; none where too many are in sight."""
-        return self._limited(shown)[0]
+        handles, facing = self._seen(shown)
+        return handles.of_arms(slice(facing, None))
 
     def facing(self, shown: PixelMap) -> Handles:
         """Return the handles that face the selected points from beyond the segments beside them."""
-        return self._limited(shown)[1]
+        handles, facing = self._seen(shown)
+        return handles.of_arms(slice(facing)).of_velocities()
 
-    def _limited(self, shown: PixelMap) -> tuple[Handles, Handles]:
+    def _seen(self, shown: PixelMap) -> tuple[Handles, int]:
+        """Return all handles in sight, and how many of the arms are facing ones: these come first."""
         if self._in_sight[0] is not shown:
-            own, facing = (_near(each, shown) for each in (self._own, self._facing))
-            if len(own.indices) > 2 * MOST_POINTS:
-                own = facing = NO_HANDLES
-            self._in_sight = (shown, own, facing)
+            handles, facing = self._handles, self._facing_count
+            if len(handles.indices) - facing > 2 * MOST_POINTS:
+                near = _near(handles, shown)
+                handles, facing = handles.of_arms(near), int(near[:facing].sum())
+                if len(handles.indices) - facing > 2 * MOST_POINTS:
+                    handles, facing = NO_HANDLES, 0
+            self._in_sight = (shown, handles, facing)
         return self._in_sight[1:]
+
+    @property
+    def _facing_count(self) -> int:
+        indices = self._handles.indices
+        if self._counted[0] is not indices:
+            # The arms stay under a drag.
+            self._counted = (indices, sum(index not in self._selection for index in indices.tolist()))
+        return self._counted[1]
 
     def note(self, shown: PixelMap) -> str:
         """Return the sentence about handles that are left away; empty where all are shown."""
-        if len(self._own.indices) <= 2 * MOST_POINTS or len(self.of_selected(shown)):
+        if len(self._handles.indices) <= 2 * MOST_POINTS or len(self._seen(shown)[0]):
             return ""
         return LEFT_AWAY
 
     def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk) -> None:
         """Draw them: the fainter ones below the others."""
-        own, facing = self._limited(shown)
+        handles, facing = self._seen(shown)
+        if not len(handles):
+            return
         lines: dict[tuple[Shade, int], list[QLineF]] = {}
         marks: list[Mark[HandleLook]] = []
-        for handles, shade in ((facing, Shade.FAINT), (own, Shade.STRONG)):
-            # As plain numbers: there are few, and in every frame of a drag each step through NumPy counts.
-            for arm, given in zip(_arms(handles, shown), handles.explicit.tolist(), strict=True):
-                sizes = mark_sizes(arm, ink.scale)
-                for order, ((x0, y0), (x, y)) in enumerate(pairwise(arm)):
-                    if abs(x0) + abs(y0) + abs(x) + abs(y) < _FAR:
-                        lines.setdefault((shade, order), []).append(QLineF(x0, y0, x, y))
-                        look = HandleLook(order, _stepped(sizes[order]), given[order], shade)
-                        marks.append((look, x, y))
+        # As plain numbers: there are few, and in every frame of a drag each step through NumPy counts.
+        arms: list[Arm] = shown.points(handles.places).tolist()
+        arms[:facing] = [arm[:2] for arm in arms[:facing]]
+        for number, (arm, given) in enumerate(zip(arms, handles.explicit.tolist(), strict=True)):
+            shade = Shade.FAINT if number < facing else Shade.STRONG
+            sizes = mark_sizes(arm, ink.scale)
+            for order, ((x0, y0), (x, y)) in enumerate(pairwise(arm)):
+                if abs(x0) + abs(y0) + abs(x) + abs(y) < _FAR:
+                    lines.setdefault((shade, order), []).append(QLineF(x0, y0, x, y))
+                    marks.append((HandleLook(order, _stepped(sizes[order]), given[order], shade), x, y))
         if ink.over_picture:
             # Paper under handles and their lines.
             painter.setPen(ink.beneath)
@@ -141,11 +160,6 @@ class ShownHandles:
             painter.setPen(ink.lines[drawn_with])
             painter.drawLines(alike)
         ink.handles.draw(painter, marks)
-
-
-def _arms(handles: Handles, shown: PixelMap) -> list[Arm]:
-    arms: list[Arm] = shown.points(handles.places).tolist() if len(handles) else []
-    return arms
 
 
 def _stepped(size: float) -> float:
@@ -162,11 +176,16 @@ def _bent(curve: Curve, sides: PointSides) -> PointSides:
     return sides if is_bent.all() else PointSides(sides.indices[is_bent], sides.ahead[is_bent])
 
 
-def _near(handles: Handles, shown: PixelMap) -> Handles:
-    """Return the arms that reach into the area; all where they are few."""
-    if len(handles.indices) <= 2 * MOST_POINTS:
-        return handles
+def _joined(first: PointSides, second: PointSides) -> PointSides:
+    """Return all sides of the two."""
+    return PointSides(
+        np.concatenate([first.indices, second.indices]), np.concatenate([first.ahead, second.ahead])
+    )
+
+
+def _near(handles: Handles, shown: PixelMap) -> BoolArray:
+    """Tell which arms reach into the area."""
     pixels = shown.points(handles.places)
     low, high = pixels.min(axis=1), pixels.max(axis=1)
     which: BoolArray = ((high > 0) & (low < [shown.width, shown.height])).all(axis=1)
-    return handles.of_arms(which)
+    return which

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from itertools import compress
 from operator import attrgetter, is_, is_not
+from typing import TypeAlias
 
 from .model import Curve, Document, Point
 
@@ -15,11 +16,25 @@ _besides_points = attrgetter(*(name for name in Curve.__struct_fields__ if name 
 _besides_place = attrgetter(*(name for name in Point.__struct_fields__ if name not in ("x", "y")))
 
 
+_Step: TypeAlias = tuple[Document | None, Document | None, list[int] | None]
+
+_last: _Step = (None, None, None)
+
+
 def reshaped(before: Document, after: Document) -> list[int] | None:
     """Return which curves have other points in `after`; None where more than points is another thing.
 
-    Each has as many points as before, so that all that names a curve or a point names the same one.
+    Each has as many points as before, so that all that names a curve or a point names the same one. The last
+    answer is kept: all who hear of a step ask the same.
     """
+    global _last  # noqa: PLW0603
+    step = _last
+    if step[0] is not before or step[1] is not after:
+        step = _last = (before, after, _reshaped(before, after))
+    return step[2]
+
+
+def _reshaped(before: Document, after: Document) -> list[int] | None:
     old, new = before.curves, after.curves
     if len(old) != len(new) or not all(map(is_, _besides_curves(before), _besides_curves(after))):
         return None

@@ -137,11 +137,12 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
     def paintEvent(self, event: QPaintEvent) -> None:
         # Nothing is an item of Qt's graphics scene: neither Qt's view nor pyqtgraph is asked to paint.
         origin, area, shown = self.camera.origin, self.camera.area, self.camera.pixel_map
+        region = event.region()
         with QPainter(self.viewport()) as painter:
-            self.layers.paint_ground(painter, shown, origin, event.region())
+            self.layers.paint_ground(painter, shown, origin, region)
             painter.translate(origin)
             self.rulers.paint(painter, shown, self.layers.theme)
-            if event.region().intersects(area):
+            if region.intersects(area):
                 painter.setClipRect(QRectF(area).translated(-origin))
                 self.layers.paint(painter, shown)
         if self._shows_focus:

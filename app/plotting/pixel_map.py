@@ -9,6 +9,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+_LEAST_ROWS = 256
+_NO_ROWS = np.empty((2, 0, 2))
+
 
 class PixelMap(msgspec.Struct, frozen=True, dict=True):
     """An axis-aligned map from the plane to the pixels of a plot area; y points up in the plane.
@@ -58,15 +61,26 @@ class PixelMap(msgspec.Struct, frozen=True, dict=True):
         return (self.y0 - values) * self.sy
 
     def points(self, points: FloatArray) -> FloatArray:
-        """Return the pixels (k, 2) of points (k, 2) of the plane."""
-        corner, scales = self._corner_and_scales
-        pixels: FloatArray = (points - corner) * scales
+        """Return the pixels (…, 2) of points (…, 2) of the plane."""
+        corners, scales = self._rows(points.size // 2)
+        pixels: FloatArray = points - corners.reshape(points.shape)
+        pixels *= scales.reshape(points.shape)
         return pixels
 
-    @cached_property
-    def _corner_and_scales(self) -> tuple[FloatArray, FloatArray]:
-        # (y0 − y) · sy is (y − y0) · (−sy), to the last bit.
-        return np.array([self.x0, self.y0]), np.array([self.sx, -self.sy])
+    def _rows(self, count: int) -> tuple[FloatArray, FloatArray]:
+        """Return the upper left corner and the scales `count` times, (count, 2) each.
+
+        One row for all is the same, but NumPy then goes through the array two numbers at a time: four times
+        as long, in every frame of a drag.
+        """
+        corners, scales = self.__dict__.get("_known_rows", _NO_ROWS)
+        if len(corners) < count:
+            corners, scales = np.empty((2, max(count, _LEAST_ROWS), 2))
+            corners[:, 0], corners[:, 1] = self.x0, self.y0
+            # (y0 − y) · sy is (y − y0) · (−sy), to the last bit.
+            scales[:, 0], scales[:, 1] = self.sx, -self.sy
+            self.__dict__["_known_rows"] = (corners, scales)
+        return corners[:count], scales[:count]
 
     def point(self, x: float, y: float) -> tuple[float, float]:
         """Return the pixel of one point."""

@@ -96,7 +96,7 @@ class Handles(msgspec.Struct, frozen=True, eq=False):
         """Return the handles of the velocities alone."""
         return Handles(self.indices, self.ahead, self.places[:, :2], self.explicit[:, :1])
 
-    def of_arms(self, which: BoolArray) -> Handles:
+    def of_arms(self, which: BoolArray | slice) -> Handles:
         """Return the handles of some of the arms."""
         return Handles(self.indices[which], self.ahead[which], self.places[which], self.explicit[which])
 

@@ -52,10 +52,16 @@ class Commands:
         self._sets = {kind: kind(context) for kind in command_sets}
         context.central.fill(self._sets)
         self._follow, self._render = self._hooks("follow"), self._hooks("render")
+        # Those that have something to show; all others are not asked while only points move.
+        self._following = self._follow
         self._show_document = self._hooks("show_document")
         self.drops = Drops(context, self._sets.values())
         self.context_menus = ContextMenus(context, self._sets, self.attempt)
         self._had_scrub = False
+        context.store.changed.connect(self.wake)
+        context.analysis.added.connect(self.wake)
+        for dock in context.docks.all:
+            dock.visibilityChanged.connect(self.wake)
         for each in self._sets.values():
             context.actions.bind(each, self._run)
 
@@ -77,6 +83,7 @@ class Commands:
         self.attempt(handler)
         # A switch that was clicked shows what is, also where nothing changed.
         self._context.actions.render()
+        self.wake()
 
     def widgets(self) -> dict[Place, ToolbarWidget]:
         """Return what stands in the toolbar besides actions."""
@@ -84,6 +91,7 @@ class Commands:
 
     def follow_scrub(self, t: float | None) -> None:
         """Show whether there is a scrub line; where it stands is no matter of actions."""
+        self.wake()
         if (t is not None) != self._had_scrub:
             self._had_scrub = t is not None
             self._context.actions.render()
@@ -124,8 +132,14 @@ class Commands:
 
     def follow(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""
-        for follow in self._follow:
-            follow(view)
+        asked = self._following
+        following = [follow for follow in asked if follow(view)]
+        if self._following is asked:
+            self._following = following
+
+    def wake(self, *_changed: object) -> None:
+        """Ask all again who show what follows a drag: they may have something to show by now."""
+        self._following = [*self._follow]
 
     def show_document(self) -> None:
         """Show what a document has beside its curves."""

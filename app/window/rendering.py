@@ -62,6 +62,7 @@ class Rendering(QObject):
         else:
             self._render_others()
             self._commands.show_document()
+            self._commands.wake()
         self._commands.follow(view)
         if not session.is_previewing:
             self._render_panels()

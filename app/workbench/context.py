@@ -73,9 +73,10 @@ class WindowContext(msgspec.Struct, frozen=True):
 def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., object]]:
     """Return the methods of this name of the command sets that have one.
 
-    ``follow(view)`` shows what belongs to a curve; called for every preview, hence quick where nothing is
-    switched on. ``render(view)`` does so at the pace of the panels. ``show_document()`` shows what a
-    document has beside its curves, whenever more than points of the edited one has changed.
+    ``follow(view)`` shows what belongs to a curve, for every preview, and returns whether there is anything
+    to show: who has nothing is not asked again under a drag, until a switch, a panel, the scrub line or more
+    than points has changed. ``render(view)`` does so at the pace of the panels. ``show_document()`` shows
+    what a document has beside its curves, whenever more than points of the edited one has changed.
     ``set_theme(theme)`` takes colours, ``close()`` ends what has to end before the window goes, ``escape()``
     steps back where nothing else takes the key, and returns whether no other one shall.
     ``import_files(paths)`` and ``trace(path)`` take what was dropped, ``paste_dropped(data, place)`` what is

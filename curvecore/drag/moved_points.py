@@ -16,7 +16,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, box_edges, tolerance_value
 from curvecore.bezier.bernstein_algebra import weights
@@ -50,6 +50,15 @@ class _Vertices(NamedTuple):
     t: FloatArray
     places: FloatArray
     ways: FloatArray
+    deviation: FloatArray
+
+
+class _Drawn(NamedTuple):
+    """Vertices, their places x + iy and ways (m, 1) complex: of pairs NumPy moves half as many."""
+
+    t: FloatArray
+    places: NDArray[np.complex128]
+    ways: NDArray[np.complex128]
     deviation: FloatArray
 
 
@@ -94,7 +103,7 @@ class MovedPoints:
         self._curve, self._unit, self._tolerance = curve, unit, tolerance_value(tolerance)
         self._edges = None if box is None else box_edges(box)
         self._reach, self._centre, self._last = 0.0, (math.inf, math.inf), (0.0, 0.0)
-        self._vertices: _Vertices | None = None
+        self._vertices: _Drawn | None = None
         # All samples, with those that are left out.
         self._samples: _Samples | None = None
 
@@ -120,7 +129,7 @@ class MovedPoints:
         if self._vertices is None:
             return None
         t, places, ways, deviation = self._vertices
-        return Pieces(t, places + ways * (dx, dy), deviation)
+        return Pieces(t, (places + ways * complex(dx, dy)).view(np.float64), deviation)
 
     def _choose(self, reach: float) -> None:
         """Choose vertices that serve within reach of the centre, a smaller one where that takes too many."""
@@ -132,7 +141,7 @@ class MovedPoints:
                 # No more is tried until it is elsewhere.
                 self._reach = reach * self._tolerance
 
-    def _chosen(self) -> _Vertices | None:
+    def _chosen(self) -> _Drawn | None:
         """Return vertices that serve within reach of the centre; None where they are too many."""
         if len(self._curve.breaks) > _MOST_VERTICES:
             return None
@@ -140,7 +149,8 @@ class MovedPoints:
         found = self._sampled() if controls is None else self._on_segments(controls)
         if found is None or not np.isfinite(found.places).all() or not np.isfinite(found.ways).all():
             return None
-        return self._merged(found)
+        t, places, ways, deviation = self._merged(found)
+        return _Drawn(t, places.view(np.complex128), ways.astype(np.complex128), deviation)
 
     def _on_segments(self, controls: FloatArray) -> _Vertices | None:
         """Divide each segment equally: bounds of second derivatives bound the deviations."""

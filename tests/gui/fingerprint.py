@@ -32,7 +32,12 @@ PASSING = {
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_in_sight", "_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
     *("Cardinals._key", "Cardinal.growth", "FunctionLines._shown"),
-    *("PixelMap._corner_and_scales", "PointLayer._kinds_of", "Actions._seen_of"),
+    *(
+        "PixelMap._known_rows",
+        "ShownHandles._counted",
+        "PointLayer._kinds_of",
+        "Actions._seen_of",
+    ),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *(
         "BasisView.supports",

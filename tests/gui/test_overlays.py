@@ -108,6 +108,22 @@ def test_an_overlay_follows_a_drag(editor, name):
     assert not legend(editor)
 
 
+def test_what_is_switched_on_during_a_drag_follows_it(editor):
+    editor.choose_family(HERMITE)
+    x, y = editor.point(3)
+    editor.press((x, y))
+    for step in range(1, 4):
+        # While nothing is shown, nobody but the basis functions and the table is asked.
+        editor.move((x + 0.05 * step, y))
+    editor.window.context.analysis.show(comb.COMB, shown=True)
+    seen = []
+    for step in range(1, 4):
+        editor.move((x + 0.3 * step, y + 0.3))
+        seen.append(first(editor, comb.TEETH).tobytes())
+    assert len(set(seen)) == 3
+    editor.escape()
+
+
 HEAVY = {
     "overlayMarks": marks.INFLECTION,
     "overlayEnsemble": ensemble.LINES,

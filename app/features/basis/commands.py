@@ -69,10 +69,11 @@ class BasisCommands:
 
     # What is shown
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, view: CurveView) -> bool:
         """Show the functions of `view`."""
         self._pane.render_view(view)
         self._context.central.basis = self._panel.drawing.basis
+        return True
 
     def render(self, view: CurveView) -> None:
         """Show Λ and what is wrong with the functions; of many points when a drag has ended."""

@@ -119,10 +119,12 @@ class FitCommands(QObject):
         self._ask()
         make_room(self._context.window, self._dock, _HEIGHT)
 
-    def follow(self, _view: CurveView) -> None:
+    def follow(self, _view: CurveView) -> bool:
         """Fit anew where the curve is another one."""
-        if self._panel is not None and self._is_seen:
+        is_seen = self._panel is not None and self._is_seen
+        if is_seen:
             self._ask()
+        return is_seen
 
     def escape(self) -> bool:
         """Put the curve of fewer points away, computed or not; return whether there was one."""

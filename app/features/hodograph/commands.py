@@ -49,11 +49,14 @@ class HodographCommands:
     def _shown(self) -> HodographPanel | None:
         return self._panel if self._panel is not None and self._panel.isVisible() else None
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, view: CurveView) -> bool:
         """Draw the hodograph of `view` if anybody sees it."""
         panel = self._shown
-        if panel is None:
-            return
+        if panel is not None:
+            self._draw(panel, view)
+        return panel is not None
+
+    def _draw(self, panel: HodographPanel, view: CurveView) -> None:
         if not view.is_current:
             self._task.give_up()
             panel.plot.say(view.problem)

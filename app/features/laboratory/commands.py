@@ -144,15 +144,17 @@ class LaboratoryCommands(Guarded, QObject):
 
     # Computing
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, view: CurveView) -> bool:
         """Compute anew once things have settled, if curve or settings are other ones."""
         settings = self._settings
         if not settings.on:
             if self._asked is not None:
                 self._reset()
-            return
-        if self._asked == (view, settings):
-            return
+        elif self._asked != (view, settings):
+            self._try(view, settings)
+        return settings.on
+
+    def _try(self, view: CurveView, settings: LaboratorySettings) -> None:
         is_other_kind = self._asked is None or self._asked[0].source.family != view.source.family
         if self._panel is not None and (is_other_kind or self._asked is None or self._asked[1] != settings):
             self._panel.render_view(view)

@@ -79,10 +79,11 @@ class MotionCommands:
             self._stage.settle(self._context.session.active_view)
         return self._stage
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, _view: CurveView) -> bool:
         """Keep dots and arrows on the curve."""
         if self._stage is not None:
             self._stage.follow()
+        return self._stage is not None
 
     @action(
         "playMotion",

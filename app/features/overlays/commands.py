@@ -58,13 +58,13 @@ class OverlayCommands:
 
     # What is shown
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, view: CurveView) -> bool:
         """Draw the figures of `view` that are switched on."""
         settings = self._context.analysis.settings
         if settings.is_empty:
             if self._is_drawn:
                 self._clear()
-            return
+            return False
         waits = analysis.picture.settling(view, settings)
         self._settle(view, settings, waits)
         live = analysis.picture.live_picture(view, settings, self._context.session.selected.scrub)
@@ -80,6 +80,7 @@ class OverlayCommands:
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._context.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
         self._is_drawn = True
+        return True
 
     def _ghosts_of(self, view: CurveView, settings: AnalysisSettings) -> dict[Ghost, GhostView]:
         if not (settings.ghosts and view.is_current):

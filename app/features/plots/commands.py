@@ -63,14 +63,15 @@ class PlotCommands:
         """Remember how high the plots are."""
         self._context.preferences.plot_height = self._panel.kept_height
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, view: CurveView) -> bool:
         """Plot `view`; during a drag the scales only grow."""
         pane = self._shown
         if pane is None:
-            return
+            return False
         calm = self._session.is_previewing
         if not (self._shows_same(view) and calm == self._was_calm):
             self._plot(pane, view, calm=calm)
+        return True
 
     def _shows_same(self, view: CurveView) -> bool:
         """Whether only points have moved, and nothing but the Lebesgue function is plotted."""

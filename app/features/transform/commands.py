@@ -14,6 +14,7 @@ from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
 from ...document.several_curves import mapped
 from ...document.transforms import Affine, flipping, rotation
+from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
@@ -91,14 +92,15 @@ class SelectionCommands:
         self._context = context
         self._session = context.session
         self._target = context.central.canvas.tools.target
-        self._show_strokes()
-        context.store.changed.connect(self._show_strokes)
-        self._session.document_changed.connect(self._show_strokes)
+        context.store.changed.connect(self._follow_state)
         self._session.history_changed.connect(self._target.keep_pivot)
         for changed in (self._session.pivot_changed, self._session.grips_changed):
             changed.connect(context.central.canvas.show_marks)
 
-    def _show_strokes(self, *_changed: object) -> None:
+    def _follow_state(self, _before: WindowState, _after: WindowState) -> None:
+        self.show_document()
+
+    def show_document(self) -> None:
         """Show the box, and measure strokes as those of the document print."""
         settings, state = self._context.central.canvas.tools.settings, self._context.store.state
         page = self._session.document.page

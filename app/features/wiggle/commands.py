@@ -143,11 +143,15 @@ class WiggleCommands(QObject):
 
     # What is shown
 
-    def follow(self, view: CurveView) -> None:
+    def follow(self, view: CurveView) -> bool:
         """Explain anew where the scrub line stands; cures are tried once things have settled."""
         panel = self._panel
         if panel is None or not self._is_seen:
-            return
+            return False
+        self._explain(panel, view)
+        return True
+
+    def _explain(self, panel: WigglePanel, view: CurveView) -> None:
         t = self._session.selected.scrub
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.points), view.problem)
