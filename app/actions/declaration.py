@@ -80,6 +80,9 @@ class Action(msgspec.Struct, frozen=True):
         What must be there before it can be used.
     key_needs
         What its keys need besides, where a slip of the finger would do more than a click means.
+    key_asks
+        What its keys would do that may not be meant, as a sentence; the same key at once after it does it.
+        Empty where there is nothing to ask.
     checked
         Whether it is on; makes it a switch.
     field
@@ -107,6 +110,7 @@ class Action(msgspec.Struct, frozen=True):
     full_name: str = ""
     needs: Need = NOTHING
     key_needs: Need = NOTHING
+    key_asks: Callable[[Situation], str] | None = None
     checked: Callable[[Situation], bool] | None = None
     group: str = ""
     title: Callable[[Situation], str] | None = None

@@ -1,34 +1,57 @@
-"""Keys of actions that can be refused while their buttons and menu entries act."""
+"""Keys of actions that are refused, or asked about, while their buttons and menu entries act."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QAction
 
+from ..document.selection import Choice
 from ..qt.overrides import Guarded
 from .needs import Need
 from .situation import Situation
 
+_Ask = Callable[[Situation], str]
+"""What a key would do that may not be meant, as a sentence; empty where there is nothing to ask."""
+
 
 class KeyGate(Guarded, QObject):
-    """Lets the keys of actions pass, or says why not."""
+    """Lets the keys of actions pass, or says why not, or what they would do before they do it."""
 
     def __init__(self, now: Situation) -> None:
         super().__init__()
         self._now = now
-        self._needs: dict[str, Need] = {}
+        self._guarded: dict[str, tuple[Need, _Ask | None]] = {}
+        # The action that was asked about last, and what was selected.
+        self._asked: tuple[str, Choice] | None = None
+        now.session.message.connect(self._forget)
+        now.session.history_changed.connect(self._forget)
 
-    def guard(self, action: QAction, needs: Need) -> None:
-        """Let the keys of `action` pass only where `needs` is met."""
-        self._needs[action.objectName()] = needs
+    def guard(self, action: QAction, needs: Need, asks: _Ask | None = None) -> None:
+        """Let the keys of `action` pass only where `needs` is met, and where it `asks`, the second time."""
+        self._guarded[action.objectName()] = needs, asks
         action.installEventFilter(self)
+        if asks is not None:
+            # A key that is held down is no second one.
+            action.setAutoRepeat(False)
+
+    def _forget(self) -> None:
+        self._asked = None
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take a key that is refused."""
         if event.type() is not QEvent.Type.Shortcut:
             return False
-        needs = self._needs[watched.objectName()]
-        if needs.is_met(self._now):
+        now, name = self._now, watched.objectName()
+        needs, asks = self._guarded[name]
+        if not needs.is_met(now):
+            now.session.refuse(needs.reason(now))
+            return True
+        about = name, now.session.selected.choice
+        if asks is None or self._asked == about or not (question := asks(now)):
+            self._forget()
             return False
-        self._now.session.refuse(needs.reason(self._now))
+        now.session.refuse(question)
+        self._asked = about
         return True

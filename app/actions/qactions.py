@@ -108,8 +108,8 @@ class Actions(QObject):
             self._groups[each.group].addAction(action)
         name = full_name_of(action).removesuffix("…")
         self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key)))
-        if each.key_needs is not NOTHING:
-            self._gate.guard(action, each.key_needs)
+        if each.key_needs is not NOTHING or each.key_asks is not None:
+            self._gate.guard(action, each.key_needs, each.key_asks)
         return action
 
     def _find_alike(self) -> list[_Alike]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from ..document.model import Document
 from ..document.point_group import PointGroup
 from ..document.several_curves import is_blank
+from ..document.shape_edits import objects
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
 from ..view_model.curve_view import CurveView
@@ -21,6 +23,7 @@ class Situation:
 
     def __init__(self, session: Session, store: WindowStore, clipboard: ClipboardWatch) -> None:
         self.session, self._store, self._clipboard = session, store, clipboard
+        self._known: tuple[Document, frozenset[int], int] | None = None
 
     @property
     def state(self) -> WindowState:
@@ -61,6 +64,16 @@ class Situation:
     def chosen(self) -> frozenset[int]:
         """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
         return self.session.selected.chosen
+
+    @property
+    def object_count(self) -> int:
+        """The number of things that are chosen: a whole group is one, and a whole shape."""
+        document, chosen, known = self.session.document, self.chosen, self._known
+        if len(chosen) < 2:
+            return len(chosen)
+        if known is None or known[0] is not document or known[1] != chosen:
+            known = self._known = document, chosen, len(objects(document, chosen))
+        return known[2]
 
     @property
     def has_copied_derivatives(self) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from functools import cache, cached_property, lru_cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Final
 
@@ -19,7 +19,7 @@ _PIXELS: Final = (16, 20, 24, 32, 40, 48, 64, 80)
 """16, 20, 24, 32 and 40 px at device pixel ratios 1 and 2."""
 
 
-@lru_cache(maxsize=256)
+@cache
 def icon(name: str, theme: Theme) -> QIcon:
     """
     Return an icon of ``resources/icons`` in the colours of a theme.

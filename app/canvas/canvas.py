@@ -42,12 +42,15 @@ class Canvas(ToolPlot):
         A guide, by its place in the document, shall be given a place; or a new one, by its axis.
     text_placed
         A text shall begin at a place.
+    colour_picked
+        The "fill" or the "stroke" of what is chosen shall have a colour, "#rrggbb".
     """
 
     menu_requested = Signal(object, QPoint)
     guide_drawn = Signal()
     guide_opened = Signal(object)
     text_placed = Signal(object)
+    colour_picked = Signal(str, str)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(tools, parent)
@@ -59,9 +62,10 @@ class Canvas(ToolPlot):
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
-        self._edge = EdgeScroll(self.camera, self._move_again)
+        self._edge = EdgeScroll(self.camera, self.move_again)
         tools.curves_at = self.drawing.curves_at
         tools.write_at = self.text_placed.emit
+        tools.colour_at, tools.give_colour = self.drawing.colour_at, self.colour_picked.emit
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
 

@@ -110,18 +110,18 @@ class DrawnCurves:
         self.above.render_shapes(above, [])
         self.selected.render(views, [place for place in other if place in selected])
         siblings = [place for place in other if place in edited and place not in selected]
-        self.siblings.render_shapes([(views[place],) for place in siblings], [])
+        self.siblings.render_shapes({place: (views[place],) for place in siblings}, [])
         self.curve.set_covered(bool(above))
 
     def _in_order(
         self, views: Sequence[CurveView], active: int, selected: Collection[int]
-    ) -> tuple[list[Shape], Shape, list[Shape]]:
+    ) -> tuple[dict[int, Shape], Shape, dict[int, Shape]]:
         """Return the shapes below the edited one, that where it is no plain line, and those over it.
 
-        With no edited one, −1, all are below.
+        Each stands at the place of its first curve. With no edited one, −1, all are below.
         """
-        below: list[Shape] = []
-        above: list[Shape] = []
+        below: dict[int, Shape] = {}
+        above: dict[int, Shape] = {}
         edited: Shape = ()
         is_layered = False
         for places in shapes([view.source for view in views]):
@@ -137,8 +137,8 @@ class DrawnCurves:
             if shape:
                 is_over = places.start > active >= 0
                 is_layered |= is_over and not is_line
-                (above if is_over else below).append(shape)
-        return (below, edited, above) if is_layered else ([*below, *above], edited, [])
+                (above if is_over else below)[places.start] = shape
+        return (below, edited, above) if is_layered else (below | above, edited, {})
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve that is not edited at `pixel`; lines that are thin have no insides."""

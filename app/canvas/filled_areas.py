@@ -72,8 +72,11 @@ class FilledAreas:
         return [self._views[place] for place in places if self._views[place].has_curve]
 
     def _box(self, places: range) -> FloatArray:
-        lines = np.vstack([view.polyline for view in self._drawn(places)])
-        return np.array([lines.min(axis=0), lines.max(axis=0)])
+        first, *others = [view.drawn_box for view in self._drawn(places)]
+        if not others:
+            return first
+        corners = np.vstack([first, *others])
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
 def _is_pressed(curve: Curve) -> bool:

@@ -114,7 +114,8 @@ class Framing:
         if drawing.view is not None and not any(view is drawing.view for view in views):
             views.append(drawing.view)
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
-        self._show(box_of(views) or drawing.image.box)
+        image = drawing.image.corners
+        self._show(box_of(views) or (with_margin(PlaneBox(*image)) if image is not None else None))
         self._fitted = self._curves
 
     def fit_views(self, views: Sequence[CurveView]) -> None:

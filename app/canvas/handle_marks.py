@@ -46,8 +46,8 @@ Arm = list[list[float]]
 """The pixels of a point and of the handles on one side of it, each [x, y]."""
 
 
-def mark_sizes(arm: Arm, scale: float) -> list[float]:
-    """Return half the sizes of the marks of an arm, in pixels.
+def mark_sizes(arm: Arm, scale: float, share: float = 1.0) -> list[float]:
+    """Return half the sizes of the marks of an arm, in pixels; `share` is that of what they usually are.
 
     On short segments the handles of a point lie within a few pixels of each other: the mark of each is small
     enough then to be seen beside the one that it hangs on, and the one that hangs on it.
@@ -56,7 +56,7 @@ def mark_sizes(arm: Arm, scale: float) -> list[float]:
     rooms = [*map(min, rooms, rooms[1:]), rooms[-1]]
     least = _LEAST * scale
     return [
-        min(largest * scale, max(_SHARE * room, least))
+        min(max(largest * share * scale, least), max(_SHARE * room, least))
         for largest, room in zip(HANDLE_SIZES, rooms, strict=False)
     ]
 
@@ -134,8 +134,8 @@ class ShownHandles:
             return ""
         return LEFT_AWAY
 
-    def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk) -> None:
-        """Draw them: the fainter ones below the others."""
+    def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk, share: float = 1.0) -> None:
+        """Draw them: the fainter ones below the others, their marks a share of their usual size."""
         handles, facing = self._seen(shown)
         if not len(handles):
             return
@@ -146,7 +146,7 @@ class ShownHandles:
         arms[:facing] = [arm[:2] for arm in arms[:facing]]
         for number, (arm, given) in enumerate(zip(arms, handles.explicit.tolist(), strict=True)):
             shade = Shade.FAINT if number < facing else Shade.STRONG
-            sizes = mark_sizes(arm, ink.scale)
+            sizes = mark_sizes(arm, ink.scale, share)
             for order, ((x0, y0), (x, y)) in enumerate(pairwise(arm)):
                 if abs(x0) + abs(y0) + abs(x) + abs(y) < _FAR:
                     lines.setdefault((shade, order), []).append(QLineF(x0, y0, x, y))

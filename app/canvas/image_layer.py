@@ -6,7 +6,9 @@ import math
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
+
+from curvecore.arrays import FloatArray
 
 from ..document.model import ReferenceImage, Vector
 from ..plotting.layers import Layer
@@ -15,7 +17,6 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..tools.move_image import CORNERS, corner_of
 from ..tools.pointer import Hit, Part
-from .fitting import PlaneBox, with_margin
 from .page_image import inverted_lightness, is_page
 
 GRIP_REACH = 12.0
@@ -70,13 +71,13 @@ class ImageLayer(Layer):
         self._grips.set_visible(self._has_grips and self._image is not None)
 
     @property
-    def box(self) -> PlaneBox | None:
-        """The box that shows the picture with a margin; None without one."""
+    def corners(self) -> FloatArray | None:
+        """The lower left and the upper right corner of the picture, (2, 2); None without one."""
         image = self._image
         if image is None:
             return None
         corner, size = np.array([image.x, image.y]), np.array([image.width, image.height])
-        return with_margin(PlaneBox(corner, corner + size))
+        return np.array([corner, corner + size])
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return which part of the picture lies under `pixel`."""
@@ -90,6 +91,16 @@ class ImageLayer(Layer):
         if _rect(image, shown).contains(QPointF(*pixel)):
             return Hit(Part.IMAGE, -1, (image.x, image.y))
         return None
+
+    def colour_at(self, pixel: Vector, shown: PixelMap) -> QColor | None:
+        """Return the colour of the picture itself at a pixel, however pale it is shown; None beside it."""
+        image, pixels = self._image, self._pixels
+        if image is None or pixels is None:
+            return None
+        rect = _rect(image, shown)
+        x = math.floor((pixel[0] - rect.left()) / rect.width() * pixels.width())
+        y = math.floor((pixel[1] - rect.top()) / rect.height() * pixels.height())
+        return pixels.pixelColor(x, y) if pixels.valid(x, y) else None
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture, or the frame where it belongs."""

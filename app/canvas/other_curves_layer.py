@@ -39,6 +39,9 @@ _AT_ONCE = 400
 
 _ANYWHERE = np.array([[-np.inf, -np.inf], [np.inf, np.inf]])
 
+_OUTWARD = np.array([[-1.0], [1.0]])
+"""Ways of the corners of a box that grows."""
+
 _FEW = 8
 """Shapes that may be painted in every frame, whether they move or not, beside the picture of the others."""
 
@@ -64,6 +67,7 @@ class OtherCurvesLayer(Layer):
         self._is_cased = False
         self._is_thin = False
         self._views: list[tuple[int, CurveView]] = []
+        self._drawn: dict[int, Shape] = {}
         self._shapes: list[Shape] = []
         # Which shapes are in the picture, and which have changed last and are painted in every frame.
         self._sections = sections_of((), 0)
@@ -89,15 +93,15 @@ class OtherCurvesLayer(Layer):
             for place in places
             if (views[place].source.visible or self.shows_hidden) and views[place].has_curve
         ]
-        self.render_shapes([(view,) for _, view in shown], shown)
+        self.render_shapes({place: (view,) for place, view in shown}, shown)
 
-    def render_shapes(self, shapes: list[Shape], found: list[tuple[int, CurveView]]) -> None:
-        """Draw shapes from the next paint on; find these curves, each with its place."""
+    def render_shapes(self, shapes: dict[int, Shape], found: list[tuple[int, CurveView]]) -> None:
+        """Draw shapes from the next paint on, by the place of their first curve; find these curves."""
         if found != self._views:
             self._views, self._outline = found, None
-        if shapes != self._shapes:
-            self._follow(_changed(self._shapes, shapes), len(shapes))
-            self._shapes = shapes
+        if shapes != self._drawn:
+            self._follow(_changed(self._drawn, shapes), len(shapes))
+            self._drawn, self._shapes = shapes, list(shapes.values())
             self.set_visible(bool(shapes))
             self.update()
 
@@ -282,7 +286,8 @@ class _Outline:
 
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
         self.shown, self._views = shown, views
-        self._boxes = np.array([_box_of(view) for _, view in views])
+        boxes, off = zip(*(_box_of(view) for _, view in views), strict=True)
+        self._boxes = np.array(boxes) + np.array(off)[:, None, None] * _OUTWARD
         self._near: list[int] = []
         self._segments: PixelOutline | None = None
         self._places = np.empty(0, dtype=np.intp)
@@ -311,13 +316,10 @@ class _Outline:
             )
 
 
-def _box_of(view: CurveView) -> FloatArray:
-    """Return a box that the curve does not leave."""
+def _box_of(view: CurveView) -> tuple[FloatArray, float]:
+    """Return a box, and by how much the curve leaves it at most."""
     view.drawn_box  # noqa: B018 - with it the box is known, if it can be
-    if view.known_box is None:
-        return _ANYWHERE
-    box, off = view.known_box
-    return np.array([box[0] - off, box[1] + off])
+    return view.known_box or (_ANYWHERE, 0.0)
 
 
 def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
@@ -328,11 +330,11 @@ def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
     return nearest is not None and nearest.distance <= CURVE_REACH
 
 
-def _changed(before: list[Shape], after: list[Shape]) -> frozenset[int]:
-    """Return the places where two lists of shapes differ; none where they are not as many."""
-    if len(before) != len(after):
+def _changed(before: dict[int, Shape], after: dict[int, Shape]) -> frozenset[int]:
+    """Return which of the same shapes have changed; none where they are others: these have not moved."""
+    if before.keys() != after.keys():
         return frozenset()
-    pairs = enumerate(zip(before, after, strict=True))
+    pairs = enumerate(zip(before.values(), after.values(), strict=True))
     return frozenset(place for place, (old, new) in pairs if old != new)
 
 

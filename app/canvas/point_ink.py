@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from typing import NamedTuple
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import (
     QColor,
     QFontMetrics,
@@ -13,11 +13,13 @@ from PySide6.QtGui import (
     QGlyphRun,
     QPainter,
     QPen,
+    QPixmap,
     QTextLayout,
 )
 
 from ..appearance.theme import Theme, mix
 from ..plotting.fonts import Sizes
+from ..plotting.halo import with_halo
 from ..plotting.pens import diamond, triangle
 from ..plotting.sprites import Sprites
 from .point_density import RADIUS
@@ -38,6 +40,13 @@ _FACING = 0.6
 
 HANDLE_SIZES = (4.0, 5.5, 5.5)
 """Half the sizes of marks of handles in pixels, by the order of their derivatives."""
+
+
+_HALO = 2.0
+"""Pixels of paper on either side of each line of a number."""
+
+_MOST_NUMBERS = 256
+"""Numbers of which pictures are kept."""
 
 
 class Shade(enum.IntEnum):
@@ -139,6 +148,7 @@ class PointInk:
         self.points = Sprites(self._paint_point, _REACH * scale)
         self.font = fonts.times(0.95 * scale)
         self._written: dict[tuple[str, float], Written] = {}
+        self._numbers: dict[tuple[str, int, float], QPixmap] = {}
 
     def written(self, text: str, painter: QPainter) -> Written:
         """Return a text as it is written on what is painted on."""
@@ -154,6 +164,20 @@ class PointInk:
             size, ascent = QFontMetrics(self.font, device).size(0, text), QPointF(0.0, line.ascent())
             self._written[key] = Written(size, to_start, layout.glyphRuns(), ascent)
         return self._written[key]
+
+    def number(self, text: str, colour: QColor, painter: QPainter) -> QPixmap:
+        """Return the picture of a number with paper around its digits: a filled shape may lie beneath."""
+        key = (text, colour.rgba(), painter.device().devicePixelRatioF())
+        picture = self._numbers.get(key)
+        if picture is None:
+            if len(self._numbers) >= _MOST_NUMBERS:
+                self._numbers.clear()
+            size, width = QSizeF(self.written(text, painter).size), _HALO * self.scale
+            painter.setFont(self.font)
+            around = size + QSizeF(2 * width, 2 * width)
+            picture = with_halo(painter, around, text, self._theme.paper, colour, width)
+            self._numbers[key] = picture
+        return picture
 
     def _paint_handle(self, painter: QPainter, look: HandleLook) -> None:
         """Draw a square for a velocity, a diamond for an acceleration, a triangle for a jerk."""

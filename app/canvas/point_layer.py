@@ -69,6 +69,7 @@ class _NumberLabel(NamedTuple):
     colour: QColor
     centre: QPointF
     written: Written
+    is_weighed: bool
 
 
 class PointLayer(Layer):
@@ -136,8 +137,10 @@ class PointLayer(Layer):
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
             self._paint_weights(painter, pixels, visible, colours)
-        self.shown_handles.paint(painter, shown, self._ink)
-        self._paint_points(painter, pixels, visible, colours)
+        discs = self._discs_of(pixels, visible)
+        # Where points are small, handles as large as ever would be all that is seen of the neighbours.
+        self.shown_handles.paint(painter, shown, self._ink, discs.radius / (RADIUS * self.scale))
+        self._paint_points(painter, discs, colours)
         self._paint_numbers(painter, pixels)
         if self.scrub is not None:
             self._paint_scrub_dot(painter, shown)
@@ -182,10 +185,8 @@ class PointLayer(Layer):
 
     # Points
 
-    def _paint_points(
-        self, painter: QPainter, pixels: FloatArray, visible: IntArray, colours: Sequence[QColor]
-    ) -> None:
-        discs = self._discs_of(pixels, visible)
+    def _paint_points(self, painter: QPainter, discs: Discs, colours: Sequence[QColor]) -> None:
+        pixels, visible = self._pixels, self._visible
         roles = self._have_roles(len(pixels), visible, crowded=discs.crowded)
         calm = roles.calm
         kinds = self._kinds
@@ -254,12 +255,24 @@ class PointLayer(Layer):
         numbered = self._roles.numbered
         if not numbered:
             return
+        on_plates = self.over_picture or (self._view is not None and self._view.source.style.has_fill)
         for label in self._labels(painter, pixels, numbered):
             self.numbers.append((label.centre, len(label.text)))
-            if self.over_picture:
-                self._paint_plate(painter, label.centre, label.text)
-            painter.setPen(label.colour)
-            label.written.draw(painter, label.centre)
+            if label.is_weighed:
+                # Other words in every frame: a halo of each would take too long.
+                if on_plates:
+                    self._paint_plate(painter, label.centre, label.text)
+                painter.setPen(label.colour)
+                label.written.draw(painter, label.centre)
+            else:
+                self._paint_number(painter, label)
+
+    def _paint_number(self, painter: QPainter, label: _NumberLabel) -> None:
+        picture = self._ink.number(label.text, label.colour, painter)
+        half = picture.deviceIndependentSize() / 2
+        # On whole pixels, where digits are sharp.
+        corner = QPointF(round(label.centre.x() - half.width()), round(label.centre.y() - half.height()))
+        painter.drawPixmap(corner, picture)
 
     def _labels(
         self, painter: QPainter, pixels: FloatArray, indices: Sequence[int]
@@ -273,7 +286,8 @@ class PointLayer(Layer):
             indices = sorted(indices, key=lambda index: (index not in named, -sizes[index]))
         for index in indices:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
-            if with_weight is not None and self.weights is not None and with_weight[index]:
+            is_weighed = with_weight is not None and bool(with_weight[index])
+            if is_weighed and self.weights is not None:
                 weight = float(self.weights[index])
                 text += f"  {short(weight) if abs(weight) >= _LARGE else with_decimals(weight, 2)}"
                 colour = self.theme.warning if weight < 0 else self.theme.ink
@@ -288,7 +302,7 @@ class PointLayer(Layer):
                 aside = QPointF(size.width(), 0.0)
                 centre = taken.take((centre, further, centre - aside, centre + aside), QSizeF(size))
             if centre is not None:
-                yield _NumberLabel(text, colour, centre, written)
+                yield _NumberLabel(text, colour, centre, written, is_weighed)
 
     def _numbered(self, count: int, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""

@@ -35,6 +35,7 @@ from .other_points_layer import OtherPointsLayer
 from .page_layer import PageLayer
 from .pen_layer import PenLayer
 from .point_layer import PointLayer
+from .seen_colours import SeenColours
 from .unit_layer import UnitLayer
 
 if TYPE_CHECKING:
@@ -99,6 +100,7 @@ class CanvasScene:
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
         self._motion: MotionLayer | None = None
+        self._colours = SeenColours()
 
     # Curves
 
@@ -241,6 +243,11 @@ class CanvasScene:
     def curves_at(self, pointer: Pointer) -> list[int]:
         """Return the places of all curves at the pointer, the topmost first, one of each shape."""
         return self.curves.all_at(pointer.pixel, self._plot.pixel_map)
+
+    def colour_at(self, pointer: Pointer) -> str:
+        """Return the colour at the pointer as it prints, or of the picture to trace, "#rrggbb"."""
+        shown, pixel = self._plot.pixel_map, pointer.pixel
+        return self._colours.at(self.views, pixel, shown, self.image.colour_at(pixel, shown))
 
     @property
     def area(self) -> QRect:

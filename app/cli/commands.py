@@ -17,7 +17,8 @@ from msgspec.structs import asdict, replace
 from .. import cli, exchange
 from ..document.limits import EditError
 from ..document.words import enumerated
-from ..exchange.drawing.animation import FILMS, Film, first_round, write_film
+from ..exchange.drawing.animation import FILMS, first_round, write_film
+from ..exchange.drawing.film import Film
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, can_import, endings_of
 from ..exchange.reading import ImportOptions, import_file

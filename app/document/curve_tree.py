@@ -10,6 +10,7 @@ import msgspec
 from msgspec.structs import replace
 
 from .model import Curve, Document
+from .words import count_of
 
 
 class NodeKind(Enum):
@@ -122,6 +123,12 @@ def _run_end(curves: Sequence[Curve], place: int, depth: int, stop: int) -> int:
     return end
 
 
+def counted_nodes(nodes: Sequence[Node]) -> str:
+    """Return "3 curves", or "2 objects" where shapes or groups are among them."""
+    are_curves = all(node.kind is NodeKind.CURVE for node in nodes)
+    return count_of(len(nodes), "curve" if are_curves else "object")
+
+
 def group_around(curves: Sequence[Curve], place: int, depth: int) -> range:
     """Return the places of the group that a curve is in at a depth, 0 for the outermost."""
     path, start = curves[place].groups[: depth + 1], place
@@ -138,7 +145,7 @@ def whole_nodes(curves: Sequence[Curve], chosen: Collection[int], layers: Collec
 def _wholes(nodes: Sequence[Node], chosen: frozenset[int], layers: frozenset[str]) -> Iterator[Node]:
     for node in nodes:
         is_layer = node.kind is NodeKind.GROUP and node.name in layers
-        if not is_layer and all(place in chosen for place in node.places):
+        if not is_layer and chosen.issuperset(node.places):
             yield node
         else:
             yield from _wholes(node.parts, chosen, layers)

@@ -78,9 +78,19 @@ def append_point(document: Document, curve: int, point: Point, *, parameter_scal
 
 def move_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move the points at `indices` by the vector `by`; their handles go along, those of others stay."""
-    return with_each_changed(
+    return with_each_shifted(
         document, curve, indices, lambda point: placed(point, (point.x + by[0], point.y + by[1]))
     )
+
+
+def with_each_shifted(
+    document: Document, curve: int, indices: Collection[int], shift: Callable[[Point], Point]
+) -> Document:
+    """Put the points at `indices` elsewhere, all by the same way; of a whole curve nothing else changes."""
+    old = document.curves[curve]
+    if len(indices) < len(old.points):
+        return with_each_changed(document, curve, indices, shift)
+    return document.with_curve(curve, replace(old, points=tuple(map(shift, old.points))))
 
 
 def with_each_changed(

@@ -13,6 +13,8 @@ from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 
+import msgspec
+
 from .value import Value
 
 
@@ -97,6 +99,8 @@ class Field(NamedTuple):
         What people call it; its name where that is not said.
     is_length
         Whether its numbers are lengths in the plane.
+    default
+        What it holds where nothing else was said; `msgspec.NODEFAULT` where there is no such thing.
     """
 
     name: str
@@ -106,6 +110,7 @@ class Field(NamedTuple):
     requirements: tuple[Requirement, ...]
     words: str
     is_length: bool
+    default: object
 
     @property
     def holds_values(self) -> bool:
@@ -117,10 +122,10 @@ class Field(NamedTuple):
 def fields_of(kind: type[Value]) -> tuple[Field, ...]:
     """Return the fields of a kind of value, in order."""
     hints = get_type_hints(kind, include_extras=True)
-    return tuple(_field(name, hints[name]) for name in kind.__struct_fields__)
+    return tuple(_field(each.name, hints[each.name], each.default) for each in msgspec.structs.fields(kind))
 
 
-def _field(name: str, hint: object) -> Field:
+def _field(name: str, hint: object, default: object) -> Field:
     hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
     requirements = tuple(note for note in notes if isinstance(note, Requirement))
     words = next((note for note in notes if isinstance(note, str)), name)
@@ -128,4 +133,4 @@ def _field(name: str, hint: object) -> Field:
     first = next(choice for choice in choices if choice is not NoneType)
     is_many = get_origin(first) is tuple
     kind = get_args(first)[0] if is_many else first
-    return Field(name, kind, is_many, NoneType in choices, requirements, words, LENGTH in notes)
+    return Field(name, kind, is_many, NoneType in choices, requirements, words, LENGTH in notes, default)

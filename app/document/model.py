@@ -17,7 +17,7 @@ from .fields import LENGTH, Requirement, above, at_least, between, printed
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
-from .style import PLAIN_STYLE, Style
+from .style import PLAIN_STYLE, USUAL_WIDTH, Style
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
@@ -245,7 +245,7 @@ class Curve(Value, frozen=True, dict=True):
     def has_derivatives(self) -> bool:
         """Whether the person set any; asked at every move of a drag."""
         # A vector of two numbers is true, whatever they are.
-        return any(any(vectors_of(point)) for point in self.points)
+        return any(map(any, map(vectors_of, self.points)))
 
     @property
     def rules(self) -> tuple[EstimateRule, ...]:
@@ -317,6 +317,11 @@ class Page(Value, frozen=True, omit_defaults=False):
     y: Length
     width: Annotated[Length, above(0)]
     height: Annotated[Length, above(0)]
+
+    @property
+    def usual_width(self) -> float:
+        """Width of a line on it whose style says none."""
+        return USUAL_WIDTH * max(self.width, self.height)
 
 
 class Document(Value, frozen=True):

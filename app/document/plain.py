@@ -8,22 +8,25 @@ float raises. Each is a surprise far from where the number came from.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cache
-from itertools import compress
+from itertools import chain, compress, repeat
 from numbers import Real
-from operator import is_not
+from operator import attrgetter, is_, is_not
+from types import NoneType
 from typing import TypeVar
 
 from msgspec.structs import replace
 
 from .fields import Field, fields_of
 from .model import Curve, Document, Point, Vector, vectors_of
-from .steps import has_only_moved, reshaped
+from .steps import moved_points
 from .ties import holds
 from .value import Value
 
 Values = TypeVar("Values", bound=Value)
+
+_x, _y, _t, _corner, _tied = map(attrgetter, ("x", "y", "t", "corner", "tied"))
 
 
 def plain(document: Document, before: Document | None = None) -> Document:
@@ -45,15 +48,8 @@ def plain(document: Document, before: Document | None = None) -> Document:
 
 def _has_plain_points_elsewhere(document: Document, before: Document) -> bool:
     """Whether points have moved to plain places, and nothing else is another, as under most drags."""
-    places = reshaped(before, document)
-    if places is None:
-        return False
-    for place in places:
-        points, known = document.curves[place].points, before.curves[place].points
-        for point, old in compress(zip(points, known, strict=True), map(is_not, points, known)):
-            if not (type(point.x) is float is type(point.y) and has_only_moved(old, point)):
-                return False
-    return True
+    moved = moved_points(before, document)
+    return moved is not None and {*map(type, map(_x, moved)), *map(type, map(_y, moved))} <= {float}
 
 
 @cache
@@ -68,7 +64,9 @@ def _plain_values(values: Values, before: object = None) -> Values:
     changed = {}
     for field in _fields(type(values)):
         held, known = getattr(values, field.name), getattr(before, field.name, None)
-        if held is not known and (new := _plain_field(field, held, known)) is not held:
+        if held is known or held is field.default:
+            continue
+        if (new := _plain_field(field, held, known)) is not held:
             changed[field.name] = new
     return replace(values, **changed) if changed else values
 
@@ -90,10 +88,24 @@ def _plain_value(field: Field, value: object, known: object = None) -> object:
 
 def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple[Point, ...]:
     """Return `points` with plain values; asked at every move of a drag, so that the usual costs little."""
-    changed = compress(points, map(is_not, points, before)) if len(points) == len(before) else points
-    if all(map(_is_plain, changed)):
+    changed = list(compress(points, map(is_not, points, before))) if len(points) == len(before) else points
+    if _are_plain(changed):
         return points
     return tuple(point if _is_plain(point) else _plain_point(point) for point in points)
+
+
+def _are_plain(points: Sequence[Point]) -> bool:
+    """Whether points hold plain values, asked without a call for each."""
+    if not all(map(is_, map(_tied, points), repeat(False))):
+        return all(map(_is_plain, points))
+    vectors = [vector for vector in chain.from_iterable(map(vectors_of, points)) if vector is not None]
+    return (
+        {*map(type, map(_x, points)), *map(type, map(_y, points))} <= {float}
+        and set(map(type, map(_t, points))) <= {float, NoneType}
+        and set(map(type, map(_corner, points))) <= {bool}
+        and set(map(type, vectors)) <= {tuple}
+        and set(map(type, chain.from_iterable(vectors))) <= {float}
+    )
 
 
 def _is_plain(point: Point) -> bool:

@@ -27,19 +27,22 @@ class PointGroup(msgspec.Struct, frozen=True):
         Whether whole curves are meant.
     name
         The name of the curve, shape or group where it is a single one, whole.
+    several
+        The words for several whole ones, such as "2 objects"; empty for "3 curves".
     """
 
     parts: tuple[tuple[int, frozenset[int]], ...] = ()
     is_whole: bool = False
     name: str | None = None
+    several: str = ""
 
     @property
     def words(self) -> str:
-        """The words "point 3", "4 points", "5 points in 2 curves", "Leaf" or "3 curves"."""
+        """The words "point 3", "4 points", "5 points in 2 curves", "Leaf", "3 curves" or "2 objects"."""
         if self.name is not None:
             return self.name or "curve"
         if self.is_whole:
-            return f"{len(self.parts)} curves"
+            return self.several or f"{len(self.parts)} curves"
         return points(self.parts[0][1]) if len(self.parts) == 1 else self.counted
 
     @property

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 import msgspec
 
 from .model import Curve, Point, Vector
-from .point_group import PointGroup
+from .point_group import PointGroup, some_points
 
 NONE_CHOSEN = "No curve is chosen; click one, or press Ctrl+A for all."
 """What is said to whoever wants something of a curve while none is edited and none chosen."""
@@ -89,6 +89,22 @@ def followed_points(
         if place is not None and index in selected:
             found.add(place)
     return frozenset(found)
+
+
+def followed_group(
+    group: PointGroup, active: int, before: Sequence[Curve], after: Sequence[Curve]
+) -> PointGroup:
+    """Return where selected points are after a change; `active` is the curve that is edited from then on."""
+    places = followed_places(group.curves, before, after)
+    is_lost = active in group.curves and active not in places
+    if is_lost and not any(curve is after[active] for curve in before):
+        # It was changed, and others added beside it: it is still the one that is edited.
+        places[active] = active
+    return some_points(
+        (places[curve], followed_points(indices, before[curve].points, after[places[curve]].points))
+        for curve, indices in group.parts
+        if curve in places
+    )
 
 
 def returned_points(before: Sequence[Point], after: Sequence[Point]) -> frozenset[int]:

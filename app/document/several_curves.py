@@ -12,14 +12,13 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
-from .curve_tree import OUTSIDE, Container, whole_nodes
+from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import move_points
 from .layers import front_of, within, without
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
-from .style import USUAL_WIDTH
 from .transforms import Affine, decimal_sum, step_points, transform_points
 from .words import count_of
 
@@ -37,7 +36,8 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
     return PointGroup(
         tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in places),
         is_whole=True,
-        name=name_of(document, places),
+        name=(name := name_of(document, places)),
+        several="" if name is not None else counted(document, places),
     )
 
 
@@ -142,7 +142,7 @@ def alone(document: Document, curves: Collection[int]) -> Document:
     """
     chosen = tuple(document.curves[place] for place in sorted(curves))
     if (page := document.page) is not None:
-        chosen = tuple(_with_width(curve, USUAL_WIDTH * max(page.width, page.height)) for curve in chosen)
+        chosen = tuple(_with_width(curve, page.usual_width) for curve in chosen)
     around = {name for curve in chosen for name in curve.groups}
     layers = tuple(name for name in document.layers if name in around)
     return tidy_shapes(replace(document, curves=chosen, image=None, page=None, layers=layers))
@@ -257,9 +257,16 @@ def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
 
 
 def named(document: Document, curves: Collection[int]) -> str:
-    """Return the name of the curve, or of the shape or group that they are, or "3 curves"."""
+    """Return the name of the curve, or of the shape or group that they are, or "3 curves", "2 objects"."""
     name = name_of(document, curves)
-    return f"{len(curves)} curves" if name is None else name
+    return counted(document, curves) if name is None else name
+
+
+def counted(document: Document, curves: Collection[int]) -> str:
+    """Return "3 curves"; where whole shapes or groups are among them, how many a person sees: "2 objects"."""
+    if any(document.curves[curve].shape or document.curves[curve].groups for curve in curves):
+        return counted_nodes(whole_nodes(document.curves, curves, document.layers))
+    return count_of(len(curves), "curve")
 
 
 def name_of(document: Document, curves: Collection[int]) -> str | None:

@@ -197,6 +197,15 @@ def grouped(document: Document, curves: Collection[int]) -> Gathered:
     return gathered(document, inside, at)
 
 
+def are_in_groups(document: Document, curves: Collection[int]) -> bool:
+    """Whether any of some curves are in a group; layers are none."""
+    return any(
+        len(document.curves[place].groups) > len(layers_around(document, place))
+        for place in curves
+        if document.curves[place].groups
+    )
+
+
 def groups_meant(document: Document, curves: Collection[int]) -> list[Node]:
     """Return the groups all of whose curves are chosen, the outermost; or else those right around curves.
 

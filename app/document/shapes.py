@@ -6,7 +6,8 @@ A curve whose `shape` is empty is a shape of its own.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from itertools import count, takewhile
+from itertools import count as counting
+from itertools import takewhile
 from operator import attrgetter, is_
 
 from msgspec.structs import replace
@@ -14,6 +15,7 @@ from msgspec.structs import replace
 from .layer_order import with_tidy_layers
 from .model import Curve, Document
 from .steps import reshaped
+from .words import count_of
 
 SHARED = ("style", "groups", "visible", "locked")
 """Values that all curves of a shape have in common."""
@@ -55,6 +57,12 @@ def shapes(curves: Sequence[Curve]) -> Iterator[range]:
         if place == len(curves) or not name or curves[place].shape != name:
             yield range(first, place)
             first = place
+
+
+def counted_shapes(curves: Sequence[Curve]) -> str:
+    """Return "3 curves", or "2 shapes" where some are of several curves."""
+    count = sum(1 for _ in shapes(curves)) if curves else 0
+    return count_of(count, "curve" if count == len(curves) else "shape")
 
 
 def whole_shapes(document: Document, curves: Collection[int]) -> frozenset[int]:
@@ -131,7 +139,7 @@ def shared_start(*groups: tuple[str, ...]) -> tuple[str, ...]:
 
 def _free(name: str, used: Collection[str]) -> str:
     """Return the name, with a number where it is taken."""
-    names = (f"{name} {number}" for number in count(2))
+    names = (f"{name} {number}" for number in counting(2))
     return name if name not in used else next(each for each in names if each not in used)
 
 

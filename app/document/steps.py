@@ -5,13 +5,15 @@ Asked at every move of a mouse, so that no field is looked at by Python itself.
 
 from __future__ import annotations
 
-from itertools import compress
-from operator import attrgetter, is_, is_not
+from collections.abc import Iterable, Sequence
+from itertools import chain, compress
+from operator import attrgetter, eq, is_, is_not
 from typing import TypeAlias
 
 from .model import Curve, Document, Point
 
 _besides_curves = attrgetter(*(name for name in Document.__struct_fields__ if name != "curves"))
+_points = attrgetter("points")
 _besides_points = attrgetter(*(name for name in Curve.__struct_fields__ if name != "points"))
 _besides_place = attrgetter(*(name for name in Point.__struct_fields__ if name not in ("x", "y")))
 
@@ -39,10 +41,23 @@ def _reshaped(before: Document, after: Document) -> list[int] | None:
     if len(old) != len(new) or not all(map(is_, _besides_curves(before), _besides_curves(after))):
         return None
     places = list(compress(range(len(new)), map(is_not, new, old)))
-    for place in places:
-        if not differ_in_points(old[place], new[place]):
-            return None
-    return places
+    were, are = ([curves[place] for place in places] for curves in (old, new))
+    return places if _all_differ_in_points(were, are) else None
+
+
+def changed_besides_points(before: Sequence[Curve], after: Sequence[Curve]) -> list[int]:
+    """Return the places of as many curves as before that differ in more than where their points are."""
+    places = list(compress(range(len(after)), map(is_not, after, before)))
+    were, are = ([curves[place] for place in places] for curves in (before, after))
+    if _all_differ_in_points(were, are):
+        return []
+    return [at for at, *pair in zip(places, were, are, strict=True) if not differ_in_points(*pair)]
+
+
+def _all_differ_in_points(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+    same_rest = map(is_, *(chain.from_iterable(map(_besides_points, each)) for each in (before, after)))
+    same_numbers = map(eq, *(map(len, map(_points, each)) for each in (before, after)))
+    return all(same_rest) and all(same_numbers)
 
 
 def differ_in_points(before: Curve, after: Curve) -> bool:
@@ -51,6 +66,20 @@ def differ_in_points(before: Curve, after: Curve) -> bool:
     return same_number and all(map(is_, _besides_points(before), _besides_points(after)))
 
 
-def has_only_moved(before: Point, after: Point) -> bool:
-    """Whether all but the place is the same of two points."""
-    return all(map(is_, _besides_place(before), _besides_place(after)))
+def have_only_moved(before: Iterable[Point], after: Iterable[Point]) -> bool:
+    """Whether all but the places is the same of points and as many others."""
+    was, now = (chain.from_iterable(map(_besides_place, each)) for each in (before, after))
+    return all(map(is_, was, now))
+
+
+def moved_points(before: Document, after: Document) -> list[Point] | None:
+    """Return the points of `after` that are elsewhere; None where more than places is another thing."""
+    places = reshaped(before, after)
+    if places is None:
+        return None
+    old, new = list[Point](), list[Point]()
+    for place in places:
+        was, now = before.curves[place].points, after.curves[place].points
+        old += compress(was, map(is_not, now, was))
+        new += compress(now, map(is_not, now, was))
+    return new if have_only_moved(old, new) else None

@@ -21,6 +21,9 @@ NO_PAINT: Final = "none"
 LARGEST_DASHES: Final = 64
 """Dashes and gaps that a style may have."""
 
+LEAST_DASH: Final = 1e-3
+"""In place of a dash of length 0, which has ends but no direction; in widths."""
+
 USUAL_WIDTH: Final = 0.003
 """Of a line whose style does not say it, against the longer side of the page or of the drawing."""
 

@@ -16,7 +16,7 @@ import msgspec
 from msgspec.structs import replace
 
 from .derivatives import VECTORS
-from .edits import EditError, placed, with_each_changed, with_points_elsewhere
+from .edits import EditError, placed, with_each_changed, with_each_shifted, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector
 from .point_group import PointGroup
@@ -118,12 +118,18 @@ def _mapped(point: Point, by: Affine) -> Point:
 
 def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
-    return with_each_changed(
-        document,
-        curve,
-        indices,
-        lambda point: placed(point, (decimal_sum(point.x, by[0]), decimal_sum(point.y, by[1]))),
+    across, up = map(_decimal_step, by)
+    return with_each_shifted(
+        document, curve, indices, lambda point: placed(point, (across(point.x), up(point.y)))
     )
+
+
+def _decimal_step(by: float) -> Callable[[float], float]:
+    """Return what adds `by` as `decimal_sum` does, to many numbers; mostly it is none along one axis."""
+    if not by:
+        return float
+    step = Decimal(repr(by))
+    return lambda value: float(Decimal(repr(value)) + step)
 
 
 def decimal_sum(a: float, b: float) -> float:

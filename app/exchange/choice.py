@@ -83,10 +83,12 @@ class ExportChoice:
             unit = ""
         matters = {each.name for each in self.shown(document.unit)}
         has_paper = is_picture and (dark or not shared.get("transparent"))
+        # Of a part of it, too, which has no page.
+        light = LIGHT.on_page() if document.page is not None else LIGHT
         part, active = _part_of(document, self[EXTENT], active, chosen)
         options = Options(
             **{name: value for name, value in shared.items() if name in matters},
-            style=(DARK if dark else LIGHT) if has_paper else None,
+            style=(DARK if dark else light) if has_paper else None,
             basis=active if has_basis else None,
             with_estimates=with_estimates,
             unit=unit,

@@ -13,6 +13,9 @@ _UNIT = re.compile(r"""(?<=[\d.,)\s])([^\W\d_]+|["″′])""")
 
 _ALONE = re.compile(r"""(.*?)\s*([^\W\d_]+|["″′])""", re.DOTALL)
 
+_IN_NUMBERS = {*FUNCTIONS, *CONSTANTS, "e", "E"}
+"""Words of numbers and expressions."""
+
 _PER_CENT = re.compile(r"([-+−]?)([^-+−%][^%]*)%\s*")
 
 
@@ -25,7 +28,7 @@ def typed_length(text: str, unit: str, now: float | None = None, locale_decimal:
         A number or an expression whose numbers may have units; or a share of the present length, "50%",
         or by how much it shall change, "+10%".
     unit
-        The document's unit; numbers without one are in it. Empty where there is none.
+        The document's unit, whatever word that is; numbers without one are in it. Empty where there is none.
     now
         The present length; None where there is none, and a share of it is refused.
     locale_decimal
@@ -42,7 +45,7 @@ def typed_length(text: str, unit: str, now: float | None = None, locale_decimal:
         part = now * parse_number(number, locale_decimal) / 100.0
         return part if not sign else now + part if sign == "+" else now - part
     alone = _ALONE.fullmatch(text.strip())
-    if alone is not None and known_unit(alone[2]) and not _UNIT.search(alone[1]):
+    if alone is not None and _is_unit(alone[2], unit) and not _UNIT.search(alone[1]):
         factor = _factor(alone[2], unit)
         return parse_number(alone[1], locale_decimal) * factor.numerator / factor.denominator
     return parse_number(_UNIT.sub(lambda found: _converted(found, unit), text), locale_decimal)
@@ -51,9 +54,9 @@ def typed_length(text: str, unit: str, now: float | None = None, locale_decimal:
 def _converted(found: re.Match[str], unit: str) -> str:
     """Return what stands in an expression for a word: a factor where it is a unit."""
     word = found.group()
-    if not known_unit(word):
+    if not _is_unit(word, unit):
         is_after_number = found.string[: found.start()].rstrip()[-1:].isdigit()
-        if is_after_number and word not in {*FUNCTIONS, *CONSTANTS, "e", "E"}:
+        if is_after_number and word not in _IN_NUMBERS:
             _refuse_without_length(word, unit)
             raise ExpressionError(f"“{word}” is no unit of length known here, such as mm, cm, in, pt and px.")
         return word
@@ -61,8 +64,15 @@ def _converted(found: re.Match[str], unit: str) -> str:
     return f"*{factor.numerator}/{factor.denominator}"
 
 
+def _is_unit(word: str, unit: str) -> bool:
+    """Whether a word is a unit of length, or the unit of the document, which may be any word."""
+    return bool(known_unit(word)) or (word == unit and word not in _IN_NUMBERS)
+
+
 def _factor(word: str, unit: str) -> Fraction:
     """Return how many of the document's unit one of another is."""
+    if word == unit:
+        return Fraction(1)
     _refuse_without_length(word, unit)
     return _exact(known_unit(word)) / _exact(known_unit(unit))
 

@@ -14,6 +14,7 @@ import msgspec
 from msgspec.structs import replace
 
 from .. import exchange
+from ..document.model import Document
 from ..document.words import NamedEnum
 from ..tasks.progress import Report, silent
 from .drawing.styles import INK, LIGHT, PictureStyle
@@ -290,18 +291,18 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         """Whether pictures have true size."""
         return self.width is None and bool(exchange.units.known_unit(self.unit))
 
-    @property
-    def paper_style(self) -> PictureStyle:
-        """The colours of a PNG, which has paper unless it is to be transparent."""
-        return self._on_paper(self.style or LIGHT)
+    def paper_style(self, document: Document) -> PictureStyle:
+        """Return the colours of a PNG of a document, which has paper unless it is to be transparent."""
+        return self._on_paper(self.style or LIGHT, document)
 
-    @property
-    def vector_style(self) -> PictureStyle:
-        """The colours of an SVG or PDF, which has paper only where colours were asked for."""
-        return self._on_paper(self.style or INK)
+    def vector_style(self, document: Document) -> PictureStyle:
+        """Return the colours of an SVG or PDF of a document, with paper only where colours were asked for."""
+        return self._on_paper(self.style or INK, document)
 
-    def _on_paper(self, style: PictureStyle) -> PictureStyle:
-        return replace(style, paper=None) if self.transparent else style
+    def _on_paper(self, style: PictureStyle, document: Document) -> PictureStyle:
+        if self.transparent:
+            return replace(style, paper=None)
+        return style.on_page() if document.page is not None else style
 
 
 DEFAULT = Options()

@@ -187,9 +187,9 @@ class PlotWidget(PaintedPlot):
             return
         name, _flag = _MODIFIERS[key]
         self._pointer = _with_keys(self._pointer, event.modifiers(), **{name: down})
-        self._move_again()
+        self.move_again()
 
-    def _move_again(self) -> None:
+    def move_again(self) -> None:
         """Go on as if the pointer had moved to where it is: another key is held, or the view has moved."""
         if self._pointer is None or self._panning.is_active:
             return

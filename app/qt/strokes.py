@@ -7,7 +7,7 @@ from typing import Final
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPen
 
-from ..document.style import FillRule, LineCap, LineJoin, Style
+from ..document.style import LEAST_DASH, FillRule, LineCap, LineJoin, Style
 
 FILL_RULES: Final = {
     FillRule.NONZERO: Qt.FillRule.WindingFill,
@@ -26,9 +26,6 @@ _JOINS = {
     LineJoin.BEVEL: Qt.PenJoinStyle.BevelJoin,
 }
 
-_LEAST_DASH = 1e-3
-"""In place of a dash of length 0, of which Qt draws no cap."""
-
 
 def pen_of(style: Style, colour: QColor, width: float, *, is_dashed: bool) -> QPen:
     """Return the pen of a line, `width` wide in the units of the painter; without dashes if so wanted."""
@@ -37,7 +34,7 @@ def pen_of(style: Style, colour: QColor, width: float, *, is_dashed: bool) -> QP
     pen.setJoinStyle(_JOINS[style.join])
     pen.setMiterLimit(style.miter_limit)
     if style.dash and is_dashed:
-        pen.setDashPattern([max(length, _LEAST_DASH) for length in style.dashes_and_gaps])
+        pen.setDashPattern([max(length, LEAST_DASH) for length in style.dashes_and_gaps])
         pen.setDashOffset(style.dash_offset)
     return pen
 

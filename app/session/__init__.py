@@ -4,7 +4,8 @@
   door by which the document changes.
 - ``change``: what became of a change, and why one is refused.
 - ``history``: the steps that can be undone.  ``views``: the view-models of the curves shown.
-- ``selection``: selected points and curves, the point under the pointer, the scrub line.
+- ``selection``: selected points and curves, the point under the pointer.  ``scrub_line``: a t that is shown.
+- ``box``: what the box around what is selected turns about, and what its grips do.
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """

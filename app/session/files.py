@@ -82,11 +82,10 @@ class Files:
         return self._exports.get(self.beginning, NEVER_EXPORTED)
 
     def note_export(self, export: Export) -> None:
-        """Take note of an export; it is saved with the next change, and nobody is asked about it alone."""
-        self._exports[self.beginning] = export
+        """Take note of an export, also of one that a file tells of.
 
-    def _take_note_of(self, export: Export) -> None:
-        """Take up the note in a file that was read or written."""
+        It is saved with the next change, and nobody is asked about it alone.
+        """
         self._exports[self.beginning] = export
 
     @property
@@ -146,7 +145,7 @@ class Files:
         session.cancel()
         session.expect(views)
         session.history.push(session.state, State(document, 0, beginning), step)
-        self._take_note_of(document.export)
+        self.note_export(document.export)
 
     def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
         """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.
@@ -176,7 +175,7 @@ class Files:
             return
         after = State(document, 0, Beginning(path, title, self.beginning))
         session.history.push(session.state, after, text)
-        self._take_note_of(document.export)
+        self.note_export(document.export)
         # What is in front now is as it came; the work that was left is told of by `left`.
         session.undo_stack.setClean()
         session.file_changed.emit()
@@ -239,7 +238,7 @@ class Files:
         if replace(document, export=session.committed.export) != session.committed:
             active = session.active_index if session.active_index < len(document.curves) else 0
             session.history.push(session.state, State(document, active, self.beginning), "Reload")
-        self._take_note_of(document.export)
+        self.note_export(document.export)
         session.undo_stack.setClean()
         session.file_changed.emit()
 

@@ -1,24 +1,24 @@
-"""Selected points, selected curves, hovered point and scrub line; each names something that exists."""
+"""Selected points, selected curves, the point under the pointer; each names something that exists."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ..document.layers import layer_of
-from ..document.model import Curve
+from ..document.model import Curve, Document
 from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import (
     Choice,
     followed_curves,
-    followed_places,
-    followed_points,
+    followed_group,
     returned_curves,
     returned_points,
 )
 from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
-from ..view_model.pivot import Pivot
+from ..document.steps import reshaped
 from .highlight import Highlight
 
 if TYPE_CHECKING:
@@ -46,12 +46,6 @@ class Selection:
         Whether the active curve is edited.
     hovered
         The point under the pointer, or -1.
-    scrub
-        The t of the scrub line, or None.
-    pivot
-        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
-    turns
-        Whether the box around what is selected has grips that rotate and skew; until something else is.
     """
 
     def __init__(self, session: Session) -> None:
@@ -63,11 +57,6 @@ class Selection:
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
-        self.scrub: float | None = None
-        self.pivot: Pivot | None = None
-        self.turns = False
-        # The place that was asked for: the scrub line stands there as far as the curve goes.
-        self._scrub_asked: float | None = None
         # The layer that was chosen since a curve was; None where that of the active curve is meant.
         self._layer: str | None = None
 
@@ -148,7 +137,7 @@ class Selection:
         """
         self._put(self._existing(group))
 
-    def keep_group(self, group: PointGroup) -> None:
+    def _keep_group(self, group: PointGroup) -> None:
         """Select what exists of some points: nothing, where that is nothing of the active curve."""
         existing = self._existing(group)
         self._put(existing if existing.of(self._session.active_index) else NO_POINTS)
@@ -166,7 +155,7 @@ class Selection:
     def _put(self, group: PointGroup) -> None:
         if group != self.group:
             self.group = group
-            self.set_turns(False)
+            self._session.box.set_turns(False)
             self._session.history.end_run()
             self._session.selection_changed.emit(self.points)
 
@@ -176,38 +165,6 @@ class Selection:
         self.hovered = index if 0 <= index < count else -1
         if self.hovered != before:
             self._session.hovered_changed.emit(self.hovered)
-
-    def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line to `t`, or put it away (None).
-
-        It stays on the curve that is edited: at the end nearer to `t` where that lies outside, away while
-        there is no curve, and at `t` again when there is one that goes as far.
-        """
-        self._scrub_asked, before = t, self.scrub
-        curve = None if t is None else self._session.active_view.curve
-        if t is None or curve is None:
-            self.scrub = None
-        else:
-            start, end = curve.domain
-            self.scrub = float(min(max(t, start), end))
-        if self.scrub != before:
-            self._session.scrub_changed.emit(self.scrub)
-
-    def keep_scrub(self) -> None:
-        """Put the scrub line where it was asked for, as far as the present curve goes."""
-        self.set_scrub(self._scrub_asked)
-
-    def set_pivot(self, pivot: Pivot | None) -> None:
-        """Turn, scale and mirror about another place, or about the middle (None)."""
-        before, self.pivot = self.pivot, pivot
-        if (before and before.place) != (pivot and pivot.place):
-            self._session.pivot_changed.emit()
-
-    def set_turns(self, turns: bool) -> None:
-        """Have grips that rotate and skew, or such that scale."""
-        before, self.turns = self.turns, turns
-        if self.turns != before:
-            self._session.grips_changed.emit()
 
     @property
     def layer(self) -> str:
@@ -263,7 +220,7 @@ class Selection:
         """Take what a gesture showed as selected, and which was dropped, for what is: as far as it may be."""
         if not self.is_editing and self._chosen and self._chosen != self.curves:
             self._take(self._chosen, is_editing=False)
-        self.keep_group(self.group)
+        self._keep_group(self.group)
 
     def set_curves(self, indices: Collection[int], active: int | None = None) -> None:
         """Select curves to work on together, those that exist.
@@ -291,13 +248,13 @@ class Selection:
             session.interrupted.emit()
             session.cancel()
             self.enter(wanted)
-            self.keep_scrub()
+            self._session.scrub.keep()
             session.active_changed.emit(wanted)
         # No point stays selected of a curve that is not edited any more.
-        self.keep_group(NO_POINTS if self.chosen or not is_editing else self.group)
+        self._keep_group(NO_POINTS if self.chosen or not is_editing else self.group)
         self.last = max(existing - before.curves, default=self.last if self.last in existing else wanted)
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
-            self.set_turns(False)
+            self._session.box.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
         # Whoever chooses nothing goes on where he was.
         self._layer = None if existing else layer
@@ -329,7 +286,31 @@ class Selection:
 
     # From document to document
 
-    def follow_curves(self, before: Sequence[Curve]) -> bool:
+    @contextmanager
+    def following(self, before: Document) -> Iterator[None]:
+        """Go along from a document to the one that is shown now, around what tells of it.
+
+        Nobody who is told of the document finds something named that it does not have. Whoever draws it has
+        to hear of the points first.
+        """
+        session, curves = self._session, self._session.document.curves
+        if session.active_index in self.curves and reshaped(before, session.document) is not None:
+            # As under most drags: all that is selected, or pointed at, is where it was.
+            yield
+            session.scrub.keep()
+            return
+        session.active_index = min(session.active_index, len(curves) - 1)
+        points = followed_group(self.group, session.active_index, before.curves, curves)
+        has_moved = self._follow_curves(before.curves)
+        self._keep_group(self.group)
+        self.set_hovered(self.hovered)
+        yield
+        self._keep_group(points)
+        session.scrub.keep()
+        if has_moved:
+            session.selected_curves_changed.emit(self.curves)
+
+    def _follow_curves(self, before: Sequence[Curve]) -> bool:
         """Select the same curves where they are now; return whether their places are other ones."""
         session, old = self._session, (self.curves, self._chosen)
         after, active = session.document.curves, session.active_index
@@ -343,20 +324,6 @@ class Selection:
         self._chosen = frozenset() if self.is_editing else kept
         return (self.curves, self._chosen) != old
 
-    def followed_group(self, before: Sequence[Curve]) -> PointGroup:
-        """Return where the selected points are in the document that is shown."""
-        after, active = self._session.document.curves, self._session.active_index
-        places = followed_places(self.group.curves, before, after)
-        is_lost = active in self.group.curves and active not in places
-        if is_lost and not any(curve is after[active] for curve in before):
-            # It was changed, and others added beside it: it is still the one that is edited.
-            places[active] = active
-        return some_points(
-            (places[curve], followed_points(indices, before[curve].points, after[places[curve]].points))
-            for curve, indices in self.group.parts
-            if curve in places
-        )
-
     def select_returned(self, before: Sequence[Curve]) -> None:
         """Select the points, or the curves, that undo or redo has brought back."""
         session = self._session
@@ -365,7 +332,7 @@ class Selection:
         if len(returned) > 1 or (returned and not self.is_editing):
             self.set_curves(returned)
         elif self.is_editing and not self.group.parts and len(before) == len(curves):
-            self.keep_group(
+            self._keep_group(
                 some_points(
                     (curve, returned_points(before[curve].points, curves[curve].points))
                     for curve in self.edited

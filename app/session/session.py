@@ -14,15 +14,16 @@ from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
 from ..document.shapes import tidy_shapes
-from ..document.steps import reshaped
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve_view import CurveView
+from .box import SelectionBox
 from .change import Change, raiser_of, why_locked, why_not_kept
 from .files import Files
 from .history import Beginning, History, State
 from .messages import Message, MessageKind
+from .scrub_line import ScrubLine
 from .selection import Selection
 from .views import Views
 
@@ -77,7 +78,11 @@ class Session(QObject):
     active_index
         The curve that is edited.
     selected
-        Selected points and curves, the point under the pointer, the scrub line.
+        Selected points and curves, the point under the pointer.
+    box
+        What was chosen of the box around what is selected.
+    scrub
+        The scrub line.
     """
 
     document_changed = Signal(object)
@@ -105,6 +110,8 @@ class Session(QObject):
         self.files = Files(self)
         self.active_index = 0
         self.selected = Selection(self)
+        self.box = SelectionBox(self.pivot_changed.emit, self.grips_changed.emit)
+        self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
         self._home: Choice | None = None
@@ -137,7 +144,7 @@ class Session(QObject):
         self.document_changed.emit(state.document)
         self.selection_changed.emit(self.selection)
         self.selected.set_hovered(-1)
-        self.selected.keep_scrub()
+        self.scrub.keep()
         self.active_changed.emit(self.active_index)
         self.selected_curves_changed.emit(self.selected.curves)
 
@@ -320,8 +327,8 @@ class Session(QObject):
             self.undo_stack.resetClean()
         self.selected.set_points([])
         self.selected.activate(self.active_index)
-        self.selected.set_scrub(None)
-        self.selected.set_pivot(None)
+        self.scrub.set(None)
+        self.box.set_pivot(None)
         # Another document's curves are nobody's last good shape.
         self._views.take()
 
@@ -341,23 +348,8 @@ class Session(QObject):
 
     def _show(self, document: Document) -> None:
         shown, self._shown = self._shown, document
-        selected = self.selected
-        if self.active_index in selected.curves and reshaped(shown, document) is not None:
-            # As under most drags: all that is selected, or pointed at, is where it was.
+        with self.selected.following(shown):
             self.document_changed.emit(document)
-            selected.keep_scrub()
-            return
-        self.active_index = min(self.active_index, len(document.curves) - 1)
-        points, has_moved = selected.followed_group(shown.curves), selected.follow_curves(shown.curves)
-        # Nobody who is told of the document finds something named that it does not have.
-        selected.keep_group(selected.group)
-        selected.set_hovered(selected.hovered)
-        self.document_changed.emit(document)
-        # Whoever draws it has had to hear of the points first.
-        selected.keep_group(points)
-        selected.keep_scrub()
-        if has_moved:
-            self.selected_curves_changed.emit(selected.curves)
 
     def renew(self, families: Collection[Family]) -> None:
         """Show curves of these families anew: what the families are has changed, not the document."""

@@ -168,6 +168,9 @@ class Preferences:
     text_italic = SwitchOfAction("text/italic", default=False)
     """Whether it was italic."""
 
+    offset_distance = SavedText("path/offset")
+    """The distance that shapes were made larger or smaller by last, as typed, "2 mm"; empty for none yet."""
+
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""
 

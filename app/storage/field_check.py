@@ -17,7 +17,10 @@ def check_fields(values: Value, place: str = "", before: Value | None = None) ->
     """
     for field in _checked_fields(type(values)):
         content = getattr(values, field.name)
-        if (content is None and field.is_optional) or content is getattr(before, field.name, field):
+        # Most hold what they do from the start: of thousands of curves all styles are looked at.
+        if content is field.default or (content is None and field.is_optional):
+            continue
+        if content is getattr(before, field.name, field):
             continue
         where = f"{place}.{field.name}" if place else field.name
         if not field.is_many:

@@ -13,6 +13,7 @@ from .drag_machine import EditingHost
 from .drags import Refuse
 from .pointer import Cursor, Hint, Hit, Part
 from .tool import ToolContext
+from .transform_drags import moving
 
 
 class CurvePicker:
@@ -42,12 +43,10 @@ class CurvePicker:
 
     def press(self, context: ToolContext, hit: Hit) -> None:
         """Begin to drag what is hit, with all that is chosen together with it; or a click."""
-        host, target, pointer = context.host, context.target, context.pointer
         group = _dragged(context, hit)
-        if refusal := target.refusal_of(group):
-            context.drags.press(pointer, Refuse(host.document, refusal), lambda: click_curve(context, hit))
-        else:
-            context.drags.press(pointer, target.moving(group, pointer), lambda: click_curve(context, hit))
+        refusal = context.target.refusal_of(group)
+        drag = Refuse(context.host.document, refusal) if refusal else moving(context, group)
+        context.drags.press(context.pointer, drag, lambda: click_curve(context, hit))
 
     def unpick(self, context: ToolContext) -> None:
         """Choose the active curve alone; while none is edited, none at all."""
@@ -73,7 +72,7 @@ class CurvePicker:
         if hit.inside and (host.selected.is_editing or context.pointer.shift):
             return Hint(f"{_words_within(context, hit)} · Drag: select with a rubber band", grab=True)
         click = _words_of_click(context, hit, is_chosen=is_chosen)
-        drag = hints.to_move(group.quoted, context.pointer, snaps=context.settings.snapping.on)
+        drag = hints.to_move(group.quoted, context.pointer)
         return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
     def idle_hint(self, context: ToolContext) -> Hint | None:
@@ -102,7 +101,7 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     if is_chosen:
         if is_editing:
             return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
-        grips = "scale" if context.host.selected.turns else "rotate and skew"
+        grips = "scale" if context.host.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
         return f"{click}Double-click to edit “{name}” · Shift: one axis, a click takes it out"
     later = "" if is_editing else ", double-click to edit it"
@@ -123,6 +122,12 @@ def _name(context: ToolContext, hit: Hit) -> str:
     host = context.host
     is_one = host.selected.is_editing and not context.pointer.shift
     return named(host.document, (hit.index,) if is_one else _meant(context, hit))
+
+
+def meant_shapes(host: EditingHost) -> frozenset[int]:
+    """Return the curves that are chosen, or the one that is edited, with all of their shapes."""
+    alone = (host.active_index,) if host.selected.is_editing else ()
+    return whole_shapes(host.document, host.selected.chosen or alone)
 
 
 def _meant(context: ToolContext, hit: Hit) -> frozenset[int]:
@@ -156,8 +161,8 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
         edit_curve(context, hit.index)
         return
     elif _turns_grips(context, hit):
-        selected.set_turns(not selected.turns)
-        host.say(f"{chosen_curves(host)} · The grips {'rotate and skew' if selected.turns else 'scale'} now.")
+        host.box.set_turns(not host.box.turns)
+        host.say(f"{chosen_curves(host)} · The grips {'rotate and skew' if host.box.turns else 'scale'} now.")
         return
     else:
         selected.choose(_meant(context, hit))

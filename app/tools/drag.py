@@ -86,6 +86,11 @@ def longer_axis(way: Vector) -> int:
     return 0 if abs(way[0]) >= abs(way[1]) else 1
 
 
+def axis_held(way: Vector, pointer: Pointer) -> int | None:
+    """Return the axis that a way is kept to by a key that is held, None while none is."""
+    return longer_axis(way) if pointer.holds_line else None
+
+
 def along_axis(way: Vector, axis: int | None) -> Vector:
     """Return the part of a way along one axis, all of it for None."""
     return way if axis is None else (way[0], 0.0) if axis == 0 else (0.0, way[1])

@@ -30,9 +30,6 @@ class SelectionHost(Protocol):
     group: PointGroup
     curves: frozenset[int]
     is_editing: bool
-    scrub: float | None
-    pivot: Pivot | None
-    turns: bool
 
     @property
     def points(self) -> frozenset[int]:
@@ -84,20 +81,33 @@ class SelectionHost(Protocol):
     def set_hovered(self, index: int) -> None:
         """Take note of the point under the pointer."""
 
-    def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line."""
-
-    def set_pivot(self, pivot: Pivot | None) -> None:
-        """Turn, scale and mirror about another place."""
-
-    def set_turns(self, turns: bool) -> None:
-        """Have grips that rotate and skew, or such that scale."""
-
     def activate(self, index: int) -> None:
         """Edit another curve."""
 
     def edit_chosen(self) -> None:
         """Edit what is chosen."""
+
+
+class BoxHost(Protocol):
+    """Box around what is selected in a session, as the tools use it."""
+
+    pivot: Pivot | None
+    turns: bool
+
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place, or about the middle (None)."""
+
+    def set_turns(self, turns: bool) -> None:
+        """Have grips that rotate and skew, or such that scale."""
+
+
+class ScrubHost(Protocol):
+    """Scrub line of a session, as the tools use it."""
+
+    t: float | None
+
+    def set(self, t: float | None) -> None:
+        """Move the line, or put it away (None)."""
 
 
 class EditingHost(Protocol):
@@ -108,6 +118,14 @@ class EditingHost(Protocol):
     @property
     def selected(self) -> SelectionHost:
         """The selection."""
+
+    @property
+    def box(self) -> BoxHost:
+        """What was chosen of the box around what is selected."""
+
+    @property
+    def scrub(self) -> ScrubHost:
+        """The scrub line."""
 
     @property
     def document(self) -> Document:
@@ -249,7 +267,7 @@ class DragMachine:
             press.refused = str(reason)
             self._host.refuse(press.refused)
             return
-        press.last, press.refused = document, ""
+        press.last, press.refused, press.followed = document, "", pointer
         if self._host.preview(document, active=press.active) and press.makes is not None:
             self._host.selected.set_points([press.makes])
             press.makes = None

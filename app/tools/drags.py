@@ -17,8 +17,8 @@ from ..view_model.handles import derivative_from_handle
 from ..view_model.hold import BendWith, has_handles
 from ..view_model.point_kinds import is_breakable
 from ..view_model.smoothness import with_corners
-from .drag import CurveDrag, Drag, along_axis, longer_axis, minus, plus
-from .pointer import Hit, Pointer
+from .drag import CurveDrag, Drag, along_axis, axis_held, minus, plus
+from .pointer import AXIS_KEYS, SNAP_KEY, STEP_KEYS, Hit, Pointer
 from .snapping import Snapper
 
 _TOLERANCE = 0.05
@@ -26,7 +26,7 @@ _TOLERANCE = 0.05
 
 
 class MovePoints(Drag, frozen=True):
-    """Drag of points, or whole curves, with the pointer; Shift keeps to one axis.
+    """Drag of points, or whole curves, with the pointer; Ctrl or Shift keeps to one axis.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class MovePoints(Drag, frozen=True):
     grip: tuple[int, int]
     axis: int | None = None
 
-    keys = "Shift: along one axis · Ctrl: snap, or not"
+    keys = f"{AXIS_KEYS} · {SNAP_KEY}"
 
     @property
     def name(self) -> str:
@@ -76,9 +76,8 @@ class MovePoints(Drag, frozen=True):
 
     def displacement(self, pointer: Pointer) -> Vector:
         """Return how far the points go, so that the grip snaps."""
-        way, axis = pointer.way_from(self.start), self.axis
-        if axis is None and pointer.shift:
-            axis = longer_axis(way)
+        way = pointer.way_from(self.start)
+        axis = axis_held(way, pointer) if self.axis is None else self.axis
         way = along_axis(way, axis)
         target = self.snapper.snap(plus(self._held, way), pointer, axis)
         return way if self.snapper.caught is None else minus(target, self._held)
@@ -125,10 +124,10 @@ def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
     return f"point {index}{side}"
 
 
-def handle_keys(hit: Hit, view: CurveView, snap: str = "snap, or not") -> str:
+def handle_keys(hit: Hit, view: CurveView) -> str:
     """Return what modifiers change of the drag of a handle."""
     breaks = "Alt: break the handles apart · " if is_breakable(view, hit.index) else ""
-    return f"Shift: steps of 15° · {breaks}Shift+Alt: length only · Ctrl: {snap}"
+    return f"{STEP_KEYS} · {breaks}Shift+Alt: length only · {SNAP_KEY}"
 
 
 class DragHandle(CurveDrag, frozen=True):
@@ -182,10 +181,10 @@ class DragHandle(CurveDrag, frozen=True):
         before = self.view.derivative_of(*which, ahead=self.hit.ahead)
         if pointer.alt and pointer.shift and before is not None and any(before):
             return _along_direction(free, before)
-        return in_steps(free) if pointer.shift else free
+        return in_steps(free) if pointer.holds_line else free
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
-        if pointer.shift:
+        if pointer.holds_line:
             # An angle or a direction that is held leaves nothing to be drawn elsewhere.
             self.snapper.reset()
             return tip
@@ -211,8 +210,20 @@ def in_steps(v: Vector) -> Vector:
     return (length * x, length * y)
 
 
+def stepped_from(fixed: Vector, pointer: Pointer, snapper: Snapper) -> Vector:
+    """Return where a line from a place that stays ends: with Ctrl or Shift its angle goes in steps of 15°."""
+    if not pointer.holds_line:
+        return snapper.at(pointer)
+    # An angle that is held leaves nothing to be drawn elsewhere.
+    snapper.reset()
+    return plus(fixed, in_steps(pointer.way_from(fixed)))
+
+
 class PullVelocity(CurveDrag, frozen=True):
-    """Drag that pulls the velocity handle out of a point, wherever the handle lay before."""
+    """Drag that pulls the velocity handle out of a point, wherever the handle lay before.
+
+    Ctrl or Shift turns it in steps of 15°.
+    """
 
     index: int
     snapper: Snapper
@@ -222,7 +233,7 @@ class PullVelocity(CurveDrag, frozen=True):
         """The name of the step."""
         return f"Set velocity of {_side_of(self.view, self.index, ahead=True)}"
 
-    keys = "Ctrl: snap, or not"
+    keys = f"{STEP_KEYS} · {SNAP_KEY}"
 
     def readout(self, pointer: Pointer) -> str:
         """Return the velocity by its length and direction."""
@@ -230,7 +241,8 @@ class PullVelocity(CurveDrag, frozen=True):
         return f"Velocity of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
-        return derivative_from_handle(self.view, self.index, 1, self.snapper.at(pointer), ahead=True)
+        tip = stepped_from(self.view.source.points[self.index].position, pointer, self.snapper)
+        return derivative_from_handle(self.view, self.index, 1, tip, ahead=True)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the point under the pointer."""

@@ -13,7 +13,7 @@ class ExplainTool(Tool):
         """Move the scrub line here."""
         hit = context.hit
         if hit is not None and hit.part is Part.CURVE:
-            context.host.selected.set_scrub(hit.t)
+            context.host.scrub.set(hit.t)
         else:
             context.host.refuse("Click on the curve itself, where it swings out.")
 

@@ -11,7 +11,7 @@ from ..view_model.point_kinds import toggled
 from ..view_model.smoothness import inner_points
 from .drags import bend_keys, handle_keys, what_bends, what_handle_sets
 from .pen_drags import PenAct
-from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .pointer import AXIS_KEYS, Cursor, Hint, Hit, Part, Pointer
 from .transform import TransformKind, grip_keys
 from .transform_box import Grip, ScaleBox, TransformBox
 
@@ -49,29 +49,29 @@ def to_select(hit: Hit | None, view: CurveView, dragged: str, pointer: Pointer, 
 def on_part(hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint over a point or a handle; see `to_select`."""
     if hit.part is not Part.POINT:
-        keys = handle_keys(hit, view, _snap_word(snaps))
+        keys = handle_keys(hit, view)
         retracts = " · Ctrl+click: retract it" if hit.kind == 1 else ""
         return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}{retracts}", grab=True)
     if pointer.alt and view.source.family.derivatives:
-        text = f"Drag to pull out the velocity of point {hit.index}{_with_snap(pointer, snaps=snaps)}"
-        return Hint(text, grab=True)
-    text = f"{to_move(dragged, pointer, snaps=snaps)} · Shift: one axis, a click toggles"
-    text += f" · Ctrl: {_snap_word(snaps)}"
+        steps = " in steps of 15°" if pointer.holds_line else ""
+        return Hint(f"Drag to pull out the velocity of point {hit.index}{steps}", grab=True)
+    text = f"{to_move(dragged, pointer)} · {AXIS_KEYS} · Shift+click: select it too, or no longer"
+    text += f" · {_snap_key(snaps=snaps)}"
     if view.source.family.derivatives:
         text += " · Alt: pull out its velocity"
     return Hint(text, grab=True)
 
 
-def to_move(what: str, pointer: Pointer, *, snaps: bool) -> str:
+def to_move(what: str, pointer: Pointer) -> str:
     """Return what a drag of points or curves does with the keys that are held."""
-    axis = " along one axis" if pointer.shift else ""
-    return f"Drag to move {what}{axis}{_with_snap(pointer, snaps=snaps)}"
+    axis = " along one axis" if pointer.holds_line else ""
+    return f"Drag to move {what}{axis}"
 
 
 def inside_box(group: PointGroup, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint inside the box around a group."""
-    keys = f"Shift+drag: rubber band · Ctrl: {_snap_word(snaps)} · A click lets go"
-    return Hint(f"{to_move(group.quoted, pointer, snaps=snaps)} · {keys}", cursor=Cursor.MOVE)
+    keys = f"Ctrl: one axis · Shift+drag: rubber band · {_snap_key(snaps=snaps)} · A click lets go"
+    return Hint(f"{to_move(group.quoted, pointer)} · {keys}", cursor=Cursor.MOVE)
 
 
 def on_grip(grip: Grip, box: TransformBox, group: PointGroup, refusal: str) -> Hint:
@@ -120,7 +120,7 @@ def to_add(act: PenAct, view: CurveView, fresh: Curve, *, snaps: bool, corners: 
     """
     if act is PenAct.INSERT:
         return Hint("Click to insert a point here · Shift: add at the end")
-    keys, index = f"Ctrl: {_snap_word(snaps)}", len(view.source.points)
+    keys, index = _snap_key(snaps=snaps), len(view.source.points)
     if act is PenAct.BEGIN:
         other = "" if fresh.family == view.source.family else f", {fresh.family.title}"
         return Hint(f"Click to begin another curve{other} · Shift: add point {index} to this one · {keys}")
@@ -128,10 +128,10 @@ def to_add(act: PenAct, view: CurveView, fresh: Curve, *, snaps: bool, corners: 
     if not view.source.family.derivatives:
         drag = "On the curve: insert between neighbours"
     elif corners:
-        what, drag = f"{what}, a corner", "Drag: its handles, Shift: steps of 15° · Alt: smooth"
+        what, drag = f"{what}, a corner", "Drag: its handles · Alt: smooth"
     else:
-        drag = "Alt: after a straight line · Drag to set its velocity, Shift: steps of 15°"
-    parts = (what, finish, drag, keys)
+        drag = "Alt: after a straight line · Drag to set its velocity"
+    parts = (what, finish, drag, "Ctrl: steps of 15°" if index else "", keys)
     return Hint(" · ".join(part for part in parts if part))
 
 
@@ -158,10 +158,6 @@ def is_no_part(hit: Hit | None) -> bool:
     return hit is None or hit.part is Part.CURVE
 
 
-def _with_snap(pointer: Pointer, *, snaps: bool) -> str:
-    """Return what Ctrl, held, makes of snapping."""
-    return "" if not pointer.ctrl else ", without snapping" if snaps else ", snapping"
-
-
-def _snap_word(snaps: bool) -> str:
-    return "no snap" if snaps else "snap"
+def _snap_key(*, snaps: bool) -> str:
+    """Return what the key of snapping does now."""
+    return f"%: {'no snap' if snaps else 'snap'}"

@@ -6,7 +6,7 @@ import math
 
 from ..document.image_edits import move_image, scale_image, step_image
 from ..document.model import Document, ReferenceImage, Vector
-from .drag import Drag, along_axis, longer_axis, minus
+from .drag import Drag, along_axis, axis_held, minus
 from .pointer import Cursor, Hint, Part, Pointer, Stride
 from .tool import Tool, ToolContext, ToolRecord
 
@@ -23,7 +23,7 @@ def corner_of(image: ReferenceImage, corner: int) -> Vector:
 
 
 class MoveImage(Drag, frozen=True):
-    """Drag of the picture with the pointer; Shift keeps to one axis."""
+    """Drag of the picture with the pointer; Ctrl or Shift keeps to one axis."""
 
     start: Vector
 
@@ -32,7 +32,7 @@ class MoveImage(Drag, frozen=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
         by = pointer.way_from(self.start)
-        return move_image(self.document, along_axis(by, longer_axis(by)) if pointer.shift else by)
+        return move_image(self.document, along_axis(by, axis_held(by, pointer)))
 
 
 class ScaleImage(Drag, frozen=True):

@@ -6,9 +6,9 @@ import math
 
 from ..document import words
 from ..document.model import Vector
-from .drag import plus
+from .drag import along_axis, axis_held, plus
 from .drag_machine import CANCELLED, THRESHOLD
-from .pointer import Cursor, Hint, Pointer
+from .pointer import AXIS_KEYS, SNAP_KEY, Cursor, Hint, Pointer
 from .snapping import with_snap
 from .tool import Gesture, ToolContext
 from .transform_box import TransformBox
@@ -41,7 +41,7 @@ class MovePivot(Gesture):
 
     def __init__(self, context: ToolContext) -> None:
         self._press, self._start = context.pointer, context.target.centre
-        self._before = context.host.selected.pivot
+        self._before = context.host.box.pivot
         self._snapper = context.snappers.for_pivot(context.target.bounds)
         self._is_moving = False
         if context.pointer.is_double:
@@ -53,11 +53,13 @@ class MovePivot(Gesture):
         self._is_moving |= math.dist(pointer.pixel, self._press.pixel) >= THRESHOLD
         if self._is_moving:
             way = pointer.way_from(self._press.position)
-            context.target.pivot = self._snapper.snap(plus(self._start, way), pointer)
+            axis = axis_held(way, pointer)
+            to = plus(self._start, along_axis(way, axis))
+            context.target.pivot = self._snapper.snap(to, pointer, axis)
 
     def cancel(self, context: ToolContext) -> None:
         """Put it where it was."""
-        context.host.selected.set_pivot(self._before)
+        context.host.box.set_pivot(self._before)
         if self._is_moving:
             context.host.say(CANCELLED)
 
@@ -65,5 +67,6 @@ class MovePivot(Gesture):
         """Tell where it is."""
         if not self._is_moving:
             return ""
-        text = f"Pivot {words.vector(context.target.centre)} · Ctrl: snap, or not · Escape cancels"
+        place = words.vector(context.target.centre)
+        text = f"Pivot {place} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
         return with_snap(text, self._snapper.caught)

@@ -20,7 +20,7 @@ from ..view_model.pen_corners import with_corner_appended, with_own_lengths, wit
 from ..view_model.reshape import Reshaped, with_point_inserted
 from .drag import CurveDrag, plus
 from .drags import in_steps
-from .pointer import Hit, Part, Pointer
+from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer
 from .snapping import Snapper
 
 
@@ -43,6 +43,15 @@ def pen_act(hit: Hit | None, view: CurveView, *, shift: bool, finished: bool = F
     if hit is not None and hit.part is Part.CURVE:
         return PenAct.INSERT
     return PenAct.BEGIN if view.source.is_closed or finished else PenAct.APPEND
+
+
+def place_in_steps(view: CurveView, pointer: Pointer) -> Vector | None:
+    """Return where Ctrl puts the next point: at a step of 15°, seen from the one before."""
+    points = view.source.points
+    if not (pointer.ctrl and points and pointer.is_there) or view.source.is_closed:
+        return None
+    before = points[-1].position
+    return plus(before, in_steps(pointer.way_from(before)))
 
 
 def _is_away(pointer: Pointer, press: Pointer) -> bool:
@@ -81,8 +90,8 @@ class AppendPoint(CurveDrag, frozen=True):
         """Effects of the modifier keys while it is dragged."""
         # Where the point lies was decided at the press; only a velocity is still being set.
         if not self.view.source.family.derivatives:
-            return "Ctrl: snap, or not"
-        return "Shift: steps of 15° · Alt: the handle ahead alone"
+            return SNAP_KEY
+        return f"{STEP_KEYS} · Alt: the handle ahead alone"
 
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes, and where its velocity points."""
@@ -108,14 +117,18 @@ class AppendPoint(CurveDrag, frozen=True):
 
     def _place(self, pointer: Pointer) -> Vector:
         moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
-        held = self.press if pointer.ctrl == self.press.ctrl else replace(self.press, ctrl=pointer.ctrl)
-        return self.snapper.at(pointer if moves else held)
+        at = pointer if moves else self.press
+        stepped = place_in_steps(self.view, at)
+        if stepped is None:
+            return self.snapper.at(at)
+        self.snapper.reset()
+        return stepped
 
     @staticmethod
     def _displacement(pointer: Pointer, place: Vector) -> Vector:
-        """Return how far the handle is drawn out, and where to: with Shift in steps."""
+        """Return how far the handle is drawn out, and where to: with Ctrl or Shift in steps."""
         way = pointer.way_from(place)
-        return in_steps(way) if pointer.shift else way
+        return in_steps(way) if pointer.holds_line else way
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
@@ -175,7 +188,7 @@ class InsertPoint(CurveDrag, frozen=True, dict=True):
         """The name of the step."""
         return f"Insert point {self.hit.index}"
 
-    keys = "Ctrl: snap, or not"
+    keys = SNAP_KEY
 
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes."""

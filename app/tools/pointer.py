@@ -15,6 +15,12 @@ _LEAST_PIXELS = 2.0
 """Pixels of a step by an arrow key, at least; the round number is at most two and a half times as far."""
 
 
+AXIS_KEYS = "Ctrl or Shift: one axis"
+STEP_KEYS = "Ctrl or Shift: steps of 15°"
+SNAP_KEY = "%: snap, or not"
+"""Words of what keys do in all drags; `Pointer.holds_line` tells whether one of the first is held."""
+
+
 class Part(Enum):
     """A part of the drawing that can be hit."""
 
@@ -108,6 +114,11 @@ class Pointer(msgspec.Struct, frozen=True):
     scale: float = 1.0
     ripple: bool = False
     is_double: bool = False
+
+    @property
+    def holds_line(self) -> bool:
+        """Whether what is dragged keeps to one axis, or an angle goes in steps of 15°: with Ctrl or Shift."""
+        return self.ctrl or self.shift
 
     @property
     def is_there(self) -> bool:

@@ -33,7 +33,7 @@ class Scrubbing(Gesture):
     """
 
     def __init__(self, context: ToolContext, t_at: Callable[[ToolContext], float | None]) -> None:
-        self._t_at, self._press, self._before = t_at, context.pointer, context.host.selected.scrub
+        self._t_at, self._press, self._before = t_at, context.pointer, context.host.scrub.t
         hit = context.hit
         # The point of the function that was pressed: a click means it, only a drag from there scrubs.
         self._point = hit.index if hit is not None and hit.part is Part.FUNCTION else None
@@ -48,7 +48,7 @@ class Scrubbing(Gesture):
         t, curve = self._t_at(context), context.view.curve
         if curve is not None and t is not None:
             start, end = curve.domain
-            context.host.selected.set_scrub(min(max(t, start), end))
+            context.host.scrub.set(min(max(t, start), end))
 
     def release(self, context: ToolContext) -> None:
         """Leave the scrub line here, or select the point of the function that was clicked."""
@@ -58,7 +58,7 @@ class Scrubbing(Gesture):
 
     def cancel(self, context: ToolContext) -> None:
         """Bring the scrub line back."""
-        context.host.selected.set_scrub(self._before)
+        context.host.scrub.set(self._before)
         if self._point is None:
             context.host.say(CANCELLED)
 

@@ -41,10 +41,6 @@ class Snapping(msgspec.Struct, frozen=True):
     on: bool = False
     kinds: frozenset[SnapKind] = frozenset(SnapKind)
 
-    def is_active(self, pointer: Pointer) -> bool:
-        """Whether to snap now: Ctrl turns it round."""
-        return self.on != pointer.ctrl
-
 
 class Snap(msgspec.Struct, frozen=True):
     """A catch: the place that something has snapped to.
@@ -283,7 +279,8 @@ class Snapper:
 
     def snap(self, position: Vector, pointer: Pointer, axis: int | None = None) -> Vector:
         """Return where `position` snaps to, itself if nothing is near; with `axis` only along that."""
-        question = (position, pointer.scale, axis, self._settings().is_active(pointer))
+        # Whether to snap is asked each time: a key turns it on and off in mid-drag.
+        question = (position, pointer.scale, axis, self._settings().on)
         if question != self._asked:
             # The same move asks more than once: for the document, and for the words about it.
             self._asked = question

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 from msgspec.structs import replace
@@ -15,28 +14,17 @@ from ..document.several_curves import whole_curves
 from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingHost
-from .drags import MovePoints
-from .pointer import Pointer
-from .snappers import Snappers
-from .transform import Transform, TransformKind
-from .transform_box import Grip, ScaleBox, TransformBox, box_of
+from .transform_box import TransformBox, box_of
 
 
 class TransformTarget:
     """The selected points of the curves that are edited; with none, the curves that are chosen as wholes.
 
-    It says what is meant, and makes the drags that transform it; `strokes` tells what these make of strokes,
-    and `is_even` whether corners keep proportions.
+    `strokes` tells what a transform makes of strokes.
     """
 
-    def __init__(
-        self,
-        host: EditingHost,
-        snappers: Snappers,
-        strokes: Callable[[], Strokes] = Strokes,
-        is_even: Callable[[], bool] = lambda: False,
-    ) -> None:
-        self._host, self._snappers, self._strokes, self._is_even = host, snappers, strokes, is_even
+    def __init__(self, host: EditingHost, strokes: Callable[[], Strokes]) -> None:
+        self._host, self._strokes = host, strokes
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
@@ -58,7 +46,7 @@ class TransformTarget:
             # As under most drags; a single point has no box.
             return selection, None
         views, chosen = host.views, host.selected.chosen
-        live, strokes, turns = host.is_previewing, self._strokes(), host.selected.turns
+        live, strokes, turns = host.is_previewing, self._strokes(), host.box.turns
         now = (selection, chosen, live, strokes, turns)
         if not self._known or self._known[0] is not views or self._known[1:] != now:
             self._known = (views, *now)
@@ -139,16 +127,16 @@ class TransformTarget:
     @property
     def pivot(self) -> Vector | None:
         """The pivot that was chosen, where it is by now; None for the middle."""
-        pivot = self._pivot() if self._host.selected.pivot is not None else None
+        pivot = self._pivot() if self._host.box.pivot is not None else None
         return pivot.place if pivot is not None else None
 
     @pivot.setter
     def pivot(self, place: Vector | None) -> None:
         pivot = Pivot(place, self.anchored()) if place is not None else None
-        self._host.selected.set_pivot(pivot)
+        self._host.box.set_pivot(pivot)
 
     def _pivot(self) -> Pivot | None:
-        chosen = self._host.selected.pivot
+        chosen = self._host.box.pivot
         if chosen is None or self.is_nothing:
             return None
         return chosen.at(self.anchored())
@@ -161,64 +149,4 @@ class TransformTarget:
     def keep_pivot(self) -> None:
         """Take the pivot along: the document has changed, and it belongs to what is there now."""
         if (pivot := self._pivot()) is not None and not self._host.is_previewing:
-            self._host.selected.set_pivot(pivot)
-
-    # Drags
-
-    def transform(self, kind: TransformKind, pointer: Pointer) -> Transform:
-        """Return the transform that begins at `pointer`; with nothing selected, of all points."""
-        group = self.for_keys
-        grip = self._nearest(group, pointer)
-        snapper = self._snappers.for_group(group, grip)
-        return Transform(
-            self._host.document,
-            kind,
-            group,
-            self.centre,
-            self.bounds.place(1, 1),
-            pointer.position,
-            snapper,
-            grip,
-            everything=self.group is None,
-            scales_strokes=self._strokes().scaled,
-        )
-
-    def _nearest(self, group: PointGroup, pointer: Pointer) -> tuple[int, int]:
-        """Return the curve and the index of the point that is nearest to the pointer: it snaps."""
-        curves = self._host.document.curves
-        places = [(curve, index) for curve, indices in group.parts for index in indices]
-        return min(places, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
-
-    def turning(self, grip: Grip, pointer: Pointer) -> Transform:
-        """Return the drag of a grip of the box that rotates or skews."""
-        drag = replace(self.transform(grip.does, pointer), by_grip=True)
-        if self.box is None or not self.box.turns:
-            return drag
-        hold, opposite = self.box.place(grip.x, grip.y), self.box.place(-grip.x, -grip.y)
-        return replace(drag, hold=hold, opposite=opposite, axis=int(grip.y == 0))
-
-    def scaling(self, grip: Grip, pointer: Pointer) -> ScaleBox:
-        """Return the drag of a grip of the box that scales."""
-        group, box = self._now()
-        assert group is not None
-        assert box is not None
-        snapper = self._snappers.for_grip(grip, group)
-        host = self._host
-        return ScaleBox(
-            host.document,
-            host.views,
-            group,
-            box,
-            self.centre,
-            grip,
-            pointer.position,
-            snapper,
-            self._strokes(),
-            even=self._is_even() and bool(grip.x and grip.y),
-        )
-
-    def moving(self, group: PointGroup, pointer: Pointer) -> MovePoints:
-        """Return the drag of a group from the pointer on; what snaps is its point that is nearest."""
-        grip = self._nearest(group, pointer)
-        snapper = self._snappers.for_group(group, grip)
-        return MovePoints(self._host.document, group, pointer.position, snapper, grip)
+            self._host.box.set_pivot(pivot)

@@ -82,6 +82,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         Does what takes longer than a moment.
     write_at
         Asks for the words of a text whose baseline begins at a place.
+    colour_at, give_colour
+        Finds the colour under a pointer; gives one to the "fill" or the "stroke" of what is chosen.
     """
 
     pointer: Pointer
@@ -95,6 +97,8 @@ class ToolContext(msgspec.Struct, frozen=True):
     curves_at: Callable[[Pointer], Sequence[int]]
     background: Background
     write_at: Callable[[Vector], object]
+    colour_at: Callable[[Pointer], str]
+    give_colour: Callable[[str, str], object]
 
     @property
     def hit(self) -> Hit | None:
@@ -117,7 +121,7 @@ class ToolContext(msgspec.Struct, frozen=True):
 
     def preview_snap(self, place: int) -> None:
         """Show where a press would put the point of index `place`, −1 for none in particular."""
-        if self.settings.snapping.is_active(self.pointer) and self.pointer.is_there:
+        if self.settings.snapping.on and self.pointer.is_there:
             self.snappers.show_before_press(self.pointer, place)
 
     def step_of(self, stride: Stride) -> float:

@@ -38,10 +38,14 @@ class Toolbox:
         What the person has chosen.
     grid
         Tells the spacing of the grid at the present zoom; whoever shows the plot sets it.
+    target
+        Subject of the transforms, and their pivot.
     background
         Does what takes longer than a moment, whichever tool is in use by then.
     write_at
         Asks for the words of a text that begins at a place; whoever shows the plot sets it.
+    colour_at, give_colour
+        Finds the colour under a pointer; gives it to the "fill" or the "stroke" of what is chosen. Likewise.
     """
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
@@ -51,16 +55,13 @@ class Toolbox:
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
         self.write_at: Callable[[Vector], object] = lambda _place: None
+        self.colour_at: Callable[[Pointer], str] = lambda _pointer: ""
+        self.give_colour: Callable[[str, str], object] = lambda _paint, _colour: None
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
         self._host = host
         self._drags = DragMachine(host)
         self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
-        self._target = TransformTarget(
-            host,
-            self._snappers,
-            lambda: self.settings.strokes,
-            lambda: self.settings.keeps_proportions,
-        )
+        self.target = TransformTarget(host, lambda: self.settings.strokes)
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None
@@ -72,11 +73,6 @@ class Toolbox:
         return self._above or self._chosen
 
     @property
-    def target(self) -> TransformTarget:
-        """Subject of the transforms, and their pivot."""
-        return self._target
-
-    @property
     def context(self) -> ToolContext:
         """The context of the last event, as things are now."""
         return ToolContext(
@@ -86,11 +82,13 @@ class Toolbox:
             self.grid,
             self._drags,
             self._snappers,
-            self._target,
+            self.target,
             lambda pointer: self.hit_test(pointer, self.tool),
             self.curves_at,
             self.background,
             self.write_at,
+            self.colour_at,
+            self.give_colour,
         )
 
     @property
@@ -257,7 +255,7 @@ class Toolbox:
         marks = self._chosen.marks(self.context)
         if self.background.lines:
             marks = replace(marks, waiting=self.background.lines)
-        if marks.pivot is None and (pivot := self._target.pivot) is not None:
+        if marks.pivot is None and (pivot := self.target.pivot) is not None:
             # One that was chosen is there whatever tool is in use.
             marks = replace(marks, pivot=pivot)
         return self._above.marks(self.context).above(marks) if self._above is not None else marks

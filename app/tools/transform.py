@@ -14,7 +14,7 @@ from ..document.several_curves import mapped, moved, scaled_strokes
 from ..document.transforms import LARGEST_SKEW, rotation, scaling, skewing
 from .drag import Drag, plus
 from .drags import MovePoints
-from .pointer import Pointer
+from .pointer import SNAP_KEY, STEP_KEYS, Pointer
 from .snapping import Snapper
 from .typed_amount import TypedAmount
 
@@ -35,11 +35,11 @@ class TransformKind(Enum):
         What keys change meanwhile.
     """
 
-    MOVE = ("Move", "g", "X or Y: one axis · Ctrl: snap, or not · type a number, or x Tab y")
+    MOVE = ("Move", "g", f"X, Y, Ctrl or Shift: one axis · {SNAP_KEY} · type a number, or x Tab y")
     SCALE = ("Scale", "s", "X or Y: one axis · type a number, or x Tab y")
-    ROTATE = ("Rotate", "r", "Shift or Ctrl: steps of 15° · type a number")
+    ROTATE = ("Rotate", "r", f"{STEP_KEYS} · type a number")
 
-    SKEW = ("Skew", "skew", "X or Y: along which axis · Shift or Ctrl: steps of 15° · type a number")
+    SKEW = ("Skew", "skew", f"X or Y: along which axis · {STEP_KEYS} · type a number")
 
     def __init__(self, title: str, key: str, keys: str) -> None:
         self.title, self.key, self.keys = title, key, keys
@@ -57,7 +57,7 @@ _STEP = 15.0
 def grip_keys(kind: TransformKind, *, has_opposite: bool) -> str:
     """Return what modifiers change while a grip rotates or skews; one may have an opposite corner or side."""
     if not has_opposite:
-        return "Shift or Ctrl: steps of 15°"
+        return STEP_KEYS
     opposite = "corner" if kind is TransformKind.ROTATE else "side"
     return f"Ctrl: steps of 15° · Shift: about the opposite {opposite}"
 
@@ -236,7 +236,8 @@ class Transform(Drag, frozen=True):
         return min(max(step * round(degrees / step) if step else degrees, -most), most)
 
     def _is_stepped(self, pointer: Pointer) -> bool:
-        return pointer.ctrl or (pointer.shift and self.opposite is None)
+        # With an opposite corner or side, Shift means that.
+        return pointer.holds_line if self.opposite is None else pointer.ctrl
 
     def about(self, pointer: Pointer) -> Vector | None:
         """Return what it rotates or skews about."""

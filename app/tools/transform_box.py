@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 
 import msgspec
-from msgspec.structs import replace
 
 from ..document import words
 from ..document.model import Document, Vector
@@ -16,7 +15,7 @@ from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.curve_view import CurveView
 from ..view_model.stretch import stretched
 from .drag import Drag, longer_axis, minus, plus
-from .pointer import Cursor, Pointer
+from .pointer import SNAP_KEY, Cursor, Pointer
 from .snapping import Snapper
 from .transform import TransformKind
 
@@ -118,8 +117,8 @@ def box_of(
     if sum(len(indices) for _, indices in group.parts) < 2:
         return None
     bounds = bounds_of(views, group, strokes, as_drawn=live)
-    # While it is dragged there are no grips.
-    bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE)
+    # While it is dragged there are no grips; whether a side has a length can be seen of what is drawn.
+    bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE, as_drawn=True)
     if bounds is None or bare is None or not any(bare.size):
         return None
     return TransformBox(bounds.low, bounds.high, (bare.size[0] > 0.0, bare.size[1] > 0.0))
@@ -152,7 +151,7 @@ class ScaleBox(Drag, frozen=True):
     strokes: Strokes
     even: bool = False
 
-    keys = "Shift: about the pivot · Ctrl: keep proportions · Alt: snap, or not"
+    keys = f"Shift: about the pivot · Ctrl: keep proportions · {SNAP_KEY}"
 
     @property
     def name(self) -> str:
@@ -229,8 +228,7 @@ class ScaleBox(Drag, frozen=True):
             across, up = arm[0] / length, arm[1] / length
             along = way[0] * across + way[1] * up
             way, axis = (along * across, along * up), longer_axis(arm)
-        # Ctrl has another meaning here; Alt turns snapping round.
-        target = self.snapper.snap(plus(corner, way), replace(pointer, ctrl=pointer.alt), axis)
+        target = self.snapper.snap(plus(corner, way), pointer, axis)
         return way if self.snapper.caught is None else minus(target, corner)
 
     def _factors(self, way: Vector, pointer: Pointer) -> Vector:

@@ -6,6 +6,7 @@ from .marks import GestureMarks
 from .pointer import Cursor, Hint
 from .tool import Tool, ToolContext
 from .transform import TransformKind
+from .transform_drags import transforming
 
 _KEYS = frozenset("0123456789.-xygsr") | {"backspace", "tab", "enter"}
 
@@ -25,7 +26,7 @@ class TransformTool(Tool):
     lasts_one_gesture = True
 
     def __init__(self, kind: TransformKind, context: ToolContext) -> None:
-        self._transform = context.target.transform(kind, context.pointer)
+        self._transform = transforming(context, kind)
         context.drags.press_at_once(context.pointer, self._transform)
 
     def press(self, context: ToolContext) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 
 import msgspec
 from msgspec.structs import replace
@@ -35,6 +35,11 @@ class Arrival(msgspec.Struct, frozen=True):
     places: range
     views: tuple[CurveView, ...] = ()
 
+    @property
+    def curves(self) -> tuple[Curve, ...]:
+        """The curves that were added."""
+        return self.document.curves[self.places.start : self.places.stop]
+
 
 def with_curves(document: Document, curves: Sequence[Curve], layer: str = "") -> Arrival:
     """Add curves in front in a layer, visible and free, under names of their own.
@@ -60,23 +65,27 @@ class Target(msgspec.Struct, frozen=True):
         How exactly.
     layer
         In which layer they come to be in front.
+    views
+        Views of curves that may be what comes, too: nothing is computed anew of a copy.
     """
 
     document: Document
     place: Vector | None = None
     pixel: float = 1.0
     layer: str = ""
+    views: Sequence[CurveView] = ()
 
     def filled(self, curves: Sequence[Curve], told: Callable[[float], object] | None = None) -> Arrival:
         """Return the document with the curves; their views, too, where somebody is `told` of these."""
         added = with_curves(self.document, curves, self.layer)
+        known = {id(view.source.points): view for view in self.views}
+        originals = [known.get(id(curve.points)) for curve in added.curves]
         if self.place is not None:
-            moved_there = centred_at(added.document, added.places, self.place, self.pixel)
+            moved_there = centred_at(added, originals, self.place, self.pixel)
             added = replace(added, document=moved_there)
         if told is None:
             return added
-        new = added.document.curves[added.places.start : added.places.stop]
-        return replace(added, views=tuple(views_ahead(new, told)))
+        return replace(added, views=tuple(views_ahead(added.curves, told, originals)))
 
 
 def with_parts(document: Document, parts: Sequence[Curve], active: int) -> Arrival:
@@ -87,13 +96,15 @@ def with_parts(document: Document, parts: Sequence[Curve], active: int) -> Arriv
     return Arrival(added, range(first, first + len(parts)))
 
 
-def centred_at(document: Document, curves: Collection[int], place: Vector, pixel: float) -> Document:
-    """Return the document with some of its curves moved so that their middle is at a place.
+def centred_at(
+    added: Arrival, originals: Sequence[CurveView | None], place: Vector, pixel: float
+) -> Document:
+    """Return the document with what was added moved so that its middle is at a place.
 
     It is there to a `pixel`, by a clean number: the coordinates get no digits that nobody sees.
     """
-    group = whole_curves(document, curves)
-    views = [view_of(document.curves[curve]) for curve in curves]
+    document, group = added.document, whole_curves(added.document, added.places)
+    views = [view or view_of(curve) for curve, view in zip(added.curves, originals, strict=True)]
     bounds = around([view.extent[1] for view in views if len(view.points)])
     if bounds is None or not all(map(math.isfinite, (*place, *bounds.centre))):
         return document

@@ -5,7 +5,7 @@ Bounds of curves are those of their lines, or with their strokes, as they print.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import msgspec
@@ -105,13 +105,18 @@ def bounds_of(
     it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
     of a curve, they are those of the points.
     """
-    parts = [(views[curve], indices) for curve, indices in group.parts if indices]
-    whole = [view for view, indices in parts if is_whole(view, indices)]
+    whole, some = list[CurveView](), list[FloatArray]()
+    for curve, indices in group.parts:
+        view = views[curve]
+        if is_whole(view, indices):
+            whole.append(view)
+        elif indices:
+            some.append(view.points[sorted(indices)])
     if not as_drawn:
         whole = _reaching_out(whole, strokes)
         _find_bounds(whole)
     lines = [view.drawn_box if as_drawn else _found(view) for view in whole]
-    boxes = [*lines, *(view.points[sorted(at)] for view, at in parts if not is_whole(view, at))]
+    boxes = [*lines, *some]
     if strokes.measured:
         boxes += _stroke_boxes(whole, lines, strokes, as_drawn=as_drawn)
     return around(boxes)
@@ -145,7 +150,7 @@ def _stroke_boxes(
     views: Sequence[CurveView], lines: Sequence[FloatArray], strokes: Strokes, *, as_drawn: bool
 ) -> list[FloatArray]:
     """Return the boxes of those strokes, by the boxes of their lines, that may reach beyond all others."""
-    places = [at for at, view in enumerate(views) if half_width(strokes.printed(view.source.style)) > 0.0]
+    places = np.flatnonzero(_reaches(views, strokes, half_width)).tolist()
     if not places:
         return []
     stroked, corners = [views[at] for at in places], np.array([lines[at] for at in places])
@@ -160,12 +165,19 @@ def _stroke_boxes(
 
 
 def _least_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
-    styles = (strokes.printed(view.source.style) for view in views)
-    return np.array([half_width(style) if is_round(style) else 0.0 for style in styles])
+    return _reaches(views, strokes, lambda style: half_width(style) if is_round(style) else 0.0)
 
 
 def _farthest_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
-    return np.array([farthest_reach(strokes.printed(view.source.style)) for view in views])
+    return _reaches(views, strokes, farthest_reach)
+
+
+def _reaches(views: Sequence[CurveView], strokes: Strokes, reach: Callable[[Style], float]) -> FloatArray:
+    """Return how far the strokes of curves reach; many share a style."""
+    styles = [view.source.style for view in views]
+    found = {id(style): style for style in styles}
+    reaches = {key: reach(strokes.printed(style)) for key, style in found.items()}
+    return np.array([reaches[id(style)] for style in styles])
 
 
 def _stroke_box(view: CurveView, strokes: Strokes, *, as_drawn: bool) -> FloatArray:
@@ -196,8 +208,8 @@ def around(boxes: Sequence[FloatArray]) -> Bounds | None:
     """Return the box around points, (k, 2) each; None where there are none."""
     if not boxes:
         return None
-    low = np.min([points.min(axis=0) for points in boxes], axis=0).tolist()
-    high = np.max([points.max(axis=0) for points in boxes], axis=0).tolist()
+    corners = np.concatenate(boxes)
+    low, high = corners.min(axis=0).tolist(), corners.max(axis=0).tolist()
     return Bounds((low[0], low[1]), (high[0], high[1]))
 
 

@@ -15,7 +15,7 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Point, Vector, vectors_of
-from ..document.steps import has_only_moved
+from ..document.steps import have_only_moved
 
 _NONE = (np.nan, np.nan)
 
@@ -56,7 +56,7 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     old = (previous.positions, previous.times, previous.corners, previous.ties, previous.given)
     if not rows:
         return PointArrays(points, *old)
-    if all(map(has_only_moved, [previous.points[row] for row in rows], [points[row] for row in rows])):
+    if have_only_moved([previous.points[row] for row in rows], [points[row] for row in rows]):
         # As under nearly every drag.
         positions = previous.positions.copy()
         for row in rows:
@@ -69,7 +69,7 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
 
 def arrays_of_all(points: Sequence[tuple[Point, ...]], previous: Sequence[PointArrays]) -> list[PointArrays]:
     """Return the arrays of points of many curves, each of as many as before, made all at once."""
-    kept = [all(map(has_only_moved, old.points, new)) for new, old in zip(points, previous, strict=True)]
+    kept = [have_only_moved(old.points, new) for new, old in zip(points, previous, strict=True)]
     places = np.array([(point.x, point.y) for each in points for point in each], dtype=float)
     places.setflags(write=False)
     positions = _parts(places, points)

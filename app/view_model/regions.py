@@ -202,7 +202,10 @@ def combined_by(
     names, first = Names(chosen[0].name, taken_names(document)), chosen[0].places.start
     # It takes the place of the group that it is made of.
     model = replace(document.curves[first], groups=chosen[0].around.groups)
-    new = [curve for region in left for curve in curves_of(region, model, names.next())]
+    speck = RELATIVE_TOLERANCE * size_of(
+        [views[place] for own in parts for places in own for place in places]
+    )
+    new = [curve for region in left for curve in curves_of(region, model, names.next(), speck)]
     made = {places: new if places.start == first else [] for own in parts for places in own}
     return Combined(*replaced(document, made), len(left), deviation)
 
@@ -308,8 +311,12 @@ def size_of(views: Sequence[CurveView]) -> float:
     return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0
 
 
-def curves_of(region: Region, model: Curve, name: str) -> list[Curve]:
-    """Return the contours of a region as closed curves that look like another one, and are one shape."""
+def curves_of(region: Region, model: Curve, name: str, speck: float) -> list[Curve]:
+    """Return the contours of a region as closed curves that look like another one, and are one shape.
+
+    Points are no nearer together than a `speck`, within which nobody sees them apart.
+    """
+    region = region.without_specks(speck)
     several = len(region.contours) > 1
     return [
         Curve(

@@ -8,14 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
+import numpy as np
 from msgspec.structs import replace
 
 import curvecore
+from curvecore.arrays import FloatArray
 
 from ..document.edits import EditError
 from ..document.model import Curve, Document
-from ..document.style import NO_PAINT, LineJoin, Style
+from ..document.style import LEAST_DASH, NO_PAINT, LineJoin, Style
 from ..tasks.progress import Report, part, silent
 from .curve_view import CurveView
 from .regions import (
@@ -31,6 +34,9 @@ from .regions import (
     size_of,
     taken_names,
 )
+
+if TYPE_CHECKING:
+    from curvecore import Region
 
 _FOLLOWED = 1e-4
 """Share of a shape's size within which its outline is followed."""
@@ -70,20 +76,26 @@ def offset_by(
         name = name_of_shape(document, places)
         if not found.contours:
             raise EditError(f"Nothing would be left of “{name}”: it is narrower than that.")
-        made[places] = curves_of(found, model, name)
+        made[places] = curves_of(found, model, name, tolerance)
         off = max(off, deviation + tolerance)
     return Combined(*replaced(document, made), len(chosen), off)
 
 
 def strokes_as_shapes(
-    document: Document, views: Sequence[CurveView], curves: Collection[int], report: Report = silent
+    document: Document,
+    views: Sequence[CurveView],
+    curves: Collection[int],
+    usual: float,
+    report: Report = silent,
 ) -> Combined:
     """Return the document with the strokes of shapes as shapes in front of their fills, if they have any.
+
+    `usual` is the width of lines whose styles say none. Each dash is a contour of the shape.
 
     Raises
     ------
     EditError
-        If one has no line, dashes, or a line whose width follows the zoom.
+        If one has no line, or more dashes than can be.
     """
     made, off, chosen = dict[range, list[Curve]](), 0.0, chosen_shapes(document, curves)
     taken = taken_names(document)
@@ -91,27 +103,22 @@ def strokes_as_shapes(
         told = part(report, number / len(chosen), (number + 1) / len(chosen))
         own, name = document.curves[places.start : places.stop], name_of_shape(document, places)
         style = own[0].style
-        width = _width(name, style)
-        lines, deviation = outlines_of([views[place] for place in places])
+        if not style.has_stroke:
+            raise EditError(f"“{name}” has no line.")
+        width = usual if style.width is None else style.width
+        if not width:
+            raise EditError(f"The line of “{name}” has no width.")
+        outlines, deviation = outlines_of([views[place] for place in places])
         tolerance = min(_tolerance([views[place] for place in places]), width / 100.0)
-        found = computed(
-            partial(
-                curvecore.stroked,
-                lines,
-                width,
-                tolerance=tolerance,
-                join=curvecore.StrokeJoin(style.join.value),
-                cap=curvecore.StrokeCap(style.cap.value),
-                miter_limit=style.miter_limit,
-                closed=[curve.is_closed for curve in own],
-                progress=_heard(told, "Stroke"),
-            )
-        )
+        found = computed(partial(_stroked, own, outlines, width, tolerance, _heard(told, "Stroke")))
         names, filled = Names(name, taken), list[Curve]()
         if style.has_fill:
             filled = [replace(curve, style=replace(style, stroke=NO_PAINT)) for curve in own]
             names.next()
-        made[places] = [*filled, *curves_of(found, replace(own[0], style=_as_fill(style)), names.next())]
+        made[places] = [
+            *filled,
+            *curves_of(found, replace(own[0], style=_as_fill(style)), names.next(), tolerance),
+        ]
         off = max(off, deviation + tolerance)
     return Combined(*replaced(document, made), len(chosen), off)
 
@@ -123,17 +130,43 @@ def _corners(style: Style) -> LineJoin:
 
 def _as_fill(style: Style) -> Style:
     """Return the style of a shape that is painted as the line of this one."""
-    return Style(stroke=NO_PAINT, fill=style.stroke, fill_opacity=style.stroke_opacity, opacity=style.opacity)
+    return Style(
+        stroke=NO_PAINT,
+        fill=style.stroke,
+        fill_gradient=style.stroke_gradient,
+        fill_opacity=style.stroke_opacity,
+        opacity=style.opacity,
+    )
 
 
-def _width(name: str, style: Style) -> float:
-    if not style.has_stroke:
-        raise EditError(f"“{name}” has no line.")
+def _stroked(
+    curves: Sequence[Curve],
+    outlines: Sequence[FloatArray],
+    width: float,
+    tolerance: float,
+    progress: Callable[[float], object],
+) -> Region:
+    """Return what the line of a shape covers, whole or in dashes."""
+    style, lines, closed = curves[0].style, list(outlines), [curve.is_closed for curve in curves]
     if style.dash:
-        raise EditError(f"“{name}” has dashes; a shape is made of whole lines only.")
-    if not style.width:
-        raise EditError(f"The line of “{name}” is as wide at every zoom; give it a width first.")
-    return style.width
+        lengths = np.maximum(style.dashes_and_gaps, LEAST_DASH) * width
+        start = style.dash_offset * width
+        lines = [
+            dash
+            for line, is_closed in zip(outlines, closed, strict=True)
+            for dash in curvecore.dashed(line, lengths, start=start, closed=is_closed)
+        ]
+        closed = []
+    return curvecore.stroked(
+        lines,
+        width,
+        tolerance=tolerance,
+        join=curvecore.StrokeJoin(style.join.value),
+        cap=curvecore.StrokeCap(style.cap.value),
+        miter_limit=style.miter_limit,
+        closed=closed,
+        progress=progress,
+    )
 
 
 def _heard(report: Report, word: str) -> Callable[[float], object]:

@@ -77,7 +77,8 @@ class FieldEdit(ClaimsKeys, QLineEdit):
 
     def _commit(self) -> None:
         typed = self.text()
-        changed = self.isModified() and typed not in (self._whole, self._short)
+        # What is shown short is another text: who types just that wants just that.
+        changed = self.isModified() and typed != self._whole
         # So that the document's answer may be shown; and how it was typed is forgotten.
         self.setText(typed)
         if changed:

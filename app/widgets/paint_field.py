@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon
+from PySide6.QtGui import QAction, QColor, QIcon
 from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 
 from ..appearance.colours import CURVE_COLOURS, fill_colour
@@ -18,7 +18,7 @@ from .boxes import column_of, row_of
 from .colour_popup import ColourPopup
 from .field_edit import NumberEdit
 from .percent_field import MIXED
-from .tool_buttons import tool_button
+from .tool_buttons import action_button, tool_button
 
 MOST_RECENT = 5
 """Colours that are remembered beside those that are always there."""
@@ -48,7 +48,7 @@ def read_paint(text: str) -> str:
 
 
 class PaintField(FollowsTheme, QWidget):
-    """Shows a paint and asks for another one.
+    """Shows a paint and asks for another one; the tool of `dropper` picks it from the drawing.
 
     Signals
     -------
@@ -72,7 +72,7 @@ class PaintField(FollowsTheme, QWidget):
     previewed = Signal(str)
     cancelled = Signal()
 
-    def __init__(self, name: str, label: str, other: str) -> None:
+    def __init__(self, name: str, label: str, other: str, dropper: QAction) -> None:
         super().__init__()
         self.setObjectName(name)
         self._label, self._other = label, other
@@ -87,7 +87,8 @@ class PaintField(FollowsTheme, QWidget):
         self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)
         self.edit.entered.connect(lambda paint: self.chosen.emit(paint))  # noqa: PLW0108 - of other types
         self._row = row_of(spacing=2)
-        top = row_of(self._button, (self.edit, 1), margins=0, spacing=6)
+        pick = action_button(dropper, name=f"{name}Dropper")
+        top = row_of(self._button, (self.edit, 1), pick, margins=0, spacing=6)
         column_of(top, self._row, margins=0, spacing=4, parent=self)
         for word, paint in _PAINTS.items():
             self._add_swatch(word, paint)

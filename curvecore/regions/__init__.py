@@ -3,7 +3,7 @@
 - ``region``: `Region`, contours with the rule that says what is inside.
 - ``operations``: `union`, `intersection`, `difference`, `exclusion`, `division`, `simplified`.
 - ``strokes``: outlines of strokes, larger and smaller regions.  ``strips``: their sides.
-  ``miters``: tips of their corners.
+  ``miters``: tips of their corners.  ``dashes``: stretches of a pattern along lines.
 - ``outlines``: the pieces of many regions in one array.  ``meetings``: where these cross, touch or coincide.
 - ``arrangement``: nodes, and edges between them, those that coincide as one.
 - ``rays``: winding numbers beside edges and at points.

@@ -11,7 +11,7 @@ import numpy as np
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.regions.arrangement import Edges
-from curvecore.regions.outlines import Outlines, stretches
+from curvecore.regions.outlines import Outlines, stretches, with_whole_lines
 
 _BESIDE = 1 / 8
 """Of the shortest edge at a node: how far from it the order of the edges is read."""
@@ -164,4 +164,13 @@ def _pieces(outlines: Outlines, runs: Sequence[Run]) -> FloatArray:
     by_next = ~is_own[:, 1] & np.roll(is_own[:, 0], -1)
     joint = np.where(by_next[:, None], after, controls[:, 3])
     controls[:, 3], controls[:, 0] = joint, np.roll(joint, 1, axis=0)
-    return controls
+    return with_whole_lines(controls, _are_own_joints(outlines, piece, ends))
+
+
+def _are_own_joints(outlines: Outlines, piece: IntArray, ends: FloatArray) -> BoolArray:
+    """Tell which runs end where two pieces of one contour met before, so that the joint was meant."""
+    after, start = np.roll(piece, -1), np.roll(ends[:, 0], -1)
+    ahead = (ends[:, 1] == 1.0) & (start == 0.0) & (outlines.following[piece] == after)
+    back = (ends[:, 1] == 0.0) & (start == 1.0) & (outlines.following[after] == piece)
+    are_own: BoolArray = ahead | back
+    return are_own

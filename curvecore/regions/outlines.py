@@ -67,15 +67,18 @@ def straight_piece(start: FloatArray, end: FloatArray) -> FloatArray:
     return piece
 
 
-def with_whole_lines(contour: FloatArray) -> FloatArray:
-    """Return a closed contour (k, 4, 2) in which straight pieces that go on in one line are one piece."""
+def with_whole_lines(contour: FloatArray, stays: BoolArray | None = None) -> FloatArray:
+    """Return a closed contour (k, 4, 2) in which straight pieces that go on in one line are one piece.
+
+    Where the end of a piece `stays`, it does.
+    """
     chord = contour[:, 3] - contour[:, 0]
-    size = float(np.ptp(contour.reshape(-1, 2), axis=0).max())
-    even = np.stack([contour[:, 0] + chord * share for share in (1.0 / 3.0, 2.0 / 3.0)], axis=1)
-    straight = np.abs(contour[:, 1:3] - even).max(axis=(1, 2)) <= _SAME * size
+    straight = _are_straight(contour)
     following, lengths = np.roll(chord, -1, axis=0), vector_lengths(chord)
     turn = np.abs(cross(chord, following)) / np.maximum(lengths * np.roll(lengths, -1), SMALLEST)
     goes_on = straight & np.roll(straight, -1) & (turn <= _SAME) & ((chord * following).sum(axis=1) > 0.0)
+    if stays is not None:
+        goes_on &= ~stays
     if not goes_on.any() or goes_on.all():
         return contour
     # From a joint that stays.
@@ -88,6 +91,44 @@ def with_whole_lines(contour: FloatArray) -> FloatArray:
         for a, b in zip(begin, last, strict=True)
     ]
     return np.stack(whole)
+
+
+def without_specks(contour: FloatArray, length: float) -> FloatArray:
+    """Return a closed contour (k, 4, 2) in which neighbouring pieces of a length together are a point.
+
+    Their length is that of the polygon of their control points. The contour moves by less than that.
+    """
+    lengths = np.hypot(*np.diff(contour, axis=1).T).sum(axis=0)
+    kept, left = np.ones(len(contour), dtype=bool), length
+    # From the end of the longest piece, which stays.
+    for place in np.roll(np.arange(len(contour)), -1 - int(np.argmax(lengths))).tolist():
+        kept[place] = lengths[place] > left
+        left = length if kept[place] else left - float(lengths[place])
+    if kept.all() or kept.sum() < 2:
+        return contour
+    straight, found = _are_straight(contour)[kept], contour[kept]
+    ahead = np.roll(np.arange(len(found)), -1)
+    # A line keeps its direction where the piece on the other side bends.
+    at = np.where((straight[ahead] & ~straight)[:, None], found[ahead, 0], found[:, 3])
+    found[:, 2] += at - found[:, 3]
+    found[ahead, 1] += at - found[ahead, 0]
+    found[:, 3], found[ahead, 0] = at, at
+    for place in np.flatnonzero(straight).tolist():
+        found[place] = straight_piece(found[place, 0], found[place, 3])
+    return found
+
+
+def _are_straight(contour: FloatArray) -> BoolArray:
+    """Tell which pieces run straight from one end to the other, at whatever pace."""
+    chord = contour[:, 3] - contour[:, 0]
+    size = float(np.ptp(contour.reshape(-1, 2), axis=0).max())
+    lengths = np.maximum(vector_lengths(chord), SMALLEST)
+    ways = contour[:, 1:3] - contour[:, :1]
+    aside = np.abs(cross(ways, chord[:, None])) / lengths[:, None]
+    along = (ways * chord[:, None]).sum(axis=2) / lengths[:, None]
+    beyond = np.maximum(-along, along - lengths[:, None])
+    straight: BoolArray = (np.maximum(aside, beyond) <= _SAME * size).all(axis=1)
+    return straight
 
 
 def outlines_of(regions: Sequence[Sequence[FloatArray]]) -> Outlines:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, contour_array, plane_points, read_only
 from curvecore.bezier.bernstein_algebra import binomials
-from curvecore.regions.outlines import closed_contour
+from curvecore.regions.outlines import closed_contour, without_specks
 from curvecore.regions.rays import windings_at
 
 
@@ -125,6 +125,22 @@ class Region:
         Of what an operation returned it is the area of the inside.
         """
         return sum(contour_area(each) for each in self._contours)
+
+    def without_specks(self, length: float) -> Region:
+        """Return the region without the pieces that are too short to be seen.
+
+        Parameters
+        ----------
+        length : float
+            Pieces next to each other that are shorter than this, together, become a point. Contours move by
+            less than that.
+
+        Returns
+        -------
+        Region
+            With the same rule; what consists of such pieces alone stays as it is.
+        """
+        return Region([without_specks(each, length) for each in self._contours], self._rule)
 
     def winding_numbers(self, points: ArrayLike) -> IntArray:
         """Return how often the contours run around points.

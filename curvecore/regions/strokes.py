@@ -137,18 +137,20 @@ def stroked(
         finite_number(miter_limit, "miter_limit"),
         tolerance_value(tolerance),
     )
-    plain, folded = list[FloatArray](), list[FloatArray]()
+    runs, plain = list[FloatArray](), list[FloatArray]()
     for place, line in enumerate(lines):
         pieces = contour_array(line, f"lines[{place}]")
         pieces = pieces[(pieces != pieces[:, :1]).any(axis=(1, 2))]
         if not len(pieces):
             continue
         is_closed = place < len(closed) and closed[place]
-        strips, folds = strips_of(pieces, pen.half, pen.tolerance)
-        plain += strips
-        folded += folds
+        runs.append(pieces)
         plain += map(_to_the_left, _ends_and_joints(pieces, pen, is_closed=is_closed))
-        plain += map(_to_the_left, _cusps(pieces, pen))
+    if not runs:
+        return Region([])
+    every = np.concatenate(runs)
+    strips, folded = strips_of(every, pen.half, pen.tolerance)
+    plain += [*strips, *map(_to_the_left, _cusps(every, pen))]
     found = union([Region(plain), *(Region([each]) for each in folded)], progress=progress)
     # Beside a fold the parts may miss each other by what they are off.
     kept = [each for each in found.contours if not is_sliver(each, pen.tolerance)]

@@ -35,6 +35,9 @@ FACTS_MOST = 5.0
 """What the facts of curves cost, with the curves, over what these cost alone."""
 
 
+APART = 5
+"""Point of the waves that no other of the first ten has within reach: a press there drags this curve's."""
+
 STYLED_MORE = 2.0
 """Milliseconds that ninety-nine filled curves with wide lines may add to the drag of one."""
 
@@ -72,8 +75,9 @@ def times(
     paints = Paints()
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
-    start = QPointF(canvas.to_pixel(*editor.point(10)))
+    start = QPointF(canvas.to_pixel(*editor.point(APART)))
     found = drag(canvas.viewport(), start, paints, ["canvas"])
+    assert session.active_index == active
     editor.window.hide()
     return found
 

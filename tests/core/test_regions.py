@@ -1,6 +1,7 @@
 """Boolean operations on regions: against closed forms, winding numbers and sums of areas."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -162,9 +163,21 @@ def test_a_half_that_shares_its_arcs():
 def test_a_shared_edge():
     found = union([box(0, 0), box(1, 0)])
     assert found.area == pytest.approx(2.0, rel=1e-14)
-    assert len(found.contours) == 1
+    # What were corners lie on lines now; the point that a person had put on one of them stays.
+    assert [len(contour) for contour in found.contours] == [4]
+    with_more = Region.of_polygon([[0, 0], [0.4, 0], [1, 0], [1, 1], [0, 1]])
+    assert (0.4, 0.0) in {tuple(each) for each in union([with_more, box(1, 0)]).contours[0][:, 0].tolist()}
     assert not intersection([box(0, 0), box(1, 0)]).contours
     assert difference(box(0, 0), [box(1, 0)]).area == pytest.approx(1.0, rel=1e-14)
+
+
+def test_lines_of_any_pace_become_one():
+    """As with handles that lie on the points: what is left of a cut one runs at another pace."""
+    corners = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])
+    lazy = np.stack([corners, corners, np.roll(corners, -1, axis=0), np.roll(corners, -1, axis=0)], axis=1)
+    found = union([Region([lazy]), box(1, 0, 3, 2)])
+    assert [len(contour) for contour in found.contours] == [4]
+    assert found.area == pytest.approx(8.0, rel=1e-14)
 
 
 def test_parts_of_edges_that_are_shared():
@@ -254,6 +267,23 @@ def test_a_cubic_that_crosses_itself():
     found = simplified(Region([[controls]]))
     loop = min(found.contours, key=len)
     assert Region([loop]).area == pytest.approx(8.0 / 15.0, rel=1e-12)
+
+
+def test_specks_become_points():
+    """Three pieces in a row of 1e-4 in all, between an arc and a line, whose direction stays."""
+    arc = CIRCLE[0]
+    ends = np.array(
+        [arc[3], arc[3] + [-3e-5, 0], arc[3] + [-7e-5, 0], arc[3] + [-1e-4, 0], [-2.0, 1.0], arc[0]]
+    )
+    lines = [Region.of_polygon([a, b]).contours[0][0] for a, b in pairwise(ends)]
+    region = Region([np.stack([arc, *lines])])
+    (found,) = region.without_specks(1e-3).contours
+    assert (len(found), gap(found)) == (3, 0.0)
+    assert np.abs(found[0] - arc).max() < 2e-4
+    assert found[1, 0].tolist() == ends[3].tolist()
+    # The first is one, the second is longer than what is left then, the third is one.
+    assert region.without_specks(5e-5).contours[0].shape == (4, 4, 2)
+    assert region.without_specks(1e-6).contours[0].tolist() == region.contours[0].tolist()
 
 
 def test_slivers():

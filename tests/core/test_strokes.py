@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from curvecore import CurveError, Region, StrokeCap, StrokeJoin, offset, stroked
+from curvecore import CurveError, Region, StrokeCap, StrokeJoin, dashed, offset, stroked
 
 LINE = [[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [6.0, 0.0]]]
 ELBOW = [*LINE, [[6.0, 0.0], [6.0, 2.0], [6.0, 4.0], [6.0, 6.0]]]
@@ -110,3 +110,41 @@ def test_holes_shrink_where_the_outline_grows():
 def test_no_width(width):
     with pytest.raises(CurveError, match="width"):
         stroked([LINE], width, tolerance=1e-3)
+
+
+def sampled_length(line):
+    """Length of cubic pieces by chords: less by some 1e-9 of it, at a cusp by the last chords."""
+    s = np.linspace(0.0, 1.0, 40001)
+    weights = np.stack([(1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3], axis=1)
+    return float(np.hypot(*np.diff(weights @ line, axis=1).transpose(2, 0, 1)).sum())
+
+
+@pytest.mark.parametrize("start", [0.0, 0.4, 0.9, -7.3])
+@pytest.mark.parametrize("name", LINES)
+def test_dashes_and_gaps_are_as_long_as_the_pattern_has_them(name, start):
+    """All but the first and the last, which the ends of the line cut; they lie on the line, in order."""
+    line = np.array(LINES[name], dtype=float)
+    whole = sampled_length(line)
+    found = dashed(line, [0.7, 0.5], start=start)
+    lengths = [sampled_length(dash) for dash in found]
+    assert lengths[1:-1] == pytest.approx([0.7] * (len(found) - 2), abs=2e-5)
+    began = (-start) % 1.2
+    wanted = np.clip(whole - began - 1.2 * np.arange(-1, len(found)), 0.0, 0.7)
+    wanted[0] = min(max(began - 0.5, 0.0), 0.7)
+    assert sum(lengths) == pytest.approx(wanted.sum(), abs=1e-4)
+    assert all((dash[1:, 0] == dash[:-1, 3]).all() for dash in found)
+
+
+def test_a_dash_goes_on_over_the_end_of_a_closed_line():
+    """Around a square of 4 x 4, 0.5 into dashes of 2 and gaps of 1: the last 1.5 begin the first."""
+    (square,) = BOX.contours
+    dashes = dashed(square, [2.0, 1.0], start=0.5, closed=True)
+    assert [round(sampled_length(dash), 9) for dash in dashes] == [3.0, 2.0, 2.0, 2.0, 2.0]
+    assert dashes[0][0, 0].tolist() == [0.0, 1.5]
+    assert dashed(square, [20.0, 1.0], closed=True)[0].tolist() == square.tolist()
+
+
+@pytest.mark.parametrize("lengths", [[], [0.0, 0.0], [1.0, -1.0], [math.nan], [1e-9]])
+def test_no_pattern(lengths):
+    with pytest.raises(CurveError, match="lengths"):
+        dashed(LINE, lengths)

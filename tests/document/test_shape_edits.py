@@ -300,7 +300,7 @@ def test_whole_shapes_and_groups_are_named():
         "S1",
         "G1",
         "2 curves",
-        "4 curves",
+        "2 objects",
     ]
 
 

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from app.document.edits import delete_points, move_points, set_velocity
 from app.document.model import Axis, Document, Guide, make_curve
 from app.document.plain import plain
-from app.document.steps import has_only_moved, reshaped
+from app.document.steps import changed_besides_points, moved_points, reshaped
 from app.document.style import Style
 from app.families import HERMITE
 
@@ -25,14 +25,15 @@ def test_moved_points_are_all_that_has_changed(two):
     moved = move_points(two, 1, [0, 2], (1.0, 0.0))
     assert reshaped(two, moved) == [1]
     assert reshaped(two, two) == []
-    pairs = zip(two.curves[1].points, moved.curves[1].points, strict=True)
-    assert all(has_only_moved(old, new) for old, new in pairs)
+    assert moved_points(two, moved) == [moved.curves[1].points[0], moved.curves[1].points[2]]
+    assert changed_besides_points(two.curves, moved.curves) == []
 
 
 def test_derivatives_are_points_but_no_move(two):
     bent = set_velocity(two, 0, 1, (1.0, 2.0))
     assert reshaped(two, bent) == [0]
-    assert not has_only_moved(two.curves[0].points[1], bent.curves[0].points[1])
+    assert moved_points(two, bent) is None
+    assert changed_besides_points(two.curves, bent.curves) == []
 
 
 @pytest.mark.parametrize(
@@ -48,6 +49,13 @@ def test_derivatives_are_points_but_no_move(two):
 )
 def test_anything_else_is_more_than_points(two, change):
     assert reshaped(two, change(two)) is None
+    assert moved_points(two, change(two)) is None
+
+
+def test_a_curve_with_other_looks_is_told_from_one_with_other_points(two):
+    moved = move_points(two, 1, [0], (1.0, 0.0))
+    named = moved.with_curve(0, replace(moved.curves[0], name="c"))
+    assert changed_besides_points(two.curves, named.curves) == [0]
 
 
 def test_a_number_of_numpy_among_moved_points_becomes_a_float(two):

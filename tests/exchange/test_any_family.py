@@ -12,7 +12,8 @@ from PIL import Image
 from scipy.spatial import cKDTree
 
 from app.document.model import Document, ParametrizationKind
-from app.exchange.drawing.animation import Film, write_film
+from app.exchange.drawing.animation import write_film
+from app.exchange.drawing.film import Film
 from app.exchange.facts import facts_of
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options

@@ -40,6 +40,13 @@ def test_what_is_typed_is_meant_in_the_unit_of_the_document(text):
     assert typed_length(text, "mm", 200.0) == MEANT[text]
 
 
+@pytest.mark.parametrize(
+    ("text", "unit"), [("3 squares", "squares"), ("1+2 s", "s"), ("3e0", "e"), ("3", "e")]
+)
+def test_the_unit_of_the_document_may_be_typed_whatever_it_is(text, unit):
+    assert typed_length(text, unit) == 3.0
+
+
 @pytest.mark.parametrize("unit", MILLIMETRES)
 @pytest.mark.parametrize("other", MILLIMETRES)
 def test_every_unit_becomes_every_other_one(unit, other):

@@ -93,7 +93,7 @@ PASSING = {
 }
 """Names of attributes that may differ, some of one class only."""
 
-DRAWN = {"PointInk", "Stamps"}
+DRAWN = {"PointInk", "SeenColours", "Stamps"}
 """Classes, with those derived from them, of which all that differs is what was drawn last."""
 
 RENDERED_ANEW = {

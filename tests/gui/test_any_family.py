@@ -225,7 +225,7 @@ def test_parameters_are_dragged_and_typed_on_the_rail(drawn, name):
     assert editor.parameters[3] == 0.7
     assert is_true(editor)
     editor.scrub(0.6)
-    assert editor.session.selected.scrub == pytest.approx(0.6, abs=0.01)
+    assert editor.session.scrub.t == pytest.approx(0.6, abs=0.01)
 
 
 # Reshaping
@@ -235,7 +235,7 @@ def test_a_point_is_inserted_on_the_curve_and_the_change_is_told(drawn, own):
     editor = drawn(own, ParametrizationKind.MANUAL)
     place = editor.session.active_view.curve.evaluate(0.5)
     editor.scrub(0.5)
-    scrub = editor.session.selected.scrub
+    scrub = editor.session.scrub.t
     place = editor.session.active_view.curve.evaluate(scrub)
     editor.trigger("insertPoint")
     assert len(editor.curve.points) == 7

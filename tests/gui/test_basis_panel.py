@@ -209,7 +209,7 @@ def test_hovering_a_function_lights_its_point_and_a_click_selects_it(editor, pan
     editor.send(panel, QEvent.Type.MouseButtonPress, pixel)
     editor.send(panel, QEvent.Type.MouseButtonRelease, pixel, held=False)
     assert editor.session.selection == {2}
-    assert editor.session.selected.scrub is None
+    assert editor.session.scrub.t is None
 
 
 def test_a_drag_from_a_function_scrubs_and_selects_nothing(editor, panel):
@@ -217,7 +217,7 @@ def test_a_drag_from_a_function_scrubs_and_selects_nothing(editor, panel):
     t = editor.parameters[2]
     editor.drag_pixels(panel, panel.to_pixel(t, 1.0), panel.to_pixel(0.5, 1.0))
     assert editor.session.selection == frozenset()
-    assert editor.session.selected.scrub == pytest.approx(0.5, abs=2e-3)
+    assert editor.session.scrub.t == pytest.approx(0.5, abs=2e-3)
 
 
 def test_without_parameters_the_panel_says_why_it_is_empty(editor):
@@ -249,13 +249,13 @@ def test_hovering_a_point_of_the_canvas_lights_its_tick(editor, panel):
 def test_scrubbing_shows_the_weights_that_add_up_to_one(editor):
     editor.scrub(0.37)
     canvas = editor.window.canvas
-    assert editor.session.selected.scrub == pytest.approx(0.37, abs=2e-3)
+    assert editor.session.scrub.t == pytest.approx(0.37, abs=2e-3)
     assert canvas.drawing.points.weights.sum() == pytest.approx(1.0, abs=1e-12)
-    exact = editor.session.active_view.curve.evaluate(editor.session.selected.scrub)
+    exact = editor.session.active_view.curve.evaluate(editor.session.scrub.t)
     assert canvas.drawing.points.scrub[1:] == pytest.approx(tuple(exact))
     assert editor.session.undo_stack.count() == 0
     editor.escape()
-    assert editor.session.selected.scrub is None
+    assert editor.session.scrub.t is None
     assert canvas.drawing.points.weights is None
 
 
@@ -269,7 +269,7 @@ def test_the_weights_follow_when_a_point_is_dragged_under_the_scrub_line(editor)
 def test_the_scrub_line_stays_on_the_curve(editor, panel):
     editor.scrub(0.5)
     editor.drag_pixels(panel, panel.to_pixel(0.5, 0.5), panel.to_pixel(1.02, 0.5))
-    assert editor.session.selected.scrub == 1.0
+    assert editor.session.scrub.t == 1.0
 
 
 def test_kinds_can_be_switched(editor, panel):

@@ -101,7 +101,7 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     assert plot.levels[0].name == "Lebesgue constant Λ = 8.56"
     uneven.scrub(0.4)
     weights = uneven.window.canvas.drawing.points.weights
-    assert weights == pytest.approx(uneven.session.active_view.cardinal.basis(uneven.session.selected.scrub))
+    assert weights == pytest.approx(uneven.session.active_view.cardinal.basis(uneven.session.scrub.t))
     assert np.abs(weights).sum() > 7
     # A velocity that is set does not follow its point any more, though no parameter has changed.
     uneven.fit()

@@ -223,7 +223,7 @@ def test_the_dots_on_the_rail_s_edge_say_what_they_are(drawn, name):
         assert panel.drawing.rail.hovered == index
     editor.drag_pixels(panel, at, panel.rail_pixel(0.4))
     assert editor.session.document is document
-    assert editor.session.selected.scrub is not None
+    assert editor.session.scrub.t is not None
 
 
 def test_the_panel_names_the_functions(drawn, name):
@@ -239,7 +239,7 @@ def test_a_split_keeps_the_shape(drawn, name, key):
     editor = drawn(name)
     before = curve_of(editor)
     editor.scrub(0.4)
-    t = editor.session.selected.scrub
+    t = editor.session.scrub.t
     QTest.keyClick(editor.window.canvas, key, Qt.KeyboardModifier.ControlModifier)
     editor.settle()
     views = editor.session.views

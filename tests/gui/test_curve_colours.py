@@ -16,7 +16,7 @@ from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.exchange.choice import ExportChoice
-from app.exchange.drawing.animation import Film
+from app.exchange.drawing.film import Film
 from app.exchange.drawing.image import png_file
 from app.exchange.drawing.motion_frames import FrameMaker
 from app.exchange.drawing.styles import DARK as DARK_STYLE

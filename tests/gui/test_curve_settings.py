@@ -159,9 +159,11 @@ def test_an_interval_that_was_not_touched_is_not_rounded(form):
     assert form["intervalStart"].text() == "0.333333"
     assert form.session.document is before
     form.type("intervalStart", repr(1 / 3))
-    form.type("intervalStart", "0.333333")  # the short text is no number of its own
     assert form.session.document is before
     assert form.session.undo_stack.count() == steps
+    # Typed out, the short text is a number of its own.
+    form.type("intervalStart", "0.333333")
+    assert edits.interval(form.session.document.curves[0])[0] == 0.333333
 
 
 @pytest.mark.parametrize(

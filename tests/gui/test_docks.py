@@ -122,26 +122,26 @@ def test_what_was_in_front_before_an_explanation_is_so_after_escape(editor, fron
     editor.window.canvas.setFocus()
     editor.key(Qt.Key.Key_W)
     assert is_in_front(editor, "wiggleDock")
-    assert editor.session.selected.scrub is not None
+    assert editor.session.scrub.t is not None
     editor.escape()
     assert dock(editor, "wiggleDock").isHidden()
     assert is_in_front(editor, front)
-    assert editor.session.selected.scrub is None
+    assert editor.session.scrub.t is None
     assert editor.action("selectTool").isChecked()
     assert editor.session.selection == {2}
 
 
 def test_a_scrub_line_that_was_there_goes_back_where_it_was(editor):
     editor.scrub(0.3)
-    t = editor.session.selected.scrub
+    t = editor.session.scrub.t
     editor.trigger("explainWidest")
-    assert editor.session.selected.scrub != t
+    assert editor.session.scrub.t != t
     QTest.mouseClick(button(editor, "wiggleDockClose"), LEFT)
-    assert editor.session.selected.scrub == t
+    assert editor.session.scrub.t == t
     editor.trigger("explainWiggle")
     editor.click(tuple(np.array(editor.session.active_view.curve.evaluate(0.8)).tolist()))
     editor.escape()
-    assert editor.session.selected.scrub == t
+    assert editor.session.scrub.t == t
 
 
 @pytest.mark.parametrize("size", [(1024, 700), (1400, 900)])

@@ -169,7 +169,7 @@ def test_escape_takes_a_drag_of_it_back(two):
     two.escape()
     two.release((2.5, -3.0))
     assert pivot(two) == middle
-    assert two.session.selected.pivot is None
+    assert two.session.box.pivot is None
 
 
 def test_a_double_click_puts_it_back_to_the_middle(two):
@@ -179,7 +179,7 @@ def test_a_double_click_puts_it_back_to_the_middle(two):
     document = two.session.document
     two.double_click(pivot(two))
     assert pivot(two) == middle
-    assert two.session.selected.pivot is None
+    assert two.session.box.pivot is None
     assert two.session.document is document
 
 
@@ -190,7 +190,7 @@ def test_it_is_taken_over_the_fill_of_what_is_chosen(two, turns):
     filled = replace(document.curves[0], closed=True, style=replace(document.curves[0].style, fill="#ffcc00"))
     two.session.commit(document.with_curve(0, filled), "Fill")
     two.session.selected.choose({0})
-    two.session.selected.set_turns(turns)
+    two.session.box.set_turns(turns)
     before = two.session.document
     drag_pivot(two, (-1.0, 1.0))
     assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
@@ -203,7 +203,7 @@ def test_in_the_middle_of_a_small_box_a_drag_moves_what_is_in_it(two):
     before, middle = points(two), pivot(two)
     two.drag(middle, (middle[0] + 20, middle[1]))
     assert points(two)[:, 0] == pytest.approx(before[:, 0] + 20, abs=two.pixel)
-    assert two.session.selected.pivot is None
+    assert two.session.box.pivot is None
 
 
 def test_with_nothing_chosen_there_is_none(two):
@@ -244,7 +244,7 @@ def test_it_is_forgotten_with_the_selection_and_comes_back_with_it(two):
     two.trigger("selectAll")
     assert pivot(two) == place
     two.session.new()
-    assert two.session.selected.pivot is None
+    assert two.session.box.pivot is None
 
 
 def test_copies_have_it_too(two):

@@ -6,14 +6,12 @@ import math
 from itertools import pairwise
 
 import pytest
-from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QFontMetricsF
 
 from app.canvas.grid_layer import adaptive_steps
 from app.document.model import Document, make_curve
 from app.plotting.ticks import LEAST_LABELS, LabelRoom, Stretch, choose_ticks, tick_labels
-
-CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.mark.parametrize("exponent", [-11, -3, -1, 0, 2, 9])
@@ -130,7 +128,8 @@ def test_what_snaps_to_the_grid_meets_a_fine_line_both_ways(editor):
     editor.settle()
     fine = editor.window.canvas.tools.grid()
     near = editor.pixel
-    editor.drag_point(1, to=(4 + 3 * fine + near, 3 - 2 * fine - near), keys=CTRL)
+    editor.trigger("toggleSnap")
+    editor.drag_point(1, to=(4 + 3 * fine + near, 3 - 2 * fine - near))
     assert editor.point(1) == pytest.approx((4 + 3 * fine, 3 - 2 * fine), abs=1e-12)
 
 

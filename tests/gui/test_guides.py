@@ -23,7 +23,6 @@ from app.features.guides.places import TypedPlace, read_place
 from app.storage.files import load, save
 
 LINE = Document((make_curve(((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))),))
-CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.fixture
@@ -378,11 +377,13 @@ def test_places_are_typed_with_units(point_locale):
 
 
 def snap_at(editor, index, place):
-    """Drag a point near a place with snapping turned round, and return what it has snapped to."""
+    """Drag a point near a place, snapping, and return what it has snapped to."""
+    editor.trigger("toggleSnap")
     editor.press(editor.point(index))
-    editor.move(place, keys=CTRL)
+    editor.move(place)
     found = editor.window.canvas.marks.snap
-    editor.release(place, keys=CTRL)
+    editor.release(place)
+    editor.trigger("toggleSnap")
     return found.label if found is not None else None
 
 

@@ -11,9 +11,11 @@ from PySide6.QtCore import Qt
 
 from app.canvas.handle_marks import MOST_POINTS, mark_sizes
 from app.document.model import Document, make_curve
+from app.document.style import Style
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve_view import view_of
 from app.view_model.handles import handles_at, handles_on, sides_facing
+from app.view_model.palette import contrast
 from app.view_model.point_kinds import CORNER, SMOOTH, kind_at
 
 
@@ -162,3 +164,46 @@ def test_handles_in_arrays_are_bezier_control_points(closed):
         assert {each.ahead: each.position for each in handles_at(view, [index])} == expected
     facing = [(each.index, each.ahead) for each in handles_on(view, sides_facing([0, 1], 4, closed=closed))]
     assert facing == ([(3, True), (2, False)] if closed else [(2, False)])
+
+
+def test_among_small_points_marks_are_small(editor):
+    """Of 60 points the handles of one, nine pixels wide, lay over its neighbours, which are three wide."""
+    points = [(k / 12.0, 0.3 * math.sin(k / 3.0)) for k in range(60)]
+    canvas, grey = editor.window.canvas, editor.window.canvas.drawing.points.theme.handle.name()
+    for few in (True, False):
+        # Handles a unit long, with the other points far away and near.
+        curve = make_curve(points[::10] if few else points, family=HERMITE)
+        index, speed = (3, 15.0) if few else (30, 177.0)
+        pulled = [
+            replace(each, velocity=(0.0, speed)) if k == index else each
+            for k, each in enumerate(curve.points)
+        ]
+        editor.session.commit(Document((replace(curve, points=tuple(pulled)),)), "Begin")
+        canvas.camera.show_box((0.0, 10.0), (-3.0, 3.0))
+        editor.select([index])
+        editor.hover((8.0, 2.5))
+        editor.wait_for_rest()
+        middle = canvas.to_pixel(*editor.handle(index=index).position)
+        image = canvas.viewport().grab().toImage()
+        assert image.pixelColor(middle).name() == grey
+        assert (image.pixelColor(middle.x() - 4, middle.y()).name() == grey) is few
+
+
+def test_numbers_are_read_on_filled_shapes(editor):
+    """Grey digits lay on whatever a shape was filled with."""
+    square = make_curve([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (2.0, 1.0), (0.0, 4.0)], family=HERMITE)
+    filled = replace(square, closed=True, style=Style(stroke="none", fill="#505a66"))
+    editor.session.commit(Document((filled,)), "Begin")
+    editor.fit()
+    editor.wait_for_rest()
+    layer, image = editor.window.canvas.drawing.points, editor.window.canvas.viewport().grab().toImage()
+    inside = 0
+    for centre, _ in layer.numbers:
+        x, y = (centre + editor.window.canvas.camera.origin).toPoint().toTuple()
+        beside = {image.pixelColor(x + dx, y + dy).name() for dx in (-9, 9) for dy in (-9, 9)}
+        seen = [image.pixelColor(x + dx, y + dy).name() for dx in range(-6, 7) for dy in range(-8, 9)]
+        if beside == {"#505a66"}:
+            inside += 1
+            assert seen.count(layer.theme.paper.name()) > 15
+            assert min(contrast(each, "#000000") for each in seen) < contrast("#6c757d", "#000000")
+    assert inside

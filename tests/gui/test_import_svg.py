@@ -175,6 +175,24 @@ def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_pa
     assert (document.unit, document.page, document.guides) == (unit, None, ())
 
 
+def test_what_open_shows_is_opened_and_into_this_document_imported(editor, tmp_path, monkeypatch):
+    """The dialog of Ctrl+O was titled “Import”."""
+    path = tmp_path / "poster.svg"
+    path.write_text(INCH, encoding="utf-8")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    editor.key(Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    drawn(editor, dialog)
+    assert (dialog.windowTitle(), dialog.ok.text()) == ("Open poster.svg", "Open")
+    QTest.keyClick(dialog.into, Qt.Key.Key_Up)
+    assert dialog.ok.text() == "Import"
+    QTest.keyClick(dialog.into, Qt.Key.Key_Down)
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.status.startswith("Opened poster.svg: 1 curve, ")
+
+
 def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeypatch):
     editor.session.files.begin(editor.session.document)
     editor.drag_point(0, to=(0.0, 0.0))

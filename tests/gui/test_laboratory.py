@@ -145,7 +145,7 @@ def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtb
     slider = find(lab, QSlider, "digitsSlider")
     while slider.value() != digits:
         press_key(lab, qtbot, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
-    lab.session.selected.set_scrub(0.3)
+    lab.session.scrub.set(0.3)
     settled(lab, qtbot)
     xs, ys = zip(*POINTS, strict=True)
     by_hand = [lagrange_by_hand(lab.parameters, each, 0.3, digits) for each in (xs, ys)]

@@ -113,9 +113,9 @@ def test_a_goal_names_a_family_as_people_do(editor, qtbot):
 def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbot):
     editor.window.commands[LessonCommands].open("01_basis_functions")
     click(qtbot, find(editor, QPushButton, "lessonNext"))
-    assert editor.session.selected.scrub is not None
+    assert editor.session.scrub.t is not None
     click(qtbot, find(editor, QPushButton, "lessonNext"))
-    assert editor.session.selected.scrub is None
+    assert editor.session.scrub.t is None
 
 
 def test_the_functions_that_a_step_speaks_of_are_all_in_sight(editor, qtbot):

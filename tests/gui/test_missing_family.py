@@ -88,7 +88,7 @@ def test_a_point_that_moved_is_all_that_is_saved_otherwise(opened, path):
 @pytest.mark.parametrize("action", ["splitCurve", "joinCurve", "reverseCurve", "closeCurve", "insertPoint"])
 def test_what_needs_the_curve_is_refused(opened, action):
     opened.select([1])
-    opened.session.selected.set_scrub(0.3)
+    opened.session.scrub.set(0.3)
     before = opened.session.document
     if opened.action(action).isEnabled():
         opened.trigger(action)

@@ -70,7 +70,7 @@ class Motion:
 
     @property
     def t(self):
-        return self.editor.session.selected.scrub
+        return self.editor.session.scrub.t
 
     @property
     def dots(self):
@@ -109,7 +109,7 @@ def test_the_real_clock_moves_the_dot(editor, qtbot):
     began = time.perf_counter()
     editor.trigger("playMotion")
     player = editor.window.findChild(Player)
-    qtbot.waitUntil(lambda: editor.session.selected.scrub > 0.05)
+    qtbot.waitUntil(lambda: editor.session.scrub.t > 0.05)
     # Frames may be dropped; the dot is never ahead of the clock.
     assert player.seconds <= time.perf_counter() - began
 
@@ -198,7 +198,7 @@ def test_by_arc_length_the_dot_is_equally_fast(editor, motion):
 
 def test_escape_stops_and_brings_the_scrub_line_back(editor, motion):
     editor.scrub(0.4)
-    before = editor.session.selected.scrub
+    before = editor.session.scrub.t
     editor.trigger("playMotion")
     motion.wait(0.2)
     assert motion.t == pytest.approx(before + 0.2)

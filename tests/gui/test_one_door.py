@@ -63,7 +63,7 @@ def two(editor):
     editor.select([1])
     editor.trigger("copyDerivatives")
     editor.select([1, 2])
-    editor.session.selected.set_scrub(0.4)
+    editor.session.scrub.set(0.4)
     return editor
 
 

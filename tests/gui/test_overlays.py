@@ -216,7 +216,7 @@ def test_the_number_of_ticks(dock, qtbot):
 def test_the_circle_brings_the_scrub_line_and_follows_it(dock, qtbot):
     editor = dock
     editor.trigger("overlayCircle")
-    assert editor.session.selected.scrub == pytest.approx(0.5)
+    assert editor.session.scrub.t == pytest.approx(0.5)
     before = first(editor, circle.LINE)
     editor.scrub(0.8)
     assert not np.array_equal(first(editor, circle.LINE), before)
@@ -232,7 +232,7 @@ def test_an_arrow_at_the_scrub_line_has_its_length_in_words(editor):
     editor.scrub(0.5)
     arrow = figures(editor, vectors.VELOCITY)[1]
     assert arrow.label.startswith("|c′| ")
-    velocity = editor.session.active_view.curve.evaluate(editor.session.selected.scrub, 1)
+    velocity = editor.session.active_view.curve.evaluate(editor.session.scrub.t, 1)
     assert float(arrow.label.split()[1]) == pytest.approx(np.hypot(*velocity), rel=0.01)
 
 

@@ -139,13 +139,13 @@ def test_they_stand_in_menus_and_the_palette(editor):
 def test_an_overlay_is_drawn_and_explained_and_follows_drags_and_the_scrub_line(editor):
     assert not seen(editor, RED)
     editor.trigger("overlayPlate")
-    assert editor.session.selected.scrub == pytest.approx(0.5)
+    assert editor.session.scrub.t == pytest.approx(0.5)
     assert seen(editor, RED) > 100
     assert legend(editor) == ["Plate with 4 corners"]
     (before,) = editor.window.canvas.drawing.annotations.figure_layer.figures
     editor.scrub(0.8)
     (after,) = editor.window.canvas.drawing.annotations.figure_layer.figures
-    here = editor.session.active_view.curve.evaluate(editor.session.selected.scrub)
+    here = editor.session.active_view.curve.evaluate(editor.session.scrub.t)
     assert after.points[:4].mean(axis=0) == pytest.approx(here)
     assert not np.array_equal(after.points, before.points, equal_nan=True)
     x, y = editor.point(3)
@@ -211,7 +211,7 @@ def test_a_plot_is_drawn_chosen_and_read_at_the_scrub_line(editor, qtbot):
     curve = editor.session.active_view.curve
     assert line.values == pytest.approx(np.linalg.norm(curve.evaluate(line.t), axis=1))
     editor.scrub(0.5)
-    distance = np.linalg.norm(curve.evaluate(editor.session.selected.scrub))
+    distance = np.linalg.norm(curve.evaluate(editor.session.scrub.t))
     assert f"|c| {distance:.4g}" in pane.findChild(QWidget, "plotValues").text()
     before = line.values
     editor.drag_point(3, (3.0, 3.0))

@@ -10,10 +10,14 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
 
 from app.document.lines import is_line
-from app.document.style import LineJoin, Style
+from app.document.style import LineCap, LineJoin, Style
 from app.exchange.svg.reader import read_svg
+from app.features.shapes.offset_commands import OffsetCommands
+from app.view_model.analysis.teaching import NARROW, Topic, warnings_of
+from app.view_model.curve_view import view_of
 from app.view_model.regions import PATH_OPERATIONS
 
 ORANGE, BROWN = "#ff8800", "#663300"
@@ -189,7 +193,75 @@ def test_shapes_grow_and_shrink_by_two_pixels_in_the_unit_of_the_document(drawin
     assert (counts["Disc"], counts["Frame (1)"], counts["Frame (2)"]) == (4, 4, 4)
     assert chosen(drawing) == {"Disc", "Frame (1)", "Frame (2)"}
     name = "Outset" if way > 0 else "Inset"
-    assert drawing.session.undo_stack.undoText() == f"{name} by 0.529 of Disc and Frame"
+    assert drawing.session.undo_stack.undoText() == f"{name} by 2 px of Disc and Frame"
+
+
+def test_a_short_edge_is_no_reason_for_a_warning(drawing):
+    """Its parameters were "almost equal" beside long ones: the curve takes its time there."""
+    notched = "M0 0H8V8H4.05V7.98H4V8H0Z"
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path id="Notch" d="{notched}"/></svg>'
+    drawing.session.commit(read_svg(text.encode(), None).document, "Begin", active=0)
+    drawing.session.selected.choose([0])
+    drawing.trigger("pathUnion")
+    drawing.wait_for_work()
+    view = drawing.session.active_view
+    gaps = np.diff(view.parameters)
+    assert (gaps[1:] / gaps[:-1]).min() < NARROW
+    assert warnings_of(view, 1.0) == []
+    # Where the points are not as near, the curve is in haste.
+    near = replace(view.source.points[1], t=view.parameters[0] + 1e-6)
+    points = (view.source.points[0], near, *view.source.points[2:])
+    hasty = view_of(replace(view.source, points=points))
+    assert [each.topic for each in warnings_of(hasty, 1.0)] == [Topic.GAP]
+    assert warnings_of(hasty, 1.0)[0].sentence.endswith("get from one to the other in no time.")
+
+
+def field_of(editor):
+    return editor.window.commands[OffsetCommands].field
+
+
+def enter(editor, text):
+    field = field_of(editor)
+    field.edit.selectAll()
+    QTest.keyClicks(field.edit, text)
+    QTest.keyClick(field.edit, Qt.Key.Key_Return)
+    editor.wait_for_work()
+
+
+def test_a_distance_is_typed_and_used_again(drawing):
+    """Outset by exactly 1 mm, and as far back; the next time it is asked for, that is what stands there."""
+    drawing.set_unit("mm")
+    drawing.click(OUTSIDE)
+    drawing.click(DISC)
+    drawing.trigger("pathOffsetBy")
+    field = field_of(drawing)
+    assert (field.isVisible(), field.edit.text(), field.edit.selectedText()) == (True, "2 px", "2 px")
+    enter(drawing, "0.1 cm")
+    assert (field.isVisible(), drawing.window.canvas.hasFocus()) == (False, True)
+    assert drawing.session.undo_stack.undoText() == "Outset by 0.1 cm of Disc"
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-5, -5], [5, 5]]), abs=2e-3)
+    QTest.keySequence(drawing.window, QKeySequence("Ctrl+)"))
+    drawing.wait_for_work()
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-6, -6], [6, 6]]), abs=4e-3)
+    QTest.keySequence(drawing.window, QKeySequence("Alt+Shift+O"))
+    assert field.edit.text() == "0.1 cm"
+    QTest.mouseClick(field.findChild(QToolButton, "offsetWay"), Qt.MouseButton.LeftButton)
+    enter(drawing, "2")
+    assert drawing.session.undo_stack.undoText() == "Inset by 2 mm of Disc"
+    assert extent(drawing, "Disc") == pytest.approx(np.array([[-4, -4], [4, 4]]), abs=6e-3)
+
+
+def test_what_is_no_distance_is_said_beside_it(drawing):
+    drawing.set_unit("")
+    before = drawing.session.document
+    drawing.trigger("pathOffsetBy")
+    enter(drawing, "2 mm")
+    field = field_of(drawing)
+    assert field.remark == "⚠ The document has no unit of length; type a number without “mm”."
+    enter(drawing, "0")
+    assert field.remark == "⚠ Type a distance other than 0; below 0 it goes the other way."
+    QTest.keyClick(field.edit, Qt.Key.Key_Escape)
+    assert (field.isVisible(), drawing.session.document is before) == (False, True)
 
 
 def test_a_line_becomes_a_shape_in_front_of_the_fill(drawing):
@@ -225,8 +297,7 @@ def restyled(document, shape, style):
     ("style", "words"),
     [
         (Style(stroke="none", fill=ORANGE), "“Disc” has no line."),
-        (Style(), "The line of “Disc” is as wide at every zoom; give it a width first."),
-        (Style(width=1.0, dash=(2.0, 1.0)), "“Disc” has dashes; a shape is made of whole lines only."),
+        (Style(width=0.0), "The line of “Disc” has no width."),
     ],
 )
 def test_lines_that_make_no_shape(drawing, style, words):
@@ -235,6 +306,37 @@ def test_lines_that_make_no_shape(drawing, style, words):
     drawing.trigger("strokeToPath")
     assert drawing.status == words
     assert drawing.session.document is before
+
+
+def test_a_line_of_automatic_width_is_as_wide_as_it_prints_or_is_seen(drawing):
+    """The page of 20 makes lines of 0.06; without one it is 2 px of the screen."""
+    drawing.session.change("Style", lambda document: restyled(document, "Disc", Style()))
+    before = drawing.session.document
+    for page, width in ((before.page, 0.06), (None, 2.0 * drawing.pixel)):
+        drawing.session.change("Page", lambda _, page=page: replace(before, page=page))
+        drawing.session.selected.choose([0])
+        drawing.trigger("strokeToPath")
+        drawing.wait_for_work()
+        outer = extent(drawing, "Disc (1)")
+        assert outer == pytest.approx(np.array([[-4, -4], [4, 4]]) * (1 + width / 8), abs=1e-4)
+
+
+def test_each_dash_becomes_a_contour(drawing):
+    """What is painted stays as it is: dashes of 2 and gaps of 1 widths around a circle of 8 pi widths."""
+    dashed = Style(stroke=BROWN, width=1.0, dash=(2.0, 1.0), cap=LineCap.BUTT)
+    drawing.session.change("Style", lambda document: restyled(document, "Disc", dashed))
+    # The circle begins at the right and runs clockwise; the frame leaves its left half free.
+    along = (9.2, 10.8, 11.2, 11.8, 12.2, 13.8, 14.2, 14.8)
+    places = [(4 * math.cos(s / 4), -4 * math.sin(s / 4)) for s in along]
+    drawing.session.selected.choose([])
+    before = is_painted(drawing, *places, colour=BROWN)
+    assert before == [True, True, False, False, True, True, False, False]
+    drawing.session.selected.choose([0])
+    drawing.trigger("strokeToPath")
+    drawing.wait_for_work()
+    assert drawing.status.startswith("Stroke to path of Disc: 1 shape, 8 outlines")
+    drawing.click(OUTSIDE)
+    assert is_painted(drawing, *places, colour=BROWN) == before
 
 
 @pytest.fixture

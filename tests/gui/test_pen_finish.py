@@ -170,10 +170,11 @@ def test_another_document_knows_of_no_finished_curve(pen):
 
 def test_a_point_that_is_being_inserted_is_not_drawn_to_itself(pen):
     x, y = map(float, pen.session.active_view.curve.evaluate(0.3))
+    pen.trigger("toggleSnap")
     pen.press((x, y))
     away = (x + 12 * pen.pixel, y + 3 * pen.pixel)
     pen.move(away)
-    pen.move((away[0] + 4 * pen.pixel, away[1]), keys=CTRL)
+    pen.move((away[0] + 4 * pen.pixel, away[1]))
     snap = pen.window.canvas.marks.snap
     assert snap is None or "point 1" not in snap.label
     pen.escape()
@@ -186,20 +187,36 @@ def direction(editor, index):
     return math.degrees(math.atan2(*reversed(editor.curve.points[index].velocity)))
 
 
-def test_shift_turns_the_velocity_drawn_out_in_steps_and_ctrl_is_not_offered(pen):
+@pytest.mark.parametrize("keys", [SHIFT, CTRL])
+def test_a_key_turns_the_velocity_drawn_out_in_steps(pen, keys):
     place = at(pen, 300, 150)
     pen.press(place)
     pen.move(at(pen, 360, 180))
     assert direction(pen, 3) == pytest.approx(26.6, abs=1.5)
-    pen.move(at(pen, 360, 180), keys=SHIFT)
+    pen.move(at(pen, 360, 180), keys=keys)
     assert direction(pen, 3) == pytest.approx(30, abs=1e-9)
-    assert "velocity at 30° · handles stay at most this long · Shift: steps of 15°" in pen.status
-    assert "Ctrl" not in pen.status
+    assert "velocity at 30° · handles stay at most this long · Ctrl or Shift: steps of 15°" in pen.status
+    assert "%" not in pen.status
     assert math.dist(pen.handle().position, place) == pytest.approx(
         math.dist(at(pen, 360, 180), place), abs=2 * pen.pixel
     )
-    pen.release(at(pen, 360, 180), keys=SHIFT)
+    pen.release(at(pen, 360, 180), keys=keys)
     assert direction(pen, 3) == pytest.approx(30, abs=1e-9)
+
+
+def test_a_click_with_ctrl_puts_the_point_at_a_step_seen_from_the_last_one(pen):
+    pen.trigger("toggleSnap")
+    (x, y), count = pen.point(2), len(pen.curve.points)
+    to = (x + 1.0, y + 0.6)
+    pen.hover(to)
+    assert "Ctrl: steps of 15°" in hint(pen)
+    pen.move(to, held=False, keys=CTRL)
+    end = pen.window.canvas.marks.preview_curve.source.points[count].position
+    assert math.degrees(math.atan2(end[1] - y, end[0] - x)) == pytest.approx(30, abs=1e-9)
+    assert pen.window.canvas.marks.snap is None
+    pen.click(to, keys=CTRL)
+    assert pen.point(count) == pytest.approx(end, abs=2 * pen.pixel)
+    assert pen.point(count)[1] - y == pytest.approx((pen.point(count)[0] - x) / math.sqrt(3), abs=1e-12)
 
 
 def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
@@ -211,16 +228,16 @@ def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
     assert pen.session.document is document
 
 
-def test_what_ctrl_does_is_told_where_a_drag_moves_the_point(pen):
+def test_the_key_of_snapping_is_told_where_a_drag_moves_the_point(pen):
     pen.choose_family(LAGRANGE)
     pen.press(at(pen, 300, 150))
     spacing = pen.window.canvas.tools.grid()
     by_the_grid = (12 * spacing + 3 * pen.pixel, 9 * spacing + 2 * pen.pixel)
     pen.move(by_the_grid)
-    assert "Ctrl: snap, or not" in pen.status
+    assert "%: snap, or not" in pen.status
     assert "Shift" not in pen.status
     assert pen.point(3) == pytest.approx(by_the_grid, abs=pen.pixel)
-    pen.move(by_the_grid, keys=CTRL)
+    pen.key(Qt.Key.Key_Percent)
     assert pen.point(3) == pytest.approx((12 * spacing, 9 * spacing), rel=1e-12)
     pen.escape()
 
@@ -230,12 +247,12 @@ def test_measuring_goes_in_steps_with_shift(pen, to, angle):
     pen.trigger("measureTool")
     start = at(pen, 40, 20)
     pen.hover(start)
-    assert "Shift: steps of 15° · Ctrl: snap, or not" in hint(pen)
+    assert "Ctrl or Shift: steps of 15° · %: snap, or not" in hint(pen)
     pen.press(start)
     pen.move(at(pen, *to), keys=SHIFT)
     ruler = pen.window.canvas.marks.ruler
     assert ruler.text.endswith(f" · {angle}")
-    assert "Shift: steps of 15° · Ctrl: snap, or not" in pen.status
+    assert "Ctrl or Shift: steps of 15° · %: snap, or not" in pen.status
     assert math.dist(ruler.start, ruler.end) == pytest.approx(
         math.dist(start, at(pen, *to)), abs=2 * pen.pixel
     )

@@ -14,7 +14,6 @@ from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 def at(editor, x, y):
@@ -111,9 +110,11 @@ def test_it_goes_with_a_press_and_escape_brings_nothing_back(hermite):
 def test_it_snaps(hermite):
     spacing = hermite.window.canvas.tools.grid()
     near = (12 * spacing + 3 * hermite.pixel, 9 * spacing + 2 * hermite.pixel)
-    hermite.move(near, held=False, keys=CTRL)
+    hermite.trigger("toggleSnap")
+    hermite.hover(near)
     assert ahead(hermite).points[3].position == pytest.approx((12 * spacing, 9 * spacing), rel=1e-12)
-    hermite.move(near, held=False)
+    hermite.trigger("toggleSnap")
+    hermite.hover(near)
     assert ahead(hermite).points[3].position == pytest.approx(near, abs=hermite.pixel)
 
 

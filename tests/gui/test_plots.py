@@ -188,7 +188,7 @@ def test_the_scrub_line_is_dragged_in_either_panel(editor):
     editor.trigger("plotLebesgue")
     plots = canvas(editor)
     editor.drag_pixels(plots, plots.to_pixel(0.1, 0.5), plots.to_pixel(0.4, 0.5))
-    t = editor.session.selected.scrub
+    t = editor.session.scrub.t
     assert t == pytest.approx(0.4, abs=3e-3)
     speed = np.linalg.norm(editor.session.active_view.curve.evaluate(t, 1))
     assert f"|c′| {speed:.4g}" in values(editor)
@@ -203,15 +203,15 @@ def test_escape_puts_the_scrub_line_back(editor):
     editor.trigger("plotSpeed")
     plots = canvas(editor)
     editor.scrub(0.3)
-    before = editor.session.selected.scrub
+    before = editor.session.scrub.t
     editor.send(plots, QEvent.Type.MouseButtonPress, plots.to_pixel(0.6, 0.5))
     editor.send(plots, QEvent.Type.MouseMove, plots.to_pixel(0.8, 0.5))
-    assert editor.session.selected.scrub == pytest.approx(0.8, abs=3e-3)
+    assert editor.session.scrub.t == pytest.approx(0.8, abs=3e-3)
     QTest.keyClick(plots, Qt.Key.Key_Escape)
-    assert editor.session.selected.scrub == before
+    assert editor.session.scrub.t == before
     editor.send(plots, QEvent.Type.MouseMove, plots.to_pixel(0.2, 0.5))
     editor.send(plots, QEvent.Type.MouseButtonRelease, plots.to_pixel(0.2, 0.5), held=False)
-    assert editor.session.selected.scrub == before
+    assert editor.session.scrub.t == before
 
 
 def test_an_undo_in_the_middle_of_a_scrub_ends_it(editor):
@@ -220,9 +220,9 @@ def test_an_undo_in_the_middle_of_a_scrub_ends_it(editor):
     plots = canvas(editor)
     editor.send(plots, QEvent.Type.MouseButtonPress, plots.to_pixel(0.6, 0.5))
     editor.trigger("undo")
-    after = editor.session.selected.scrub
+    after = editor.session.scrub.t
     editor.send(plots, QEvent.Type.MouseMove, plots.to_pixel(0.2, 0.5))
-    assert editor.session.selected.scrub == after
+    assert editor.session.scrub.t == after
 
 
 def test_without_a_curve_the_plots_say_why(editor):
@@ -376,14 +376,14 @@ def test_arrow_keys_move_the_scrub_line(editor):
     plots = canvas(editor)
     plots.setFocus()
     QTest.keyClick(plots, Qt.Key.Key_Right)
-    first = editor.session.selected.scrub
+    first = editor.session.scrub.t
     assert first == pytest.approx(0.5)
     QTest.keyClick(plots, Qt.Key.Key_Right)
     QTest.keyClick(plots, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
-    assert editor.session.selected.scrub == pytest.approx(first - 9 / plots.pixel_map.sx)
+    assert editor.session.scrub.t == pytest.approx(first - 9 / plots.pixel_map.sx)
     for _ in range(100):
         QTest.keyClick(plots, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
-    assert editor.session.selected.scrub == 0.0
+    assert editor.session.scrub.t == 0.0
 
 
 def test_lines_that_others_add_follow_a_drag_without_a_jump_of_the_scale(editor):

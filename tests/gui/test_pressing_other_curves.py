@@ -69,13 +69,14 @@ def test_the_status_line_says_so_before_the_press(three):
     three.move(at, held=False, keys=SHIFT)
     assert line.hint == "Drag to move “C” along one axis · click to choose it too"
     three.move(at, held=False, keys=CTRL)
-    assert line.hint.startswith("Drag to move “C”, snapping · click to edit it")
+    assert line.hint.startswith("Drag to move “C” along one axis · click to edit it")
 
 
-def test_shift_keeps_the_drag_to_an_axis(three):
+@pytest.mark.parametrize("keys", [SHIFT, CTRL])
+def test_a_key_keeps_the_drag_to_an_axis(three, keys):
     before = three.session.document
     x, y = on_curve(three, 2)
-    three.drag((x, y), (x + 0.5, y + 0.2), keys=SHIFT)
+    three.drag((x, y), (x + 0.5, y + 0.2), keys=keys)
     assert moved_by(three, before, 2) == (pytest.approx(0.5, abs=2 * three.pixel), 0.0)
     assert three.session.selected.curves == {1}
 
@@ -84,16 +85,17 @@ def test_it_snaps_by_its_point_to_those_that_stay(three):
     x, y = three.session.views[2].curve.evaluate(0.02)
     goal, end = three.session.document.curves[0].points[2].position, (0.0, 6.0)
     near = (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02)
-    three.press((x, y), keys=CTRL)
-    three.move(near, keys=CTRL)
+    three.trigger("toggleSnap")
+    three.press((x, y))
+    three.move(near)
     assert "snapped to: point 2 of A" in three.status
-    three.release(near, keys=CTRL)
+    three.release(near)
     assert three.session.document.curves[2].points[0].position == goal
     three.trigger("undo")
     # One of the curve that is edited, too.
     goal = three.point(1)
     near = (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02)
-    three.drag((x, y), near, keys=CTRL)
+    three.drag((x, y), near)
     assert three.session.document.curves[2].points[0].position == goal
 
 

@@ -338,7 +338,7 @@ def test_the_alpha_slider_has_a_ghost_too(editor):
 
 @pytest.mark.parametrize("what", ["tick", "scrub line", "pan"])
 def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
-    document, scrub = editor.session.document, editor.session.selected.scrub
+    document, scrub = editor.session.document, editor.session.scrub.t
     t = editor.parameters[3]
     rail = what == "tick"
     start = panel.rail_pixel(t) if rail else QPointF(panel.to_pixel(t + 0.02, 1.1))
@@ -348,7 +348,7 @@ def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
     editor.send(panel, QEvent.Type.MouseButtonPress, start, button=button)
     editor.send(panel, QEvent.Type.MouseMove, away, button=button)
     assert (editor.session.document != document) is rail
-    assert (editor.session.selected.scrub != scrub) is (what == "scrub line")
+    assert (editor.session.scrub.t != scrub) is (what == "scrub line")
     right = Qt.MouseButton.RightButton
     editor.send(panel, QEvent.Type.MouseButtonPress, away, button=right)
     menu = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, away.toPoint(), QPoint())
@@ -358,7 +358,7 @@ def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
     editor.send(panel, QEvent.Type.MouseMove, away + QPointF(9, 0), button=button)
     editor.send(panel, QEvent.Type.MouseButtonRelease, away, held=False, button=button)
     assert editor.session.document is document
-    assert editor.session.selected.scrub == scrub
+    assert editor.session.scrub.t == scrub
     assert editor.session.undo_stack.count() == 0
     # The next right press is one like any other.
     editor.send(panel, QEvent.Type.MouseButtonPress, away, button=right)

@@ -38,7 +38,7 @@ def step(editor, choose):
         editor.choose_parametrization(choose.choice(list(ParametrizationKind)))
     elif kind < 0.5 and editor.session.active_view.is_current:
         start, end = editor.session.active_view.curve.domain
-        editor.session.selected.set_scrub(start + choose.random() * (end - start))
+        editor.session.scrub.set(start + choose.random() * (end - start))
     elif kind < 0.56 and editor.session.active_view.is_current:
         x, y = editor.session.active_view.curve.evaluate(
             editor.parameters[0] * 0.4 + editor.parameters[-1] * 0.6

@@ -81,9 +81,9 @@ def assert_sound(editor, odd_values) -> None:
         if view.curve is not None:
             assert np.isfinite(view.polyline).all()
             assert np.isfinite(view.flattened(1.0, editor.window.canvas.pixel_map.box).points).all()
-    if session.selected.scrub is not None:
+    if session.scrub.t is not None:
         start, end = session.active_view.curve.domain
-        assert start <= session.selected.scrub <= end
+        assert start <= session.scrub.t <= end
     for plot in (editor.window.canvas, editor.window.basis_panel):
         assert np.isfinite(plot.pixel_map.box).all()
 

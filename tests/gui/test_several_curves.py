@@ -142,9 +142,9 @@ def test_the_scrub_line_stays_inside_the_curve_that_is_edited(three):
     longer = replace(curve, parametrization=replace(curve.parametrization, end=5.0))
     three.session.commit(three.session.document.with_curve(0, longer), "Longer")
     three.session.selected.activate(0)
-    three.session.selected.set_scrub(4.0)
+    three.session.scrub.set(4.0)
     three.session.selected.activate(1)
-    assert three.session.selected.scrub == 1.0
+    assert three.session.scrub.t == 1.0
 
 
 def test_fit_shows_all_visible_curves(three):
@@ -449,7 +449,7 @@ def test_splitting_at_a_selected_point_makes_two_curves(three):
 
 def test_splitting_at_the_scrub_line_and_joining_again(three):
     before = three.session.active_view
-    three.session.selected.set_scrub(0.37)
+    three.session.scrub.set(0.37)
     three.trigger("splitCurve")
     three.trigger("joinCurve")
     assert [curve.name for curve in three.session.document.curves] == ["A", "B a", "C"]
@@ -556,7 +556,7 @@ def test_escape_takes_back_an_insertion(three):
 
 def test_a_point_is_inserted_at_the_scrub_line(three):
     three.trigger("freezeParameters")
-    three.session.selected.set_scrub(0.37)
+    three.session.scrub.set(0.37)
     three.trigger("insertPoint")
     assert three.parameters[2] == 0.37 or three.parameters[1] == 0.37
     assert three.session.selected.point == three.parameters.index(0.37)

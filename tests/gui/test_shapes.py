@@ -605,12 +605,32 @@ def test_a_drag_within_a_fill_moves_all_of_the_group(whole):
 
 def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
     whole.drag((6.5, 0.2), (6.6, 0.4), keys=SHIFT)
-    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 3 curves")
+    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 2 objects")
     whole.session.selected.choose({2})
     whole.trigger("ungroupCurves")
     whole.session.selected.choose(())
     whole.drag((4.5, -1.5), (7.5, 1.5), keys=SHIFT)
     assert chosen_as_wholes(whole) == {"Side"}
+
+
+def test_what_is_counted_are_shapes_and_groups_and_not_their_curves(whole):
+    """A word and a circle were "15 curves"."""
+    whole.session.selected.choose({0, 1, 2})
+    whole.trigger("ungroupCurves")
+    whole.settle()
+    assert whole.action("deleteCurve").text() == "Delete 2 Objects"
+    whole.drag((2.2, 0.3), (2.2, 1.3))
+    assert step_name(whole) == "Move 2 objects"
+    whole.trigger("duplicateCurve")
+    assert step_name(whole) == "Duplicate 2 objects"
+    assert whole.status.startswith("Copies of 2 objects lie on the originals")
+    whole.trigger("groupCurves")
+    assert whole.status == "“Group 1” has 2 objects."
+    model = view_of(whole).curves
+    assert "group of 2 objects" in model.index(row_named(whole, "Group 1")).data(
+        Qt.ItemDataRole.AccessibleTextRole
+    )
+    assert whole.action("deleteCurve").text() == "Delete Group"
 
 
 def test_a_rubber_band_takes_shapes_and_groups_whole_or_not(whole):

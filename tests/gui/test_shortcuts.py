@@ -116,7 +116,7 @@ def test_a_reserved_key_with_ctrl_is_free():
 def test_reset_one_and_reset_all(editor, keys):
     record(keys, "fitView", Qt.Key.Key_S, CTRL)
     keys.take.click()
-    record(keys, "quit", Qt.Key.Key_F7)
+    record(keys, "quit", Qt.Key.Key_F5)
     keys.choose("saveDocument")
     keys.reset.click()
     assert editor.action("saveDocument").shortcuts() == [QKeySequence("Ctrl+S")]
@@ -162,15 +162,15 @@ def test_a_remembered_key_is_kept_from_an_action_that_comes_with_it_since(qtbot,
     editor = Editor(qtbot, preferences=preferences)
     assert editor.action("fitView").shortcuts() == [QKeySequence("Ctrl+S")]
     assert editor.action("saveDocument").shortcuts() == []
-    record(open_keys(editor), "quit", Qt.Key.Key_F7)
-    assert preferences.shortcuts == {"fitView": "Ctrl+S", "saveDocument": "", "quit": "F7"}
+    record(open_keys(editor), "quit", Qt.Key.Key_F5)
+    assert preferences.shortcuts == {"fitView": "Ctrl+S", "saveDocument": "", "quit": "F5"}
 
 
 @pytest.mark.parametrize(
     ("text", "key", "reason"),
     [
         ("Count", "Ctrl+S", "“Save” and “Count” both come with Ctrl+S."),
-        ("Count", "F7, F", "“Count” and “Fit View” both come with F."),
+        ("Count", "F5, F", "“Count” and “Fit View” both come with F."),
         ("Count", "E", "“Count” cannot come with its key: E held, takes the ticks of the t-rail along;"),
     ],
 )

@@ -23,6 +23,7 @@ from app.exchange.formats import FORMATS
 from app.exchange.table.prepared import TableSource
 from app.exchange.table.text import preview_table
 from app.features.import_export.export_dialog import ExportDialog
+from app.features.import_export.form_parts import Verb
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.features.import_export.import_table_dialog import ImportTableDialog
 from app.features.lessons.commands import LessonCommands
@@ -80,9 +81,9 @@ def dialogs(window):
     yield CrashDialog(window, "Traceback\n" * 40, is_safe=False)
     many = tuple(f"Element {number} holds text, which has no curves to take." for number in range(30))
     rest = "Its page, its unit mm and 2 guides stay behind."
-    yield ImportDrawingDialog("drawing.svg", Imported(LINE, 0.0, many), lambda _anew: rest, window)
+    yield ImportDrawingDialog(Verb.OPEN, "drawing.svg", Imported(LINE, 0.0, many), lambda _anew: rest, window)
     data = b"t,x,y,vx,vy,ax,ay\n" + b"0,1,2,3,4,5,6\n1,2,4,5,6,7,8\n" * 20
-    yield ImportTableDialog("a.csv", "a", TableSource(data), preview_table(data), window)
+    yield ImportTableDialog(Verb.IMPORT, "a.csv", "a", TableSource(data), preview_table(data), window)
     yield PreferencesDialog(window.preferences, window.actions_by_name.keymap, window)
 
 

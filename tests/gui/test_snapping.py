@@ -20,7 +20,6 @@ from app.view_model.nearest import NearestPoint
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
-ALT = Qt.KeyboardModifier.AltModifier
 POINTS = ((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))
 OTHER = ((0.0, -2.0), (2.0, -1.0), (4.0, -2.0))
 
@@ -58,14 +57,14 @@ def test_grid_values_are_the_numbers_that_are_meant(value, spacing, expected):
     assert grid_value(value, spacing) == expected
 
 
-def snap_of(position, *, kinds=frozenset(SnapKind), grid=1.0, axis=None, moving=(1,), ctrl=False):
+def snap_of(position, *, kinds=frozenset(SnapKind), grid=1.0, axis=None, moving=(1,), on=True):
     views = [view_of(make_curve(POINTS)), view_of(make_curve(OTHER, name="Base"))]
     snapper = Snapper(
-        lambda: Snapping(True, kinds),
+        lambda: Snapping(on, kinds),
         lambda: grid,
         lambda: targets_of(views, 0, {0: moving}, moving[0], kinds),
     )
-    place = snapper.snap(position, Pointer(position, (0, 0), scale=100.0, ctrl=ctrl), axis)
+    place = snapper.snap(position, Pointer(position, (0, 0), scale=100.0), axis)
     return place, snapper.caught.label if snapper.caught is not None else None
 
 
@@ -108,8 +107,8 @@ def test_a_locked_axis_stays_locked():
     assert snap_of((3.95, 0.03), axis=1)[0] == (3.95, 0.0)
 
 
-def test_ctrl_turns_snapping_round():
-    assert snap_of((2.05, 1.06), ctrl=True) == ((2.05, 1.06), None)
+def test_nothing_snaps_while_that_is_off():
+    assert snap_of((2.05, 1.06), on=False) == ((2.05, 1.06), None)
 
 
 def test_a_dragged_point_lands_exactly_on_the_grid(pair):
@@ -133,10 +132,31 @@ def test_escape_puts_the_mark_away_too(pair):
     pair.release((0, 0))
 
 
-def test_ctrl_held_drags_freely(pair):
-    pair.drag(pair.point(1), near(pair, (1.5, 3.5)), keys=CTRL)
-    assert pair.point(1) != (1.5, 3.5)
-    assert pair.point(1) == pytest.approx((1.5, 3.5), abs=5 * pair.pixel)
+@pytest.mark.parametrize("keys", [CTRL, SHIFT])
+def test_ctrl_keeps_a_point_to_an_axis_as_shift_does_and_it_snaps_along_that(pair, keys):
+    """Ctrl turned snapping round."""
+    pair.hover(pair.point(1))
+    assert "Ctrl or Shift: one axis" in pair.window.status_line.hint
+    pair.drag(pair.point(1), near(pair, (1.5, 6.5)), keys=keys)
+    assert pair.point(1) == (1.03, 6.5)
+
+
+def test_a_key_turns_snapping_off_and_on_in_mid_drag(pair):
+    document = pair.session.document
+    free, held = near(pair, (1.5, 3.5)), pair.window.canvas.marks
+    pair.press(pair.point(1))
+    pair.move(free)
+    for _ in range(2):
+        assert pair.point(1) == (1.5, 3.5)
+        pair.key(Qt.Key.Key_Percent)
+        assert pair.point(1) == pytest.approx(free, abs=pair.pixel)
+        assert pair.window.canvas.marks.snap is held.snap is None
+        pair.key(Qt.Key.Key_Percent)
+    pair.key(Qt.Key.Key_Percent)
+    pair.release(free)
+    assert pair.point(1) == pytest.approx(free, abs=pair.pixel)
+    pair.trigger("undo")
+    assert pair.session.document is document
 
 
 def test_a_point_lands_exactly_on_a_point_of_another_curve(pair):
@@ -230,14 +250,14 @@ def test_a_box_in_proportion_snaps_with_its_longer_side(pair):
     assert pair.point(2)[1] / 4.5 == pytest.approx(2.11 / 3.07)
 
 
-def test_a_scaled_box_is_free_with_alt_and_escape_takes_it_back(pair):
+def test_a_scaled_box_is_free_without_snapping_and_escape_takes_it_back(pair):
     pair.select([0, 1, 2])
     document = pair.session.document
-    at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5), keys=ALT)
+    at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5))
+    assert pair.point(2) == (4.5, 3.5)
+    pair.key(Qt.Key.Key_Percent)
     assert pair.point(2) != (4.5, 3.5)
     assert pair.window.canvas.marks.snap is None
-    pair.move(at)
-    assert pair.point(2) == (4.5, 3.5)
     pair.escape()
     pair.release(at)
     assert pair.session.document is document
@@ -285,11 +305,16 @@ def test_the_end_of_a_handle_meets_another_curve(quintic):
 
 
 @pytest.mark.parametrize("keys", [CTRL, SHIFT, SHIFT | Qt.KeyboardModifier.AltModifier])
-def test_a_handle_is_free_with_ctrl_and_at_a_held_angle_or_direction(quintic, keys):
+def test_a_handle_keeps_a_held_angle_or_direction_and_snaps_no_more(quintic, keys):
     document = quintic.session.document
-    quintic.press(handle_end(quintic, 1))
+    x, y = quintic.point(1)
+    start = handle_end(quintic, 1)
+    quintic.press(start)
     quintic.move(near(quintic, (2.5, 3.5)), keys=keys)
-    assert math.dist(handle_end(quintic, 1), (2.5, 3.5)) > quintic.pixel
+    tip = handle_end(quintic, 1)
+    degrees = math.degrees(math.atan2(tip[1] - y, tip[0] - x))
+    held = 45.0 if keys in (CTRL, SHIFT) else math.degrees(math.atan2(start[1] - y, start[0] - x))
+    assert degrees == pytest.approx(held, abs=1e-9)
     assert quintic.window.canvas.marks.snap is None
     quintic.move(near(quintic, (2.5, 3.5)))
     assert quintic.window.canvas.marks.snap is not None

@@ -252,7 +252,7 @@ def test_what_is_wrong_moves_no_row_and_goes_with_a_swatch(editor, panel):
 def test_a_unit_needs_a_document_that_has_one(editor, panel):
     begin(editor, square(0, 0, 1, "Leaf"))
     enter(editor, panel, "strokeWidth", "5 mm")
-    assert "mm needs a document whose unit is a length" in child(panel, QLabel, "styleProblem").text()
+    assert "The document has no unit of length" in child(panel, QLabel, "styleProblem").text()
 
 
 @pytest.mark.parametrize(

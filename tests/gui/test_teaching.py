@@ -118,7 +118,7 @@ def test_its_links_lead_to_the_laboratory_and_to_a_cure(editor):
     assert editor.window.findChild(QFrame, "teachingPopup").isHidden()
     open_popup(editor)
     follow(editor, "openExplanation")
-    assert editor.session.selected.scrub is not None
+    assert editor.session.scrub.t is not None
     assert editor.window.findChild(QFrame, "wigglePanel").isVisible()
 
 

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineE
 from app.document.model import Document, Page, make_curve
 from app.document.several_curves import alone
 from app.document.style import Style
+from app.document.style_edits import with_style
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
@@ -314,7 +315,7 @@ def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
     assert float(field(leaf, "X").text()) == pytest.approx(20.0, abs=2 * leaf.pixel)
     click(leaf, "pivotMiddle")
     assert down() == [True, False]
-    assert leaf.session.selected.pivot is None
+    assert leaf.session.box.pivot is None
 
 
 def test_flips_in_the_panel_are_about_the_pivot(leaf):
@@ -470,6 +471,38 @@ def test_the_lock_binds_the_grips_at_the_corners(leaf):
     leaf.drag((x, y), (x + 20.0, y))
     assert size(leaf, 1)[1] == pytest.approx(before[1] * grown[1])
     leaf.trigger("keepProportions")
+
+
+def test_who_types_the_short_number_that_a_field_shows_gets_just_that(leaf):
+    """80.6367 for 80.636709675 was taken for no change."""
+    enter(leaf, "Width", "80.636709675")
+    leaf.window.canvas.setFocus()
+    before = leaf.session.document
+    width = field(leaf, "Width")
+    width.setFocus()
+    QTest.keyClick(width, Key.Key_Return)
+    leaf.window.canvas.setFocus()
+    assert leaf.session.document is before
+    assert width.text() == "80.6367"
+    enter(leaf, "Width", "80.6367")
+    assert number_in(leaf, "Width") == 80.6367
+    leaf.trigger("undo")
+    assert leaf.session.document == before
+    # With the unit beside it, and a list of numbers.
+    leaf.session.change("Thirds", lambda document: with_style(document, {0}, width=1 / 3, dash=(2 / 3, 1.0)))
+    leaf.show_dock("styleDock")
+    for name, said, wanted in (
+        ("strokeWidth", "0.3333 mm", {"width": 0.3333}),
+        ("dashList", "0.666667 1", {"dash": (0.666667, 1.0)}),
+    ):
+        edit = leaf.window.findChild(QLineEdit, name)
+        assert edit.text() == said
+        edit.setFocus()
+        edit.selectAll()
+        leaf.type_text(edit, said)
+        QTest.keyClick(edit, Key.Key_Return)
+        style = leaf.session.document.curves[0].style
+        assert {each: getattr(style, each) for each in wanted} == wanted
 
 
 def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_at_it(leaf):

@@ -39,7 +39,7 @@ def named(session):
         session.selection,
         session.selected.curves,
         session.selected.hovered,
-        session.selected.scrub,
+        session.scrub.t,
     )
 
 
@@ -51,10 +51,10 @@ def assert_exists(session):
     assert all(index in curves for index in session.selected.curves)
     assert all(type(index) is int and index in points for index in session.selection)
     assert session.selected.hovered == -1 or session.selected.hovered in points
-    if session.selected.scrub is not None:
+    if session.scrub.t is not None:
         start, end = session.active_view.curve.domain
-        assert type(session.selected.scrub) is float
-        assert start <= session.selected.scrub <= end
+        assert type(session.scrub.t) is float
+        assert start <= session.scrub.t <= end
 
 
 # Plain numbers
@@ -181,8 +181,8 @@ def test_selection_hover_chosen_and_scrub_name_only_what_exists():
     for index, there in ((7, -1), (2, 2), (-5, -1), (2, 2)):
         session.selected.set_hovered(index)
         assert session.selected.hovered == there
-    session.selected.set_scrub(3.0)
-    assert session.selected.scrub == 1.0
+    session.scrub.set(3.0)
+    assert session.scrub.t == 1.0
     session.selected.set_curves([0, 5], 5)
     assert session.selected.curves == {0}
     session.selected.set_curves([-1, 1, 2])
@@ -194,7 +194,7 @@ def test_selection_hover_chosen_and_scrub_name_only_what_exists():
     session.preview(edits.delete_points(session.document, 0, [1, 2]))
     assert named(session) == (0, {0}, {0}, -1, None)
     session.cancel()
-    assert session.selected.scrub == 1.0
+    assert session.scrub.t == 1.0
     session.commit(Document((make_curve([(0, 0), (1, 1)], name="Lone"),)), "Leave one")
     assert_exists(session)
 
@@ -203,19 +203,19 @@ def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
     """A preview of a shorter interval left it at 3 of [0, 2]."""
     session = Session()
     session.commit(edits.set_interval(session.document, 0, 0.0, 5.0), "To 5")
-    session.selected.set_scrub(3.0)
+    session.scrub.set(3.0)
     session.preview(edits.set_interval(session.document, 0, 0.0, 2.0))
-    assert session.selected.scrub == 2.0
+    assert session.scrub.t == 2.0
     session.preview(edits.set_interval(session.document, 0, 0.0, 4.0))
-    assert session.selected.scrub == 3.0
+    assert session.scrub.t == 3.0
     session.preview(edits.set_interval(session.document, 0, 3.5, 4.0))
-    assert session.selected.scrub == 3.5
+    assert session.scrub.t == 3.5
     session.cancel()
-    assert session.selected.scrub == 3.0
+    assert session.scrub.t == 3.0
     session.commit(edits.delete_points(session.document, 0, range(1, 9)), "Delete")
-    assert session.selected.scrub is None
+    assert session.scrub.t is None
     session.undo_stack.undo()
-    assert session.selected.scrub == 3.0
+    assert session.scrub.t == 3.0
 
 
 def test_actions_are_checked_by_the_document_that_the_panels_show(editor):

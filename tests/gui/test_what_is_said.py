@@ -166,7 +166,7 @@ def test_t_goes_when_the_pointer_leaves_the_rail(pair):
     assert shown_t(pair).startswith("t 0.4")
     QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))
     assert shown_t(pair) == ""
-    pair.session.selected.set_scrub(0.25)
+    pair.session.scrub.set(0.25)
     assert shown_t(pair) == "t 0.25"
     pair.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.5, 0.5), held=False)
     assert shown_t(pair) != "t 0.25"

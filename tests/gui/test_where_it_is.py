@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QLabel
 from app.document.model import Document, make_curve
 from app.document.transforms import clean_step
 
-CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 RIGHT, UP = Qt.Key.Key_Right, Qt.Key.Key_Up
 
 
@@ -38,8 +38,9 @@ def test_a_dragged_point_tells_where_it_is(arch):
 
 def test_a_point_that_snaps_tells_its_own_place_and_not_the_hand_s(arch):
     near = arch.window.canvas.tools.grid() * 3
-    arch.press(arch.point(1), keys=CTRL)
-    arch.move((1 + near + 3 * arch.pixel, 2 + 2 * arch.pixel), keys=CTRL)
+    arch.trigger("toggleSnap")
+    arch.press(arch.point(1))
+    arch.move((1 + near + 3 * arch.pixel, 2 + 2 * arch.pixel))
     place = arch.point(1)
     assert place == pytest.approx((1 + near, 2.0), abs=1e-12)
     assert f"Point 1 at {place[0]:.4g}, 2 · moved {near:.4g}, 0" in arch.status

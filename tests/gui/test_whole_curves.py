@@ -381,7 +381,9 @@ def test_a_drag_inside_the_box_of_points_moves_them(three):
     place = (0.3, 3.9)
     three.hover(place)
     hint = three.window.status_line.hint
-    assert hint == "Drag to move 4 points · Shift+drag: rubber band · Ctrl: snap · A click lets go"
+    assert hint == (
+        "Drag to move 4 points · Ctrl: one axis · Shift+drag: rubber band · %: snap · A click lets go"
+    )
     assert three.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
     three.drag(place, (place[0] + 0.4, place[1] + 0.2))
     assert moved_by(three, before, 1) == pytest.approx((0.4, 0.2), abs=2 * three.pixel)
@@ -542,6 +544,23 @@ def test_what_was_dragged_is_in_the_picture_again_when_something_else_is_painted
     for _ in range(12):
         pixels_of(pile.window.canvas)
     assert not loose_places(others._sections)
+
+
+def test_chosen_curves_stay_in_the_picture_when_another_one_of_them_is_edited(pile):
+    """Each was another curve at its place in the layer: six of ten were painted in every frame of a drag."""
+    pile.session.selected.set_curves(range(6), 0)
+    selected = pile.window.canvas.drawing.selected
+    pixels_of(pile.window.canvas)
+    start = pile.session.views[4].points[1]
+    pile.press(start)
+    for way in (0.3, 0.6, 0.9):
+        pile.move((start[0], start[1] + way))
+    assert pile.session.active_index == 4
+    assert not loose_places(selected._sections)
+    kept = selected._picture
+    pile.move((start[0], start[1] + 0.2))
+    assert selected._picture is kept
+    pile.release((start[0], start[1] + 0.2))
 
 
 @pytest.mark.parametrize(

@@ -84,7 +84,7 @@ def test_escape_takes_the_preview_of_a_cure_away(runge, qtbot):
     assert ghosts(runge)
     for _ in range(2):
         runge.escape()
-    assert runge.session.selected.scrub is None
+    assert runge.session.scrub.t is None
     assert not ghosts(runge)
 
 
@@ -92,12 +92,12 @@ def test_the_tool_explains_the_widest_swing_at_once(runge, qtbot):
     runge.trigger("explainWiggle")
     settled(runge, qtbot)
     view = runge.session.active_view
-    _, y = view.curve.evaluate(runge.session.selected.scrub)
+    _, y = view.curve.evaluate(runge.session.scrub.t)
     assert abs(y) > 3  # twice as high as any point
     words = panel(runge).words.text()
     assert "swings out by" in words
     assert "points away" in words
-    weights = view.curve.basis(np.array([runge.session.selected.scrub]))[0, :, 0]
+    weights = view.curve.basis(np.array([runge.session.scrub.t]))[0, :, 0]
     strongest = panel(runge).bars.pulls[0]
     assert strongest.point == np.argmax(np.abs(weights))
     assert strongest.weight == pytest.approx(weights[strongest.point])
@@ -111,7 +111,7 @@ def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_a
     t = 0.46
     runge.click(tuple(runge.session.active_view.curve.evaluate(t).tolist()))
     settled(runge, qtbot)
-    assert runge.session.selected.scrub == pytest.approx(t, abs=0.01)
+    assert runge.session.scrub.t == pytest.approx(t, abs=0.01)
     assert "Between points 4 and 5" in panel(runge).words.text()
     runge.click(runge.window.canvas.to_plane(QPoint(60, 60)))
     assert "on the curve itself" in runge.status
@@ -125,7 +125,7 @@ def test_the_menu_of_the_curve_explains_the_place_under_the_pointer(runge, qtbot
     runge.open_menu(tuple(runge.session.active_view.curve.evaluate(t).tolist()))
     runge.choose("explainHere")
     settled(runge, qtbot)
-    assert runge.session.selected.scrub == pytest.approx(t, abs=0.01)
+    assert runge.session.scrub.t == pytest.approx(t, abs=0.01)
     assert panel(runge).isVisible()
     assert runge.action("selectTool").isChecked()
 
@@ -166,7 +166,7 @@ CURES = (
 def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge, qtbot):
     runge.trigger("explainWiggle")
     settled(runge, qtbot)
-    before, steps, t = runge.session.document, runge.session.undo_stack.count(), runge.session.selected.scrub
+    before, steps, t = runge.session.document, runge.session.undo_stack.count(), runge.session.scrub.t
     left = []
     for key, family, kind in CURES:
         promised = text(runge, f"swing_{key}")
@@ -186,7 +186,7 @@ def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge,
             assert text(runge, "nothingToCure").startswith(stays)
         runge.trigger("undo")
         assert runge.session.document == before
-        runge.session.selected.set_scrub(t)
+        runge.session.scrub.set(t)
         settled(runge, qtbot)
     # With these it still swings out.
     assert left == ["centripetal", "floater_hormann"]
@@ -226,7 +226,7 @@ def test_a_cure_that_makes_it_worse_says_so(editor, qtbot):
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     editor.session.commit(Document((replace(make_curve(points), parametrization=uniform),)), "Begin")
     editor.trigger("explainWiggle")
-    editor.session.selected.set_scrub(0.02)
+    editor.session.scrub.set(0.02)
     settled(editor, qtbot)
     # Measured: 124 as it is, 223 with chord-length parameters, 0.08 with Chebyshev's.
     assert text(editor, "swing_chordLength") == "worse, 223"
@@ -240,7 +240,7 @@ def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
     points = [replace(point, corner=index == 2) for index, point in enumerate(closed.points)]
     editor.session.commit(Document((replace(closed, points=tuple(points)),)), "Begin")
     editor.trigger("explainWiggle")
-    editor.session.selected.set_scrub(0.97)
+    editor.session.scrub.set(0.97)
     settled(editor, qtbot)
     assert "Between points 4 and 0" in panel(editor).words.text()
     assert text(editor, "swing_chebyshev")
@@ -251,7 +251,7 @@ def explain(editor, qtbot, points, family, t):
     curve = replace(make_curve(points, family=FAMILIES.named(family)), parametrization=uniform)
     editor.session.commit(Document((curve,)), "Begin")
     editor.trigger("explainWiggle")
-    editor.session.selected.set_scrub(t)
+    editor.session.scrub.set(t)
     settled(editor, qtbot)
 
 
@@ -312,7 +312,7 @@ def test_escape_closes_the_explanation(runge, qtbot):
     assert dock.isVisible()
     runge.escape()
     assert not dock.isVisible()
-    assert runge.session.selected.scrub is None
+    assert runge.session.scrub.t is None
 
 
 def test_a_jerk_that_was_set_has_a_bar(editor, qtbot):
@@ -321,7 +321,7 @@ def test_a_jerk_that_was_set_has_a_bar(editor, qtbot):
     points = [replace(point, jerk=(0.0, 9e4)) for point in curve.points]
     editor.session.commit(Document((replace(curve, points=tuple(points)),)), "Begin")
     editor.trigger("explainWiggle")
-    editor.session.selected.set_scrub(0.2)
+    editor.session.scrub.set(0.2)
     settled(editor, qtbot)
     bars = panel(editor).bars
     assert any(pull.order == 3 for pull in bars.pulls)
@@ -337,7 +337,7 @@ def test_weights_at_the_points_do_not_cover_each_other(editor, qtbot, count, fam
     explain(editor, qtbot, points, family, 0.985)
     editor.fit()
     for t in (0.985, 0.5, 0.26):
-        editor.session.selected.set_scrub(t)
+        editor.session.scrub.set(t)
         editor.settle()
         layer = editor.window.canvas.drawing.points
         assert layer.numbers

@@ -323,7 +323,7 @@ def test_the_keys_work_in_presentation(editor):
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
     assert editor.curve.family is HERMITE
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_T)
-    assert editor.session.selected.scrub is not None
+    assert editor.session.scrub.t is not None
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_F11)
     assert not editor.action("presentation").isChecked()
 
@@ -451,7 +451,7 @@ def test_help_begins_with_what_applies_now(editor):
         "Click",
         "add a point",
         "Press and drag",
-        "add a point and set its velocity; Shift: 15° steps, Alt: ahead alone",
+        "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: ahead alone",
     ]
     assert words.index("<b>Otherwise</b>") < words.index("<b>File</b>") < words.index("<b>View</b>")
 

@@ -53,14 +53,14 @@ def test_the_active_curve_is_one_of_those_selected(asked, active, count):
 def test_the_scrub_line_stays_on_the_curve(asked, has_curve, expected):
     session, told = with_points(2 if has_curve else 1), []
     session.scrub_changed.connect(told.append)
-    session.selected.set_scrub(asked)
-    assert session.selected.scrub == expected
+    session.scrub.set(asked)
+    assert session.scrub.t == expected
     assert told == ([] if expected is None else [expected])
     # On a longer curve it stands where it was asked for.
     curve = make_curve([(0.0, 0.0), (1.0, 0.0)])
     longer = replace(curve, parametrization=replace(curve.parametrization, start=-5.0, end=5.0))
     session.change("Make it longer", lambda _document: Document((longer,)))
-    assert session.selected.scrub == asked
+    assert session.scrub.t == asked
 
 
 @given(st.integers(-3, 8), st.integers(0, 5))

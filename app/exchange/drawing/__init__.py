@@ -5,8 +5,8 @@
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
 - ``trim``: the frame at true size, without a margin.  ``extents``: of cubic pieces.
 - ``image``: it as PNG and PDF.  ``painting``: how it is painted.  Both need Qt.
-- ``animation``: motions as GIF, APNG and MP4.  ``motion_frames``: their frames; needs Qt.
-  ``pillow``: what writes some of them.
+- ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs
+  Qt.  ``pillow``: what writes some of them.
 """
 
 import lazy_loader as lazy

@@ -17,21 +17,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
-from msgspec.structs import replace
-
 from ...document.model import Document
-from ...document.style import Style
-from ...families import Family
 from ...storage.files import write
 from ...tasks.progress import FINAL, Report, silent
-from ...view_model.curve_view import view_of
-from ...view_model.motion import Course, round_of
-from ...view_model.motion_picture import OWN, Role, rivals_of
-from ...view_model.motion_settings import Pace, Repeat
+from ...view_model.motion import round_of
+from ...view_model.motion_picture import OWN
+from ...view_model.motion_settings import Repeat
 from .. import drawing
 from ..errors import ExchangeError
 from ..formats import FileKind, format_of
-from .styles import LIGHT, PictureStyle
+from .film import Film
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -45,71 +40,6 @@ FASTEST = 50
 
 _LOOK_S = 0.1
 """Seconds between two questions whether anybody still waits for a program that does nothing."""
-
-
-@dataclass(frozen=True)
-class Film:
-    """Content, size and length of a film.
-
-    Attributes
-    ----------
-    curve
-        The index of the curve in its document.
-    width
-        In pixels; made even. The height follows from the drawing.
-    fps
-        Frames a second.
-    seconds
-        How long the film is: one round of the motion.
-    compared
-        The families whose curves run side by side with the curve itself.
-    points
-        Whether to draw the points.
-    """
-
-    curve: int = 0
-    width: int = 640
-    fps: int = 25
-    seconds: float = 4.0
-    repeat: Repeat = Repeat.LOOP
-    pace: Pace = Pace.PARAMETER
-    compared: frozenset[Family] = frozenset()
-    style: PictureStyle = LIGHT
-    points: bool = True
-
-    @property
-    def frames(self) -> int:
-        """Number of frames, at least two."""
-        return max(2, round(self.fps * self.seconds))
-
-    def courses(self, document: Document) -> dict[Role, Course]:
-        """Return the ways of the dots."""
-        view = view_of(document.curves[self.curve])
-        if not view.is_current or view.curve is None:
-            raise ExchangeError(f"There is no curve to run along. {view.problem}")
-        courses = {OWN: Course(view.curve, self.pace)}
-        for role, rival in rivals_of(view, self.compared).items():
-            assert rival.curve is not None
-            courses[role] = Course(rival.curve, self.pace)
-        return courses
-
-    def drawn(self, document: Document) -> Document:
-        """Return the document with all curves that are seen: those that are compared are among them."""
-        source = document.curves[self.curve]
-        others = [
-            replace(each.source, style=Style(stroke=role.colour))
-            for role, each in rivals_of(view_of(source), self.compared).items()
-            if each.source is not source
-        ]
-        return Document((*others, *document.curves)) if others else document
-
-    def durations(self, unit: int) -> list[int]:
-        """Return how long each frame stands, in milliseconds that are multiples of `unit`.
-
-        Rounded so that no frame is ever off by more than half a unit.
-        """
-        ends = [round(1000 * (i + 1) / self.fps / unit) * unit for i in range(self.frames)]
-        return [end - start for start, end in zip([0, *ends], ends, strict=False)]
 
 
 def first_round(document: Document, repeat: Repeat) -> float:

@@ -18,7 +18,6 @@ from ... import __version__
 from ...document.model import Document
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent
-from ...view_model.palette import adjustment_of
 from ..errors import ExchangeError
 from ..formats import Written
 from ..options import Options
@@ -83,7 +82,7 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     ExchangeError
         As `png_file`.
     """
-    drawing = _drawing(document, options, options.paper_style)
+    drawing = _drawing(document, options, options.paper_style(document))
     width, height = _size(drawing, options)
     dots = _true_dots_per_metre(drawing, options)
     size = f"{width} × {height} pixels"
@@ -93,24 +92,24 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
         size += (
             f", {true} at {options.dpi:g} dpi" if options.dpi else f", 1 : 1 at {dots * 0.0254:.4g} per inch"
         )
-    return _preview(drawing, options, options.paper_style, size, room)
+    return _preview(drawing, options, options.paper_style(document), size, room)
 
 
 def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what an SVG looks like; see `png_preview`."""
-    drawing = _drawing(document, options, options.vector_style)
+    drawing = _drawing(document, options, options.vector_style(document))
     frame, across = drawing.frame, nominal_width(drawing, options.width)
     size = _size_text(frame, options, (across, across * frame.height / frame.width), "px")
-    return _preview(drawing, options, options.vector_style, size, room)
+    return _preview(drawing, options, options.vector_style(document), size, room)
 
 
 def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what a PDF looks like; see `png_preview`."""
-    drawing = _drawing(document, options, options.vector_style)
+    drawing = _drawing(document, options, options.vector_style(document))
     wide, high = _page_size(drawing, options)
     page = (wide / POINTS_PER_MILLIMETRE, high / POINTS_PER_MILLIMETRE)
     size = _size_text(drawing.frame, options, page, "mm")
-    seen = _preview(drawing, options, options.vector_style, f"Page of {size}", room)
+    seen = _preview(drawing, options, options.vector_style(document), f"Page of {size}", room)
     return replace(seen, moved=" ".join([*filter(None, [seen.moved]), *_pictures_in(drawing)]))
 
 
@@ -136,12 +135,12 @@ def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     moved = [
         each
         for each in drawing.outlines
-        if not (each.style.has_fill or each.style.is_placed) and adjustment_of(style.paper, each.colour)
+        if not (each.style.has_fill or each.style.is_placed) and style.adjustment_of(each.colour)
     ]
     if not moved:
         return ""
     more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""
-    return f"“{moved[0].name}” is {adjustment_of(style.paper, moved[0].colour)}{more}."
+    return f"“{moved[0].name}” is {style.adjustment_of(moved[0].colour)}{more}."
 
 
 def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
@@ -189,7 +188,7 @@ def png_file(document: Document, options: Options) -> Written:
     ExchangeError
         If nothing can be drawn, or the picture would be too large.
     """
-    style = options.paper_style
+    style = options.paper_style(document)
     drawing = _drawing(document, options, style)
     size = _size(drawing, options)
     with application():
@@ -228,7 +227,7 @@ def pdf_file(document: Document, options: Options) -> Written:
     ExchangeError
         If nothing can be drawn, or no page is as large or as small.
     """
-    style = options.vector_style
+    style = options.vector_style(document)
     drawing = _drawing(document, options, style)
     with application():
         remarks = (*drawing.remarks, *_pictures_in(drawing))

@@ -16,8 +16,8 @@ from ...view_model.motion import round_of
 from ...view_model.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of, dots_at, scales_of
 from ...view_model.motion_settings import Repeat
 from ...view_model.palette import ACCENT, PAPER, colour_on
-from .animation import Film
 from .drawing import Drawing, Frame, drawing_of
+from .film import Film
 from .image import paint_drawing
 
 _NOMINAL = 640.0

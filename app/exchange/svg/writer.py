@@ -46,7 +46,7 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
     document = from_upper_left(document)
-    style, report = options.vector_style, part(options.report, 0.0, 0.7)
+    style, report = options.vector_style(document), part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
     text = svg_text(
         drawing,

@@ -143,5 +143,5 @@ class BasisPanel(ToolPlot):
         was_down, self._ripple_down = self._ripple_down, down
         if down != was_down and self._pointer is not None:
             self._pointer = replace(self._pointer, ripple=down)
-            self._move_again()
+            self.move_again()
             self.tell()

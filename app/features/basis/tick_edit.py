@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
-from ...appearance.theme import Theme, mix
-from ...appearance.themed import FollowsTheme
-from ...document.expression import ExpressionError, parse_number
+from ...appearance.theme import Theme
+from ...document.expression import ExpressionError
+from ...qt.keys import ENTER, PASSING
 from ...qt.labels import Label
 from ...qt.overrides import Guarded
 from ...widgets.boxes import column_of
 from ...widgets.controls import named
+from ...widgets.field_edit import read_number
 from ...widgets.number_text import decimal_mark, exact_text
+from ...widgets.overlay_frame import OverlayFrame
 
 _WIDTH, _WIDEST_REASON = 150, 320
 
 
-class TickEdit(FollowsTheme, QFrame):
+class TickEdit(OverlayFrame):
     """Takes a number or an expression; Enter sets it, Escape or a click elsewhere gives it up.
 
     What cannot be set is explained above the line, and stays there to be mended.
@@ -32,9 +34,7 @@ class TickEdit(FollowsTheme, QFrame):
     typed = Signal(int, float)
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("tickEdit")
-        self._panel = parent
+        super().__init__("tickEdit", parent)
         self._knot = -1
         self._tick = QPointF()
         self._reason = named(Label(), "tickProblem")
@@ -59,7 +59,7 @@ class TickEdit(FollowsTheme, QFrame):
     def confirm(self) -> None:
         """Read what was typed and report it."""
         try:
-            t = parse_number(self.line.text(), decimal_mark())
+            t = read_number(self.line.text())
         except ExpressionError as reason:
             self.refuse(str(reason))
             return
@@ -70,18 +70,18 @@ class TickEdit(FollowsTheme, QFrame):
         """Say why the number cannot be set; it stays to be mended."""
         self._reason.setText(reason)
         self._reason.setVisible(bool(reason))
-        self._place()
+        self.place()
         self.show()
         self.raise_()
         self.line.setFocus(Qt.FocusReason.PopupFocusReason)
 
     def close_and_return(self) -> None:
         """Put the line away and give the focus to the panel."""
-        self._panel.setFocus(Qt.FocusReason.PopupFocusReason)
+        self.below.setFocus(Qt.FocusReason.PopupFocusReason)
         self.hide()
 
-    def _place(self) -> None:
-        parent = self._panel
+    def place(self) -> None:
+        parent = self.below
         width = min(_WIDEST_REASON if self.problem else _WIDTH, parent.width())
         self._rows.activate()
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
@@ -89,11 +89,7 @@ class TickEdit(FollowsTheme, QFrame):
         self.setGeometry(left, max(int(self._tick.y()) - height - 4, 0), width, height)
 
     def set_theme(self, theme: Theme) -> None:
-        surface, line = theme.surface.name(), mix(theme.ink, theme.paper, 0.2).name()
-        self.setStyleSheet(
-            f"#tickEdit {{ background: {surface}; border: 1px solid {line}; border-radius: 6px }}"
-            f"#tickProblem {{ color: {theme.warning.name()} }}"
-        )
+        self.set_sheet(f"#tickProblem {{ color: {theme.warning.name()} }}")
 
 
 class _TickLine(Guarded, QLineEdit):
@@ -104,7 +100,7 @@ class _TickLine(Guarded, QLineEdit):
         named(self, "tickValue", "Parameter t", tip)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        if event.key() in ENTER:
             self._owner.confirm()
         elif event.key() == Qt.Key.Key_Escape:
             self._owner.close_and_return()
@@ -113,5 +109,5 @@ class _TickLine(Guarded, QLineEdit):
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        if event.reason() not in (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason):
+        if event.reason() not in PASSING:
             self._owner.hide()

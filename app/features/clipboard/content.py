@@ -14,6 +14,7 @@ from ...view_model.pasting import points_of_rows
 from ...view_model.point_columns import known_titles
 from ...widgets.number_text import decimal_mark
 from ...workbench.clipboard import CURVES, POINTS
+from .offer import Offer
 
 
 class PointsContent(msgspec.Struct, frozen=True):
@@ -63,6 +64,8 @@ def points_in(data: QMimeData) -> PointsContent:
 def _document(data: QMimeData, kind: str, what: str) -> Document | None:
     if not data.hasFormat(kind):
         return None
+    if isinstance(data, Offer) and (document := data.document_of(kind)) is not None:
+        return document
     try:
         return decode(bytes(data.data(kind).data()))
     except FormatError as reason:

@@ -48,6 +48,10 @@ class Offer(Guarded, QMimeData):
         drawn = _MAKERS if is_drawable else [TEXT] * bool(text)
         self._formats = [own, *drawn]
 
+    def document_of(self, mimetype: str) -> Document | None:
+        """Return the curves themselves where they are offered as this: in this program nobody reads them."""
+        return self._document if mimetype == self._own else None
+
     def formats(self) -> list[str]:
         """Return the MIME types; called by Qt."""
         return self._formats

@@ -132,7 +132,7 @@ class PasteCommands:
 
     def _target(self, place: Vector | None) -> Target:
         session, pixel = self._session, self._context.central.canvas.camera.pixel_size
-        return Target(session.committed, place, pixel, session.selected.layer)
+        return Target(session.committed, place, pixel, session.selected.layer, session.views)
 
     def _add(self, arrival: Arrival, remarks: Sequence[str]) -> None:
         session, places = self._session, arrival.places

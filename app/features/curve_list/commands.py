@@ -12,18 +12,20 @@ from ...actions.needs import Need
 from ...actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
-from ...document.curve_tree import Node, NodeKind
+from ...document.curve_tree import Node, NodeKind, counted_nodes
 from ...document.edits import EditError, rename_curve
 from ...document.layers import looks_of, with_layer_looks
 from ...document.model import Document
 from ...document.several_curves import (
     active_after_removal,
     add_copies,
+    counted,
+    name_of,
     named,
     remove_curves,
     with_appearance,
 )
-from ...document.shape_edits import moved_into, named_anew
+from ...document.shape_edits import moved_into, named_anew, objects
 from ...document.shapes import whole_shapes
 from ...document.style_edits import with_style
 from ...tools.drag_machine import CANCELLED
@@ -125,12 +127,12 @@ class CurveListCommands:
             )
             return
         session.selected.set_curves(added.places)
-        if len(order) == 1:
-            session.say(f"“{session.active_curve.name}” lies on the original and is chosen; a drag moves it.")
+        name = name_of(session.document, added.places)
+        if name is not None:
+            session.say(f"“{name}” lies on the original and is chosen; a drag moves it.")
         else:
-            session.say(
-                f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them."
-            )
+            copies = f"Copies of {counted(document, order)}"
+            session.say(f"{copies} lie on the originals and are chosen; drag one, or G, moves them.")
 
     @action(
         "deleteCurve",
@@ -327,7 +329,8 @@ class CurveListCommands:
 
 
 def _curves(now: Situation) -> str:
-    return f"{len(now.selected)} Curves" if len(now.selected) > 1 else "Curve"
+    nodes = objects(now.session.document, now.selected)
+    return counted_nodes(nodes).title() if len(nodes) > 1 else nodes[0].kind.name.title()
 
 
 COMMAND_SETS = (CurveListCommands,)

@@ -12,9 +12,10 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from ...document.curve_tree import Container, Node, NodeKind, layered_tree
+from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, layered_tree
 from ...document.layers import looks_of
 from ...document.model import Curve, Document
+from ...document.steps import changed_besides_points
 from ...document.style import PLAIN_STYLE, Style
 from ...document.words import count_of
 from ...qt.overrides import Guarded
@@ -107,7 +108,7 @@ class CurveListModel(Guarded, QAbstractListModel):
             self._follow_names(before, document)
             self._build(document)
         elif before.curves is not document.curves:
-            changed = [place for place, old in enumerate(before.curves) if old is not document.curves[place]]
+            changed = changed_besides_points(before.curves, document.curves)
             self._show_rows({row for place in changed for row in self._rows_about(place)})
 
     def _follow_names(self, before: Document, document: Document) -> None:
@@ -166,7 +167,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         parts = self._document.curves[node.places.start : node.places.stop]
         if node.kind is NodeKind.CURVE:
             return _row_of_curve(parts[0])
-        what = f"{node.kind.name.lower()} of {count_of(len(parts), 'curve')}" if parts else "empty layer"
+        what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}" if parts else "empty layer"
         style = parts[0].style if parts else PLAIN_STYLE
         return Row(node.name, style, *looks_of(self._document, node), what)
 

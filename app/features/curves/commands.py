@@ -204,7 +204,7 @@ class CurveCommands:
             session.say(f"{verb} at t = {number(t)}: {done[0].sentence}")
 
     def _at_scrub(self, act: Callable[[float], None]) -> None:
-        t = self._session.selected.scrub
+        t = self._session.scrub.t
         if t is None:
             self._session.refuse(
                 "Select inner points, or put the scrub line (T) where on the curve it shall be."

@@ -18,8 +18,7 @@ from ...qt.labels import Label
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import NumberEdit
-from ...widgets.length_text import length_text
-from ...widgets.number_text import decimal_mark
+from ...widgets.length_text import length_text, read_length
 from ...widgets.tool_buttons import ICON, tool_button
 
 _FLAGS = Qt.ItemDataRole.UserRole - 1
@@ -140,7 +139,7 @@ class PageFields:
 
     def _read(self, side: str, text: str) -> float:
         now = None if self._page is None else self._page.width if side == "Width" else self._page.height
-        return typed_length(text, self._unit, now, decimal_mark())
+        return read_length(text, self._unit, now)
 
     def show(self, page: Page | None, unit: str) -> None:
         """Show a page, or that there is none, in the unit of its document."""

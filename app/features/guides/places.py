@@ -6,8 +6,7 @@ import re
 from typing import NamedTuple
 
 from ...document.model import Axis
-from ...exchange.lengths import typed_length
-from ...widgets.number_text import decimal_mark
+from ...widgets.length_text import read_length
 
 _AXIS = re.compile(r"\s*([xyXY])\s*=(.*)", re.DOTALL)
 
@@ -32,4 +31,4 @@ def read_place(text: str, unit: str = "", now: float = 0.0) -> TypedPlace:
     axis, rest = None, text
     if found := _AXIS.fullmatch(text):
         axis, rest = Axis(found[1].lower()), found[2]
-    return TypedPlace(axis, typed_length(rest, unit, now, decimal_mark()))
+    return TypedPlace(axis, read_length(rest, unit, now))

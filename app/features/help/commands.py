@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMessageBox
 from ... import __version__
 from ...actions.declaration import action
 from ...actions.sections import HELP_ABOUT, HELP_ALL, MENUS
+from ...document.several_curves import counted
 from ...workbench.context import WindowContext
 from .. import help as help_feature
 
@@ -36,11 +37,12 @@ class HelpCommands:
         if self._sheet.isVisible():
             self._sheet.dismiss()
             return
+        chosen = context.session.selected.chosen
         moment = help_feature.shortcut_sheet.Moment(
             tool=context.store.state.tool,
             selected=context.session.selected.group.count,
             has_derivatives=context.session.active_curve.family.derivatives > 0,
-            curves=len(context.session.selected.chosen),
+            chosen=counted(context.session.document, chosen) if chosen else "",
         )
         self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 

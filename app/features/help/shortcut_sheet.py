@@ -36,25 +36,25 @@ class Moment(msgspec.Struct, frozen=True):
         How many points are selected.
     has_derivatives
         Whether the family has velocities.
-    curves
-        How many curves are chosen as wholes.
+    chosen
+        The words for what is chosen as a whole, "Leaf" or "2 objects"; empty for nothing.
     """
 
     tool: ToolRecord
     selected: int
     has_derivatives: bool
-    curves: int = 0
+    chosen: str = ""
 
     @property
     def has_curves(self) -> bool:
         """Whether curves are chosen and the transforms act on them: no point is selected."""
-        return self.curves > 0 and not self.selected
+        return bool(self.chosen) and not self.selected
 
     @property
     def title(self) -> str:
         """Heading for the situation."""
         if self.tool is SELECT and self.has_curves:
-            return f"Now: {count_of(self.curves, 'curve')} chosen"
+            return f"Now: {self.chosen} chosen"
         if self.tool is SELECT and self.selected:
             return f"Now: {count_of(self.selected, 'point')} selected"
         return f"Now: {self.tool.doing}"
@@ -84,7 +84,8 @@ class Moment(msgspec.Struct, frozen=True):
 
 
 _WITH_ANY_TOOL = (
-    GestureRow("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
+    GestureRow("Hold Ctrl or Shift", "while something is dragged: one axis; of angles: steps of 15°"),
+    GestureRow("%", "snap, or not, also in mid-drag"),
     GestureRow("Escape, right button", "during a drag: take it back"),
     GestureRow(
         "Moving, scaling, rotating",

@@ -75,7 +75,7 @@ class HodographCommands:
         if panel is not None:
             owners = len(session.active_curve.points)
             panel.plot.render_hodograph(hodograph, owners, calm=session.is_previewing)
-            self._show_scrub(session.selected.scrub)
+            self._show_scrub(session.scrub.t)
 
     def _show_scrub(self, t: float | None) -> None:
         panel, view = self._shown, self._context.session.active_view

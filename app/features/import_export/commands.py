@@ -17,6 +17,7 @@ from ...actions.sections import FILE_EXCHANGE
 from ...document.edits import EditError
 from ...document.layers import foremost_layer, free_layer
 from ...document.model import Document
+from ...document.shapes import counted_shapes
 from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import (
@@ -166,18 +167,18 @@ class ExchangeCommands:
 
     def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
         dialogs, parent = import_export, self._context.window
+        verbs = dialogs.form_parts.Verb
+        verb = verbs.OPEN if path == self._opened else verbs.IMPORT
         dialog: ImportDrawingDialog | ImportTableDialog
         if isinstance(found, _OpenTable):
             dialog = dialogs.import_table_dialog.ImportTableDialog(
-                path.name, path.stem, found.source, found.preview, parent
+                verb, path.name, path.stem, found.source, found.preview, parent
             )
         else:
             dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(
-                path.name, found, partial(self._words_about_rest, found.document), parent
+                verb, path.name, found, partial(self._words_about_rest, found.document), parent
             )
         dialog.chosen.connect(partial(self._take_in, path))
-        if path == self._opened:
-            dialog.into.setCurrentText(dialogs.form_parts.A_NEW_DOCUMENT)
         self._ask(dialog)
 
     def _take_in(self, path: Path, taken: Imported | PreparedTable, anew: bool) -> None:
@@ -205,7 +206,8 @@ class ExchangeCommands:
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
                 missed = taken.lost if isinstance(taken, exchange.cubics_in.Imported) else ()
                 if self._put(path, arrival, missed, begins=begins, anew=anew):
-                    self._show_added(path, arrival, taken.deviation * factor, rest)
+                    said = "Opened" if anew and path == self._opened else "Imported"
+                    self._show_added(f"{said} {path.name}", path, arrival, taken.deviation * factor, rest)
             finally:
                 self._end_turn()
 
@@ -249,7 +251,7 @@ class ExchangeCommands:
             return False
         return True
 
-    def _show_added(self, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
+    def _show_added(self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
         """Show what has come in, choose it where it came to others, and say what it is."""
         added, document, selected = arrival.places, arrival.document, self._session.selected
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
@@ -265,9 +267,9 @@ class ExchangeCommands:
         if is_all or not self._context.central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
-        what = f"{count_of(len(curves), 'curve')}, {count_of(count, 'point')}"
+        what = f"{counted_shapes(curves)}, {count_of(count, 'point')}"
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
-        self._session.say(f"Imported {path.name}: {what}, {exact}. {rest}".rstrip())
+        self._session.say(f"{done}: {what}, {exact}. {rest}".rstrip())
 
     # Out
 

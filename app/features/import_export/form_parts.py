@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from enum import Enum
+
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QDialog, QDialogButtonBox, QLineEdit, QPushButton
 
@@ -18,9 +20,23 @@ def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
     return is_enter and isinstance(dialog.focusWidget(), QLineEdit | QAbstractSpinBox)
 
 
-def into_box() -> QComboBox:
-    """Return the box that asks where imported curves go."""
-    return choice_box("importInto", "Into", "Where the curves go", INTO)
+class Verb(Enum):
+    """What is done with a file that is shown: its curves are taken in, or it is a document of its own."""
+
+    IMPORT = "Import"
+    OPEN = "Open"
+
+    def towards(self, where: str) -> Verb:
+        """Return what it is once the person has said where the curves go: into this document, an import."""
+        return self if where == A_NEW_DOCUMENT else Verb.IMPORT
+
+
+def into_box(verb: Verb) -> QComboBox:
+    """Return the box that asks where the curves go; of what is opened, to a new document."""
+    box = choice_box("importInto", "Into", "Where the curves go", INTO)
+    if verb is Verb.OPEN:
+        box.setCurrentText(A_NEW_DOCUMENT)
+    return box
 
 
 def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonBox, QPushButton]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import defaultdict
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
-from ...document.model import Document
-from ...document.shapes import shapes
+from ...document.model import Curve, Document
+from ...document.shapes import counted_shapes, shapes
 from ...document.words import count_of
 from ...widgets.controls import named
 
@@ -61,15 +61,18 @@ class GroupTree(QTreeWidget):
         """Make the items; return for each curve the one that it hangs on."""
         curves, leaves = self._document.curves, list[QTreeWidgetItem]()
         groups = [curve.groups[:_DEEPEST] for curve in curves]
-        held = Counter(chain[:depth] for chain in groups for depth in range(1, len(chain) + 1))
         found = list(shapes(self._document.curves))
+        held = defaultdict[_Chain, list[Curve]](list)
+        for curve, chain in zip(curves, groups, strict=True):
+            for depth in range(1, len(chain) + 1):
+                held[chain[:depth]].append(curve)
         # What stands in a group beside groups can be taken without them.
         inner = {chain[:depth] for chain in groups for depth in range(len(chain))}
         for number, places in enumerate(found):
             first = curves[places.start]
             chain = groups[places.start]
             for depth in range(1, len(chain) + 1):
-                self._item(chain[:depth], chain[depth - 1], count_of(held[chain[:depth]], "curve"))
+                self._item(chain[:depth], chain[depth - 1], counted_shapes(held[chain[:depth]]))
             if len(found) <= _MOST_NAMED:
                 points = sum(len(curves[place].points) for place in places)
                 leaf = self._item((*chain, number), first.shape or first.name, count_of(points, "point"))

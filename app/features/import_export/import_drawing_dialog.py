@@ -7,12 +7,12 @@ from collections.abc import Callable
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from ...document.shapes import shapes
+from ...document.shapes import counted_shapes, shapes
 from ...document.words import count_of, number
 from ...exchange.cubics_in import Imported
 from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of
-from .form_parts import A_NEW_DOCUMENT, into_box
+from .form_parts import A_NEW_DOCUMENT, Verb, into_box
 from .group_tree import GroupTree
 from .import_foot import ImportFoot
 from .import_picture import ImportPicture
@@ -27,6 +27,8 @@ class ImportDrawingDialog(WorkDialog):
 
     Parameters
     ----------
+    verb, name
+        What is done with the file, and what that is called.
     rest
         Returns what is said of all that stays behind where the curves go: to a new document, or this one.
 
@@ -39,22 +41,27 @@ class ImportDrawingDialog(WorkDialog):
     chosen = Signal(object, bool)
 
     def __init__(
-        self, title: str, found: Imported, rest: Callable[[bool], str], parent: QWidget | None = None
+        self,
+        verb: Verb,
+        name: str,
+        found: Imported,
+        rest: Callable[[bool], str],
+        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("importDrawingDialog", f"Import {title}", "importProblem", parent)
+        super().__init__("importDrawingDialog", f"{verb.value} {name}", "importProblem", parent)
         self._found, self._rest = found, rest
         count = sum(1 for _ in shapes(found.document.curves))
         self.groups = GroupTree(found.document) if count > 1 else None
         self.picture = ImportPicture(self.jobs)
-        self.summary = Label(_summary(found), name="importSummary", wordWrap=True)
+        self.summary = Label(_summary(found, found), name="importSummary", wordWrap=True)
         self.missed = MissedList(found.missed) if found.missed else None
         self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))
         self.rest = Label(name="importRest", wordWrap=True)
-        self.into = into_box()
+        self.into = into_box(verb)
         self.into.currentTextChanged.connect(self._show_rest)
         self._show_rest()
-        self.foot = ImportFoot(self, "importDrawing", "Take the curves in")
+        self.foot = ImportFoot(self, "importDrawing", "Take the curves in", verb, self.into)
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
         self._lay_out()
@@ -96,7 +103,8 @@ class ImportDrawingDialog(WorkDialog):
         taken = self._taken()
         self.ok.setEnabled(any(taken))
         some = self._found if all(taken) or not any(taken) else self._found.only(taken)
-        self.summary.setText(_summary(some, sum(taken), len(taken)))
+        none = f"None of {counted_shapes(self._found.document.curves)}; choose at least one."
+        self.summary.setText(_summary(self._found, some) if any(taken) else none)
         if any(taken):
             self.picture.show_document(some.document)
         else:
@@ -108,14 +116,13 @@ class ImportDrawingDialog(WorkDialog):
         self.chosen.emit(self._found.only(self._taken()), self._is_anew)
 
 
-def _summary(found: Imported, taken: int = 1, of: int = 1) -> str:
-    """Return what is taken of so many curves."""
-    if not taken:
-        return f"None of {of} curves; choose at least one."
-    curves = found.document.curves
-    points = sum(len(curve.points) for curve in curves)
-    exact = f"at most {number(found.deviation, 2)} from the file" if found.deviation else "exact"
-    some = f"{taken} of {of} curves" if taken < of else count_of(len(curves), "curve")
+def _summary(found: Imported, taken: Imported) -> str:
+    """Return what is taken of a drawing."""
+    points = sum(len(curve.points) for curve in taken.document.curves)
+    exact = f"at most {number(taken.deviation, 2)} from the file" if taken.deviation else "exact"
+    some = counted_shapes(taken.document.curves)
+    if taken is not found:
+        some = f"{some.split()[0]} of {counted_shapes(found.document.curves)}"
     return f"{some} with {count_of(points, 'point')}, {exact}."
 
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
+from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QWidget
 
 from ...document.words import count_of
 from ...widgets.boxes import row_of
 from ...widgets.controls import push_button
-from .form_parts import buttons
+from .form_parts import Verb, buttons
 from .import_series import Turn
 
 
 class ImportFoot(QWidget):
-    """Import and Cancel; while other files wait, Skip and Skip the Rest.
+    """Import, or Open, and Cancel; while other files wait, Skip and Skip the Rest.
 
     Signals
     -------
@@ -23,10 +23,11 @@ class ImportFoot(QWidget):
 
     rest_skipped = Signal()
 
-    def __init__(self, dialog: QDialog, name: str, tip: str) -> None:
+    def __init__(self, dialog: QDialog, name: str, tip: str, verb: Verb, into: QComboBox) -> None:
         super().__init__()
         self._dialog, self._title = dialog, dialog.windowTitle()
-        self.box, self.ok = buttons("Import", name, tip, "cancelImport")
+        self.box, self.ok = buttons(verb.value, name, tip, "cancelImport")
+        into.currentTextChanged.connect(lambda where: self.ok.setText(verb.towards(where).value))
         self.box.rejected.connect(dialog.reject)
         self._cancel = self.box.button(QDialogButtonBox.StandardButton.Cancel)
         self._words, self._tip = self._cancel.text(), self._cancel.toolTip()

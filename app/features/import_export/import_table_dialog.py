@@ -25,7 +25,7 @@ from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box
 from ...widgets.field_edit import FieldEdit
 from ...widgets.number_text import decimal_mark
-from .form_parts import A_NEW_DOCUMENT, into_box
+from .form_parts import A_NEW_DOCUMENT, Verb, into_box
 from .import_foot import ImportFoot
 from .table_preview import TablePreview
 from .work_dialog import WorkDialog
@@ -43,6 +43,11 @@ _SOON_MS = 250
 class ImportTableDialog(WorkDialog):
     """Shows the first rows of a table and asks what they mean; what comes of it is computed beside.
 
+    Parameters
+    ----------
+    verb, name, stem
+        What is done with the file, what that is called, and without its ending.
+
     Signals
     -------
     chosen
@@ -52,9 +57,16 @@ class ImportTableDialog(WorkDialog):
     chosen = Signal(object, bool)
 
     def __init__(
-        self, title: str, stem: str, source: TableSource, preview: Preview, parent: QWidget | None = None
+        self,
+        verb: Verb,
+        name: str,
+        stem: str,
+        source: TableSource,
+        preview: Preview,
+        parent: QWidget | None = None,
     ) -> None:
-        super().__init__("importTableDialog", f"Import {title}", "tableProblem", parent)
+        super().__init__("importTableDialog", f"{verb.value} {name}", "tableProblem", parent)
+        self._verb = verb
         self._source, self._stem, self._layout_now = source, stem, preview.layout
         self._preview = preview
         self._prepared: PreparedTable | None = None
@@ -95,7 +107,7 @@ class ImportTableDialog(WorkDialog):
             "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
         )
         self.tolerance_edit.setMaximumWidth(110)
-        self.into = into_box()
+        self.into = into_box(self._verb)
 
     def _build_foot(self) -> None:
         """Make what says what comes of it."""
@@ -116,7 +128,7 @@ class ImportTableDialog(WorkDialog):
         self._missing.hide()
         self.summary = Label(name="tableSummary")
         self.bar = ThinProgress("tableProgress", "How far the reading has come")
-        self.foot = ImportFoot(self, "importTable", "Make curves of the rows")
+        self.foot = ImportFoot(self, "importTable", "Make curves of the rows", self._verb, self.into)
         self.ok = self.foot.ok
 
     def _lay_out(self) -> None:

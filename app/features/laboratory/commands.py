@@ -178,7 +178,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._ask_digits()
 
     def _ask_digits(self) -> None:
-        trial, t = self.trial, self._session.selected.scrub
+        trial, t = self.trial, self._session.scrub.t
         if trial is None or not trial.outcomes or self._panel is None:
             if self._panel is not None:
                 self._panel.render_digits(None)

@@ -120,7 +120,7 @@ class LessonCommands:
         for switch, _action in self._context.actions.of_menu(ANALYSIS):
             if not switch.group and self._context.actions.is_on(switch.name):
                 self._trigger(switch.name)
-        self._context.session.selected.set_scrub(None)
+        self._context.session.scrub.set(None)
         self._context.analysis.reset()
         self._switched_on.clear()
 

@@ -12,6 +12,7 @@ from ...actions.keymap import action_name
 from ...actions.mnemonics import plain
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
+from ...appearance.themed import FollowsTheme
 from ...document.words import with_decimals
 from ...view_model.motion_picture import OWN, Dot, in_three_digits
 from ...view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
@@ -24,7 +25,7 @@ _READ_MS = 80
 """Numbers that change faster cannot be read."""
 
 
-class MotionBar(QWidget):
+class MotionBar(FollowsTheme, QWidget):
     """Lies under the canvas while there is a motion.
 
     Signals
@@ -39,7 +40,7 @@ class MotionBar(QWidget):
         super().__init__(parent)
         self.setObjectName("motionBar")
         self._actions = actions
-        self._play = self._play_button()
+        self._play, self._is_playing = self._play_button(), False
         tip = "Seconds of the motion in a second (J slower, L faster)"
         self._speed = _box("motionSpeed", "Speed", tip, [f"{speed:g}×" for speed in SPEEDS])
         self._speed.activated.connect(lambda index: self.speed_chosen.emit(SPEEDS[index]))
@@ -58,6 +59,7 @@ class MotionBar(QWidget):
         self._next = ""
         self._soon = QTimer(self, singleShot=True, interval=_READ_MS)
         self._soon.timeout.connect(self._write)
+        self.follow_theme()
 
     def _play_button(self) -> QToolButton:
         """Return a button with an icon of its own: it tells what a press would do."""
@@ -95,12 +97,17 @@ class MotionBar(QWidget):
         """Words about the jumps; empty while nothing is compared."""
         return "" if self._words.isHidden() else self._words.text()
 
-    def show_settings(self, settings: MotionSettings, theme: Theme, *, playing: bool) -> None:
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._play.setIcon(icon("pause" if self._is_playing else "play", theme))
+
+    def show_settings(self, settings: MotionSettings, *, playing: bool) -> None:
         """Show how the dot runs."""
         self._speed.setCurrentIndex(SPEEDS.index(settings.speed))
         self._repeat.setCurrentIndex(list(Repeat).index(settings.repeat))
         self._pace.setCurrentIndex(list(Pace).index(settings.pace))
-        self._play.setIcon(icon("pause" if playing else "play", theme))
+        self._is_playing = playing
+        self.set_theme(self.theme)
         self._play.setAccessibleName("Pause" if playing else "Play")
 
     def show_words(self, text: str) -> None:

@@ -90,7 +90,7 @@ class Player(QObject):
         if course is None or self.is_playing:
             return
         if not self.is_open:
-            self._scrub_before = scrub = self._session.selected.scrub
+            self._scrub_before = scrub = self._session.scrub.t
             self.seconds = course.elapsed_at(scrub) if scrub is not None else 0.0
         if self.settings.repeat is Repeat.ONCE and self.seconds >= course.duration:
             self.seconds = 0.0
@@ -137,7 +137,7 @@ class Player(QObject):
         self._store.change(motion=replace(before, **fields))
         if self.settings == before:
             return
-        t = self._session.selected.scrub
+        t = self._session.scrub.t
         has_other_way = (self.settings.repeat, self.settings.pace) != (before.repeat, before.pace)
         if self.is_open and has_other_way and t is not None:
             self._go_on_from(t)
@@ -175,7 +175,7 @@ class Player(QObject):
 
     def _move_scrub(self, t: float | None) -> None:
         self._is_moving = True
-        self._session.selected.set_scrub(t)
+        self._session.scrub.set(t)
         self._is_moving = False
 
     def _follow_scrub(self, t: float | None) -> None:

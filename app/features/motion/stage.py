@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QObject
 
 from curvecore.arrays import FloatArray
 
-from ...appearance.theme import theme_of
 from ...families import Family
-from ...qt.overrides import Guarded
 from ...view_model.curve_view import CurveView
 from ...view_model.motion import Course
 from ...view_model.motion_picture import OWN, Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
@@ -19,7 +16,7 @@ from .export import MotionExport
 from .player import Player
 
 
-class MotionStage(Guarded, QObject):
+class MotionStage(QObject):
     """Shows what the player plays."""
 
     def __init__(self, context: WindowContext) -> None:
@@ -37,13 +34,6 @@ class MotionStage(Guarded, QObject):
         self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
         self.player.moved.connect(self.draw)
         self.player.changed.connect(self._render)
-        context.window.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Give the button its icon again when the colours are others."""
-        if event.type() == QEvent.Type.PaletteChange:
-            self._render_bar()
-        return super().eventFilter(watched, event)
 
     # What is shown
 
@@ -98,12 +88,8 @@ class MotionStage(Guarded, QObject):
 
     def _render(self) -> None:
         player = self.player
-        self._render_bar()
+        self._bar.show_settings(player.settings, playing=player.is_playing)
         self._bar.setVisible(player.is_open)
         self.settle(self._context.session.active_view)
         if not player.is_open:
             self._context.central.canvas.drawing.render_motion(())
-
-    def _render_bar(self) -> None:
-        theme = theme_of(QApplication.palette())
-        self._bar.show_settings(self.player.settings, theme, playing=self.player.is_playing)

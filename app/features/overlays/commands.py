@@ -67,7 +67,7 @@ class OverlayCommands:
             return False
         waits = analysis.picture.settling(view, settings)
         self._settle(view, settings, waits)
-        live = analysis.picture.live_picture(view, settings, self._context.session.selected.scrub)
+        live = analysis.picture.live_picture(view, settings, self._context.session.scrub.t)
         self._ghosts = self._ghosts_of(view, settings)
         settled = self._settled
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
@@ -106,7 +106,7 @@ class OverlayCommands:
             self._task.give_up()
             return
 
-        scrub = self._context.session.selected.scrub
+        scrub = self._context.session.scrub.t
         asked = (view, analysis.picture.settling_key(view, settings, scrub))
         if asked == self._asked:
             return
@@ -155,9 +155,9 @@ class OverlayCommands:
         analysis, session = self._context.analysis, self._context.session
         shown = overlay not in analysis.settings.overlays
         view = session.active_view
-        if overlay.brings_scrub and shown and session.selected.scrub is None and view.curve is not None:
+        if overlay.brings_scrub and shown and session.scrub.t is None and view.curve is not None:
             start, end = view.curve.domain
-            session.selected.set_scrub((start + end) / 2)
+            session.scrub.set((start + end) / 2)
         analysis.show(overlay, shown)
 
     @action_for_each(

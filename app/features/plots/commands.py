@@ -128,7 +128,7 @@ class PlotCommands:
         panel.show()
         self._context.central.make_room(panel, max(panel.pane.wanted_height(self._count), kept))
         panel.pane.canvas.camera.show_t(*self._context.central.t_camera.t_range)
-        panel.pane.canvas.set_scrub(self._session.selected.scrub)
+        panel.pane.canvas.set_scrub(self._session.scrub.t)
         self._plot(panel.pane, view, calm=self._session.is_previewing)
 
     def _follow_added(self) -> None:
@@ -207,12 +207,10 @@ class PlotCommands:
             return
         start, end = session.active_view.curve.domain
         middle = sum(self._context.central.t_camera.t_range) / 2
-        session.selected.set_scrub(
-            min(max(middle if session.selected.scrub is None else session.selected.scrub + by, start), end)
-        )
+        session.scrub.set(min(max(middle if session.scrub.t is None else session.scrub.t + by, start), end))
 
     def _show_values(self, pane: PlotPane) -> None:
-        t = self._session.selected.scrub
+        t = self._session.scrub.t
         values: dict[str, float] = {}
         if t is not None:
             known = analysis.plotted.values_at(self._session.active_view, self._analysis.settings.plots, t)

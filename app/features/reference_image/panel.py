@@ -10,14 +10,12 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ...document.image_edits import place_image, set_image_locked
 from ...document.model import ReferenceImage, Vector
-from ...document.words import number
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import check_box, named
 from ...widgets.field_edit import NumberEdit
 from ...widgets.field_form import FieldForm
 from ...widgets.live_slider import LiveSlider
-from ...widgets.number_text import decimal_mark
 from ...widgets.tool_buttons import action_button
 
 STEPS = 100
@@ -88,7 +86,7 @@ class ImagePanel(FieldForm):
             self._file.setToolTip("")
             return
         for edit, value in zip(self._edits, (image.x, image.y, image.width, image.height), strict=True):
-            edit.show_text(number(value, 6, decimal_mark()))
+            edit.show_number(value, 6)
             edit.setEnabled(not image.locked)
         self._file.setText(Path(image.path).name)
         self._file.setToolTip(tip_of(image.path))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from PySide6.QtGui import QAction
@@ -17,6 +18,8 @@ from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
 from ...document.model import Document, ParametrizationKind
+from ...document.paper import is_for_paper
+from ...document.several_curves import counted, name_of, named
 from ...document.words import number
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
@@ -29,6 +32,8 @@ from .family_button import FamilyButton
 
 _MOST_KEYS = 10
 """One more than there are digits for."""
+
+_ZOOM_KEYS = "Zoom: Ctrl+3 selection, F all, Ctrl+4 page."
 
 _BUTTONS = 3
 """Families with a button of their own in the toolbar."""
@@ -57,9 +62,28 @@ def _edited(family: Family) -> Need:
     def why(now: Situation) -> str:
         name = now.view.source.name
         then = f"then the same key makes it {family.title}"
-        return f"Enter edits “{name}”; {then}. The toolbar changes all that are chosen."
+        rest = "The toolbar changes all that are chosen."
+        rest = _ZOOM_KEYS if is_for_paper(now.session.document) else rest
+        return f"Enter edits “{name}”; {then}. {rest}"
 
     return Need("an edited curve", lambda now: now.session.selected.is_editing or now.is_blank, why=why)
+
+
+def _reshaped(now: Situation, family: Family) -> str:
+    """Return what the digit of a family would make of a drawing for paper, empty where the shape stays.
+
+    There the digits are pressed for a zoom, as in other programs; a course is about the families.
+    """
+    if not is_for_paper(now.session.document):
+        return ""
+    views = now.session.views
+    chosen = [views[index] for index in sorted(now.session.selected.chosen)] or [now.view]
+    away = max(view_model.convert.change_of_shape(view, family) for view in chosen)
+    if not away:
+        return ""
+    by = f" by {number(away, 2)} {now.session.document.unit}".rstrip() if math.isfinite(away) else ""
+    what = f"{len(chosen)} curves" if len(chosen) > 1 else f"“{chosen[0].source.name}”"
+    return f"Press it again to make {what} {family.title}; the shape changes{by}. {_ZOOM_KEYS}"
 
 
 class RuleCommands:
@@ -111,13 +135,14 @@ class RuleCommands:
             checked=lambda now: now.view.source.family == family,
             group="family",
             key_needs=_edited(family),
+            key_asks=lambda now: _reshaped(now, family),
         ),
     )
     @also_for_each(lambda family: (_place_of(family),))
     def _use_family(self, family: Family) -> None:
         session = self._session
         chosen = sorted(session.selected.chosen) or [session.active_index]
-        several = f"{len(chosen)} curves to " if len(chosen) > 1 else ""
+        several = f"{named(session.document, chosen)} to " if len(chosen) > 1 else ""
         before = list[CurveView]()
 
         def edit(document: Document) -> Document:
@@ -127,11 +152,15 @@ class RuleCommands:
             return document
 
         if session.change(f"Switch {several or 'to '}{family.title}", edit):
-            self._say_switched(family, before, [session.views[index] for index in chosen])
+            self._say_switched(family, chosen, before)
 
-    def _say_switched(self, family: Family, before: Sequence[CurveView], after: Sequence[CurveView]) -> None:
+    def _say_switched(self, family: Family, curves: Sequence[int], before: Sequence[CurveView]) -> None:
         """Say what may not have been meant: several curves, some that are open now, or shaped by hand."""
-        said = [f"{len(after)} curves are {family.title} now."] if len(after) > 1 else []
+        after = [self._session.views[curve] for curve in curves]
+        document = self._session.document
+        name = name_of(document, curves)
+        what = f"{counted(document, curves)} are" if name is None else f"“{name}” is"
+        said = [f"{what} {family.title} now."] if len(after) > 1 else []
         away = max(map(view_model.convert.needless_change, before, after))
         if away:
             said.append(

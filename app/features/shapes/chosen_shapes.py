@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Final
+
+from ...actions.needs import Need
 from ...session import Session
+
+A_SHAPE: Final = Need("a shape", lambda now: bool(meant(now.session)) and not now.is_blank)
 
 
 def meant(session: Session) -> frozenset[int]:

@@ -10,13 +10,24 @@ from ...actions.sections import CURVE_GROUPS, CURVE_SHAPES
 from ...actions.situation import Situation
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_edits import remove_curve
+from ...document.curve_tree import counted_nodes
 from ...document.several_curves import active_after_removal, named
-from ...document.shape_edits import Gathered, broken_apart, combined, grouped, groups_meant, ungrouped
+from ...document.shape_edits import (
+    Gathered,
+    are_in_groups,
+    broken_apart,
+    combined,
+    grouped,
+    groups_meant,
+    objects,
+    ungrouped,
+)
 from ...document.shapes import shape_of
 from ...document.words import count_of
 from ...view_model.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
+from .offset_commands import OffsetCommands
 from .path_commands import PathCommands
 
 
@@ -30,7 +41,7 @@ def _are_in_shapes(now: Situation) -> bool:
 
 
 def _are_in_groups(now: Situation) -> bool:
-    return bool(groups_meant(now.session.document, meant(now.session)))
+    return are_in_groups(now.session.document, meant(now.session))
 
 
 class ShapeCommands:
@@ -119,7 +130,8 @@ class ShapeCommands:
         made = grouped(session.document, curves)
         if self._put(f"Group {named(session.document, curves)}", made):
             name = named(session.document, made.places)
-            session.say(f"“{name}” has {count_of(len(made.places), 'curve')}.")
+            (group,) = objects(session.document, made.places)
+            session.say(f"“{name}” has {counted_nodes(group.parts)}.")
 
     @action(
         "ungroupCurves",
@@ -155,4 +167,4 @@ class ShapeCommands:
         self._session.selected.choose(curves)
 
 
-COMMAND_SETS = (ShapeCommands, PathCommands)
+COMMAND_SETS = (ShapeCommands, OffsetCommands, PathCommands)

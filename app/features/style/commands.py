@@ -76,13 +76,15 @@ class StyleCommands:
         self._gestures: list[SliderGesture] = []
         context.session.selected_curves_changed.connect(self._render)
         context.store.changed.connect(self._render)
+        context.central.canvas.colour_picked.connect(self._take_picked)
 
     @LatePanel("styleDock", "Style", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
-        tool = self._context.actions["gradientTool"]
-        panel = self._panel = style.panel.StylePanel(buttons, tool, parent)
+        actions = self._context.actions
+        droppers = {"fill": actions["eyedropperTool"], "stroke": actions["stroke_eyedropperTool"]}
+        panel = self._panel = style.panel.StylePanel(buttons, actions["gradientTool"], droppers, parent)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
@@ -162,6 +164,13 @@ class StyleCommands:
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
         self._remember(*(fields[name] for name in GRADIENTS if name in fields))
         self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
+
+    def _take_picked(self, paint: str, colour: str) -> None:
+        """Give what is chosen a colour that was picked from the drawing; of a gradient, the chosen stop."""
+        if self._panel is not None and self._panel.isVisibleTo(self._context.window):
+            self._panel.choose_colour(paint, colour)
+        else:
+            self._change({paint: colour})
 
     def _choose_kind(self, paint: str, kind: PaintKind) -> None:
         views = self._session.views

@@ -13,6 +13,7 @@ from ...document.words import number
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.number_text import decimal_mark, typed_text
 from ...widgets.percent_field import MIXED
 
 _PRESETS: dict[str, tuple[float, ...]] = {
@@ -68,7 +69,8 @@ class DashField(QWidget):
             return
         names = [name for name, preset in _PRESETS.items() if preset == value]
         self._box.setCurrentText(names[0] if names else _OWN)
-        self.edit.show_text(" ".join(number(length, 6).replace("\N{MINUS SIGN}", "-") for length in value))
+        short = " ".join(number(length, 6, decimal_mark()) for length in value)
+        self.edit.show_text(" ".join(map(typed_text, value)), short)
 
     def _choose(self, row: int) -> None:
         presets = list(_PRESETS.values())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QShowEvent
@@ -16,7 +16,7 @@ from ...document.transforms import clean_step_within, decimal_product, decimal_s
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.choice_row import ChoiceRow
-from ...widgets.field_edit import NumberEdit
+from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.field_form import FieldForm
 from ...widgets.length_text import read_length
 from ...widgets.paint_field import PaintField
@@ -77,13 +77,19 @@ class StylePanel(FieldForm):
     given_up = Signal()
     shown = Signal()
 
-    def __init__(self, buttons: Sequence[QAction], tool: QAction, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        buttons: Sequence[QAction],
+        tool: QAction,
+        droppers: Mapping[str, QAction],
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__("stylePanel", "styleProblem", parent)
         self._unit = ""
         self._subject = Label(name="styleSubject")
         self._note = Label(name="styleNote", wordWrap=True)
-        self.fill = PaintField("fillPaint", "Fill", "stroke")
-        self.stroke = PaintField("strokePaint", "Stroke", "fill")
+        self.fill = PaintField("fillPaint", "Fill", "stroke", droppers["fill"])
+        self.stroke = PaintField("strokePaint", "Stroke", "fill", droppers["stroke"])
         self.gradients = {
             "fill": GradientField("fill", "Fill", tool),
             "stroke": GradientField("stroke", "Stroke", tool),
@@ -176,7 +182,7 @@ class StylePanel(FieldForm):
             edit.stepped.connect(lambda value, name=name: self.stepped.emit({name: value}))
 
     def _connect_paint(self, paint: PaintField, name: str, other: str) -> None:
-        paint.chosen.connect(lambda value: self._choose_colour(name, value))
+        paint.chosen.connect(lambda value: self.choose_colour(name, value))
         paint.chosen_for_other.connect(lambda value: self.wanted.emit({other: value}))
         paint.previewed.connect(lambda value: self._look_at_colour(name, value))
         paint.cancelled.connect(self.given_up)
@@ -190,7 +196,7 @@ class StylePanel(FieldForm):
         field.given_up.connect(self.given_up)
         field.picked.connect(self._render_colours)
 
-    def _choose_colour(self, paint: str, colour: str) -> None:
+    def choose_colour(self, paint: str, colour: str) -> None:
         """Ask for a colour, of the chosen stop where there is one; there is no stop of nothing."""
         field = self.gradients[paint]
         if field.stop is not None and colour != NO_PAINT:
@@ -291,7 +297,7 @@ def _next_width(width: float, count: int) -> float:
 
 
 def _read_limit(text: str) -> float:
-    limit = read_length(text, "")
+    limit = read_number(text)
     if limit < 1:
         raise ExpressionError("The limit is 1 or greater.")
     return limit

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QApplication, QFontComboBox, QPlainTextEdit, QTool
 
 from ...appearance.theme import Theme
 from ...document.transforms import decimal_sum
-from ...exchange.lengths import typed_length
 from ...qt.glyphs import Face
 from ...qt.keys import ENTER, ClaimsKeys
 from ...qt.labels import Label
@@ -20,7 +19,7 @@ from ...widgets.boxes import column_of, row_of
 from ...widgets.choice_style import choice_style
 from ...widgets.controls import named
 from ...widgets.field_edit import NumberEdit
-from ...widgets.number_text import decimal_mark
+from ...widgets.length_text import read_length
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
 
@@ -246,7 +245,7 @@ class TextField(ClaimsKeys, OverlayFrame):
             self.changed.emit()
 
     def _read_size(self, text: str) -> float:
-        return typed_length(text, self._unit, self.text_size, decimal_mark())
+        return read_length(text, self._unit, self.text_size)
 
     def _take_size(self, size: float) -> None:
         if size < _LEAST:

@@ -12,7 +12,6 @@ from ...actions.situation import Situation
 from ...actions.strips import ALIGN_BUTTONS
 from ...document.model import Document
 from ...document.several_curves import named
-from ...document.shape_edits import objects
 from ...document.shapes import whole_shapes
 from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
 from ...session import Session
@@ -74,19 +73,14 @@ def _curves(session: Session) -> frozenset[int]:
 
 def _count(now: Situation) -> int:
     """Return how many points are selected, or else objects chosen: a group or a shape is one."""
-    return now.group.count or _count_of_objects(now)
-
-
-def _count_of_objects(now: Situation) -> int:
-    chosen = now.chosen
-    return len(objects(now.session.document, chosen)) if len(chosen) > 1 else len(chosen)
+    return now.group.count or now.object_count
 
 
 TWO = Need("two selected points or chosen curves, or more (a group is one)", _can_align)
 THREE = Need("three selected points or chosen curves, or more (a group is one)", lambda now: _count(now) > 2)
 THREE_CURVES = Need(
     "three chosen curves or more (a group is one)",
-    lambda now: not now.selection and _count_of_objects(now) > 2,
+    lambda now: not now.selection and now.object_count > 2,
 )
 
 

@@ -180,13 +180,13 @@ class SelectionCommands:
         "Grips That Rotate and Skew",
         EDIT_TRANSFORM_BOX,
         needs=_BOX,
-        checked=lambda now: now.session.selected.turns,
+        checked=lambda now: now.session.box.turns,
         keywords="shear slant second click box",
     )
     def _turn_grips(self) -> None:
         """Have the grips of the box rotate and skew, or scale again, as a click on a chosen curve does."""
-        selected = self._session.selected
-        selected.set_turns(not selected.turns)
+        box = self._session.box
+        box.set_turns(not box.turns)
 
     @switch(
         "transform_box",

@@ -13,18 +13,16 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
-from ...document.expression import parse_number
 from ...document.model import Vector
 from ...document.transforms import Reference
-from ...exchange.lengths import typed_length
 from ...qt.labels import Label
 from ...view_model.bounds import Bounds
 from ...widgets.action_switch import mirror
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import choice_box
-from ...widgets.field_edit import NumberEdit
+from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.field_form import FieldForm
-from ...widgets.number_text import decimal_mark
+from ...widgets.length_text import read_length
 from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .pivot_chooser import PivotChooser
 
@@ -117,13 +115,10 @@ class TransformPanel(FieldForm):
         self.skew_edit = _angle(
             "transformSkew", "Skew by", "Degrees: the top goes right, or the right side up; Enter: the top"
         )
-        self.skew_buttons = [
-            tool_button(f"transformSkew{name}", f"Skew {way}", f"Skew by this angle: {tip}", icon_size=ICON)
-            for name, way, tip in (
-                ("Across", "horizontally", "the top goes right, about the pivot"),
-                ("Up", "vertically", "the right side goes up, about the pivot"),
-            )
-        ]
+        self.skew_buttons = (
+            _skew_button("Across", "horizontally", "the top goes right"),
+            _skew_button("Up", "vertically", "the right side goes up"),
+        )
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
         words = ("Measured", "Scaled")
         self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
@@ -145,7 +140,7 @@ class TransformPanel(FieldForm):
 
     def _read(self, now: Callable[[], float], text: str) -> float:
         unit = self._shown.unit if self._shown is not None else ""
-        return typed_length(text, unit, now(), decimal_mark())
+        return read_length(text, unit, now())
 
     def _lay_out(self, actions: PanelActions) -> None:
         fields = QGridLayout()
@@ -275,7 +270,12 @@ class TransformPanel(FieldForm):
 
 
 def _angle(name: str, label: str, tip: str) -> NumberEdit:
-    return NumberEdit(name, label, tip, lambda text: parse_number(text.rstrip(" °"), decimal_mark()))
+    return NumberEdit(name, label, tip, lambda text: read_number(text.rstrip(" °")))
+
+
+def _skew_button(name: str, way: str, what: str) -> QToolButton:
+    tip = f"Skew by this angle: {what}, about the pivot"
+    return tool_button(f"transformSkew{name}", f"Skew {way}", tip, icon_size=ICON)
 
 
 def _switch(action: QAction, word: str) -> QCheckBox:

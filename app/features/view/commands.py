@@ -76,8 +76,8 @@ class ViewCommands:
             self._context.actions["stopMotion"].trigger()
         elif state.presentation:
             self._store.change(presentation=False)
-        elif session.selected.scrub is not None:
-            session.selected.set_scrub(None)
+        elif session.scrub.t is not None:
+            session.scrub.set(None)
         elif session.selection:
             session.selected.set_points([])
         else:
@@ -156,17 +156,17 @@ class ViewCommands:
         "T",
         "spline",
         needs=CURVE_DRAWN,
-        checked=lambda now: now.session.selected.scrub is not None,
+        checked=lambda now: now.session.scrub.t is not None,
     )
     @also(TOOLBAR(63), CANVAS_MENU(33))
     def _toggle_scrub(self) -> None:
         """Show a point running along the curve and the weight of every point."""
         session = self._session
-        if session.selected.scrub is not None or session.active_view.curve is None:
-            session.selected.set_scrub(None)
+        if session.scrub.t is not None or session.active_view.curve is None:
+            session.scrub.set(None)
             return
         start, end = session.active_view.curve.domain
-        session.selected.set_scrub(start + 0.4 * (end - start))
+        session.scrub.set(start + 0.4 * (end - start))
         session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
 
     @switch(

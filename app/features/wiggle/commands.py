@@ -82,7 +82,7 @@ class WiggleCommands(QObject):
         self._context.store.change(tool=EXPLAIN, moves_image=False)
         self._context.status_line.show_hint(EXPLAIN.hint)
         self._keep_scrub()
-        if self._session.selected.scrub is None:
+        if self._session.scrub.t is None:
             self._explain_widest()
         self._open()
 
@@ -102,13 +102,13 @@ class WiggleCommands(QObject):
     def _explain_widest(self) -> None:
         view = self._session.active_view
         if view.is_current:
-            self._session.selected.set_scrub(analysis.wiggle.widest(view))
+            self._session.scrub.set(analysis.wiggle.widest(view))
 
     @PlaceAction("explainHere", "Explain This Wiggle", like="explainWiggle")
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
         self._keep_scrub()
-        self._session.selected.set_scrub(t)
+        self._session.scrub.set(t)
         self._open()
 
     def _open(self) -> None:
@@ -118,12 +118,12 @@ class WiggleCommands(QObject):
 
     def _keep_scrub(self) -> None:
         if not self._is_seen:
-            self._has_scrub, self._scrub_before = True, self._session.selected.scrub
+            self._has_scrub, self._scrub_before = True, self._session.scrub.t
 
     def _put_scrub_back(self) -> None:
         if self._has_scrub:
             self._has_scrub = False
-            self._session.selected.set_scrub(self._scrub_before)
+            self._session.scrub.set(self._scrub_before)
 
     def escape(self) -> bool:
         """Put the explanation away with its tool; return whether there was one."""
@@ -152,7 +152,7 @@ class WiggleCommands(QObject):
         return True
 
     def _explain(self, panel: WigglePanel, view: CurveView) -> None:
-        t = self._session.selected.scrub
+        t = self._session.scrub.t
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.points), view.problem)
         if explanation is None or explanation.is_calm:
@@ -202,7 +202,7 @@ class WiggleCommands(QObject):
         """Go on explaining the same segment, now that its parameters are other ones."""
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
-            self._session.selected.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
+            self._session.scrub.set(analysis.wiggle.overshoot(view, knot)[1])
 
 
 COMMAND_SETS = (WiggleCommands,)

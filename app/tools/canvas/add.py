@@ -21,7 +21,7 @@ from .. import hints
 from ..drag_machine import EditingHost
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
-from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
+from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
 from ..pointer import Hint, Hit
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 
@@ -168,7 +168,8 @@ class AddTool(Tool):
         hit, view = context.hit, context.view
         act = self._act(context) if hints.is_no_part(hit) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
-        if place is not None:
+        in_steps = act is PenAct.APPEND and place_in_steps(view, context.pointer) is not None
+        if place is not None and not in_steps:
             context.preview_snap(place)
         self._update_preview(context, act)
         snaps, finished = context.settings.snapping.on, self._is_finished(context.host)
@@ -192,7 +193,9 @@ class AddTool(Tool):
         if not is_here or act is not PenAct.APPEND:
             self._preview = None
             return
-        place = caught.position if caught is not None else context.pointer.position
+        pointer = context.pointer
+        free = caught.position if caught is not None else pointer.position
+        place = place_in_steps(view, pointer) or free
         self._preview = view_with_point(
             host.document, host.active_index, view, place, self._preview, append=_appending(context)
         )
@@ -269,9 +272,10 @@ ADD = ToolRecord(
         GestureRow("Click", "add a point"),
         GestureRow(
             "Press and drag",
-            "add a point and set its velocity; Shift: 15° steps, Alt: ahead alone",
+            "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: ahead alone",
             needs_derivatives=True,
         ),
+        GestureRow("Ctrl+click", "add a point at a step of 15°, seen from the last one"),
         GestureRow(
             "Alt+click", "corners while clicks make smooth points, and the other way", needs_derivatives=True
         ),

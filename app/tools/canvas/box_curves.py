@@ -116,7 +116,7 @@ class DrawInBox(Drag, frozen=True):
         return f"{' × '.join(sides)} {self.unit}".rstrip()
 
     def _box(self, pointer: Pointer) -> Box:
-        end = self.snapper.at(_snapping_as_set(pointer))
+        end = self.snapper.at(pointer)
         way = _way(self.start, end)
         if pointer.ctrl:
             side = max(map(abs, way))
@@ -152,11 +152,6 @@ def _after(start: Vector, way: Vector) -> Vector:
     return (decimal_sum(start[0], way[0]), decimal_sum(start[1], way[1]))
 
 
-def _snapping_as_set(pointer: Pointer) -> Pointer:
-    """Return the pointer without Ctrl, which means something else here than to snap or not."""
-    return replace(pointer, ctrl=False)
-
-
 class BoxCurveTool(Tool):
     """Tool that draws a curve in a box."""
 
@@ -167,7 +162,7 @@ class BoxCurveTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin at a corner of the box."""
         host, snapper = context.host, context.snappers.for_new(-1)
-        start = snapper.at(_snapping_as_set(context.pointer))
+        start = snapper.at(context.pointer)
         active, unit, layer = host.active_index, context.settings.unit, host.selected.layer
         place = box_curve_place(host.document, active, layer)
         self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit, layer=layer)
@@ -209,7 +204,7 @@ class BoxCurveTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
-        context.at(_snapping_as_set(context.pointer)).preview_snap(-1)
+        context.preview_snap(-1)
         return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
 
 

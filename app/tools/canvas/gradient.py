@@ -15,12 +15,12 @@ from ...document.model import Document, Vector
 from ...document.several_curves import named
 from ...document.shapes import shape_of, whole_shapes
 from ...document.style import GRADIENTS, NO_PAINT, Style
-from ..curve_picker import click_curve
-from ..drag import Drag, plus
-from ..drags import in_steps
+from ..curve_picker import click_curve, meant_shapes
+from ..drag import Drag
+from ..drags import stepped_from
 from ..gradient_places import GradientPlace, Grip, laid, place_at, with_place
 from ..marks import GestureMarks
-from ..pointer import Cursor, Hint, Part, Pointer
+from ..pointer import STEP_KEYS, Cursor, Hint, Part, Pointer
 from ..snapping import Snapper
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 
@@ -29,7 +29,6 @@ _REACH = 8.0
 
 _HOW = "Drag to lay a gradient across"
 _NOTHING = "Choose a curve first: click one."
-_STEPS = "Shift: steps of 15°"
 _KEYS = {Grip.END: "Shift: both axes", Grip.SIDE: "Shift: both axes", Grip.FOCUS: "in the middle: none"}
 """Effects of the modifier keys on the places of a radial gradient."""
 
@@ -62,7 +61,7 @@ class MovePlace(Drag, frozen=True):
     def keys(self) -> str:
         """Effects of the modifier keys."""
         if self.gradient.kind is GradientKind.LINEAR:
-            return "" if self.at.grip is Grip.STOP else _STEPS
+            return "" if self.at.grip is Grip.STOP else STEP_KEYS
         return _KEYS.get(self.at.grip, "")
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -75,7 +74,7 @@ class MovePlace(Drag, frozen=True):
             return with_place(gradient, at, pointer.position)
         if gradient.kind is GradientKind.LINEAR:
             fixed = gradient.end if at.grip is Grip.START else gradient.start
-            return with_place(gradient, at, _stepped(pointer, fixed, self.snapper))
+            return with_place(gradient, at, stepped_from(fixed, pointer, self.snapper))
         to = self.snapper.at(pointer)
         if at.grip is Grip.FOCUS and math.dist(to, gradient.start) * pointer.scale <= _REACH:
             return replace(gradient, focus=None)
@@ -95,7 +94,7 @@ class LayGradient(Drag, frozen=True):
     curves: frozenset[int]
     start: Vector
     snapper: Snapper
-    keys = _STEPS
+    keys = STEP_KEYS
 
     @property
     def name(self) -> str:
@@ -104,7 +103,7 @@ class LayGradient(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the gradients of these curves from the press to here."""
-        end = _stepped(pointer, self.start, self.snapper)
+        end = stepped_from(self.start, pointer, self.snapper)
 
         def edit(_shape: range, style: Style) -> Style:
             paint = _paint_of(style)
@@ -114,7 +113,7 @@ class LayGradient(Drag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return how long it is, and its direction."""
-        end = _stepped(pointer, self.start, self.snapper)
+        end = stepped_from(self.start, pointer, self.snapper)
         return _measure(Gradient(fading(""), start=self.start, end=end))
 
 
@@ -134,14 +133,6 @@ def _begun(style: Style, paint: str) -> Gradient:
     return Gradient(fading(style.colour if colour == NO_PAINT else colour))
 
 
-def _stepped(pointer: Pointer, fixed: Vector, snapper: Snapper) -> Vector:
-    if not pointer.shift:
-        return snapper.at(pointer)
-    # An angle that is held leaves nothing to be drawn elsewhere.
-    snapper.reset()
-    return plus(fixed, in_steps(pointer.way_from(fixed)))
-
-
 def _measure(gradient: Gradient) -> str:
     x, y = gradient.axes[0]
     return f"{words.number(math.hypot(x, y))} · {words.angle(math.degrees(math.atan2(y, x)))}"
@@ -159,7 +150,7 @@ class GradientTool(Tool):
             snapper = context.snappers.for_new(-1)
             context.drags.press(pointer, MovePlace(host.document, *held, snapper))
             return
-        hit, curves = context.hit, _meant(context)
+        hit, curves = context.hit, meant_shapes(context.host)
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if not curves and hit is not None and is_other:
             curves = whole_shapes(host.document, (hit.index,))
@@ -183,14 +174,14 @@ class GradientTool(Tool):
             pulls = held.at.grip is Grip.START and held.gradient.kind is GradientKind.RADIAL
             more = " · Shift: pull the focus out" if pulls else ""
             return Hint(f"Drag the {held.at.grip.words} of the gradient{more}", cursor=Cursor.MOVE)
-        hit, curves = context.hit, _meant(context)
+        hit, curves = context.hit, meant_shapes(context.host)
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if not curves and not is_other:
             return Hint(_NOTHING)
         context.preview_snap(-1)
         what = named(context.host.document, curves) if curves else "this curve"
         click = " · Click: choose this one" if is_other else ""
-        return Hint(f"{_HOW} {what} · {_STEPS}{click} · V goes back to Select")
+        return Hint(f"{_HOW} {what} · {STEP_KEYS}{click} · V goes back to Select")
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the gradients of what is chosen, and what is snapped to."""
@@ -198,17 +189,10 @@ class GradientTool(Tool):
         return GestureMarks(gradients=gradients, snap=context.snappers.caught)
 
 
-def _meant(context: ToolContext) -> frozenset[int]:
-    """Return the curves that are chosen, or the one that is edited, with all of their shapes."""
-    host = context.host
-    alone = (host.active_index,) if host.selected.is_editing else ()
-    return whole_shapes(host.document, host.selected.chosen or alone)
-
-
 def _gradients(context: ToolContext) -> Iterator[tuple[range, str, Gradient]]:
     """Yield the gradients of what is chosen, with the shapes and the paints that they are of."""
     document = context.host.document
-    for place in sorted(_meant(context)):
+    for place in sorted(meant_shapes(context.host)):
         shape = shape_of(document, place)
         if place == shape.start:
             for paint in GRADIENTS:
@@ -236,7 +220,7 @@ GRADIENT = ToolRecord(
     hint="Drag across a curve to lay a gradient; V or Escape goes back to selecting.",
     doing="laying gradients",
     gestures=(
-        GestureRow("Drag", "lay a gradient across what is chosen; Shift: steps of 15°"),
+        GestureRow("Drag", "lay a gradient across what is chosen; Ctrl or Shift: steps of 15°"),
         GestureRow("Drag a mark", "move the start, the end or a stop of a gradient"),
         GestureRow("Shift+drag the middle", "pull the focus of a radial gradient out"),
         GestureRow("Click a curve", "choose it"),

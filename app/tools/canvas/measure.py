@@ -5,20 +5,19 @@ from __future__ import annotations
 import math
 
 from ...document import words
-from ...document.model import Vector
-from ..drag import minus, plus
-from ..drags import in_steps
+from ..drag import minus
+from ..drags import stepped_from
 from ..marks import GestureMarks, Ruler
-from ..pointer import Hint, Pointer
+from ..pointer import SNAP_KEY, STEP_KEYS, Hint
 from ..snapping import with_snap
 from ..tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
 
-_KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
+_KEYS = f"{STEP_KEYS} · {SNAP_KEY}"
 """Effects of the modifier keys while something is measured."""
 
 
 class Measuring(Gesture):
-    """A line from the press to the pointer, both snapping; with Shift its angle goes in steps of 15°.
+    """A line from the press to the pointer, both snapping; with Ctrl or Shift its angle goes in steps of 15°.
 
     Attributes
     ----------
@@ -33,20 +32,14 @@ class Measuring(Gesture):
 
     def move(self, context: ToolContext) -> None:
         """Measure up to the pointer."""
-        start, end = self.ruler.start, self._end(context.pointer)
+        start = self.ruler.start
+        end = stepped_from(start, context.pointer, self._snapper)
         dx, dy = minus(end, start)
         unit = f" {self._unit}" if self._unit else ""
         direction = words.angle(math.degrees(math.atan2(dy, dx)))
         length = f"{words.number(math.hypot(dx, dy))}{unit}"
         text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
         self.ruler = Ruler(start, end, text)
-
-    def _end(self, pointer: Pointer) -> Vector:
-        if not pointer.shift:
-            return self._snapper.at(pointer)
-        # An angle that is held leaves nothing to be drawn elsewhere.
-        self._snapper.reset()
-        return plus(self.ruler.start, in_steps(pointer.way_from(self.ruler.start)))
 
     def progress(self, context: ToolContext) -> str:
         """Return what is measured, and what the keys would change."""
@@ -94,7 +87,7 @@ MEASURE = ToolRecord(
     make=MeasureTool,
     hint="Drag to measure; V or Escape goes back to selecting.",
     doing="measuring",
-    gestures=(GestureRow("Drag", "distance and angle; Shift: 15° steps; Escape puts it away"),),
+    gestures=(GestureRow("Drag", "distance and angle; Ctrl or Shift: 15° steps; Escape puts it away"),),
     place=30,
     action="measureTool",
     title="Measure",

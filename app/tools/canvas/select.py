@@ -25,6 +25,7 @@ from ..pointer import Cursor, Hint, Hit, Part, Stride
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
+from ..transform_drags import moving, scaling, turning
 
 
 class SelectTool(Tool):
@@ -87,8 +88,8 @@ class SelectTool(Tool):
     def _press_beside(self, context: ToolContext) -> None:
         """Begin to move what the box is around, or a rubber band."""
         if (group := self._inside(context)) is not None:
-            moving = context.target.moving(group, context.pointer)
-            context.drags.press(context.pointer, moving, lambda: self._deselect(context))
+            drag = moving(context, group)
+            context.drags.press(context.pointer, drag, lambda: self._deselect(context))
         else:
             self.gesture = self._band(context)(context, self._picker.unpick)
 
@@ -143,9 +144,8 @@ class SelectTool(Tool):
 
     def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
         self._drags_grip = True
-        is_scale, target = grip.does is TransformKind.SCALE, context.target
-        drag = (target.scaling if is_scale else target.turning)(grip, context.pointer)
-        context.drags.press(context.pointer, drag)
+        drag = scaling if grip.does is TransformKind.SCALE else turning
+        context.drags.press(context.pointer, drag(context, grip))
 
     def _press_on_curve(self, context: ToolContext, hit: Hit, before: int) -> None:
         """Begin to bend the curve; a click tells where it is, a double click inserts a point."""
@@ -303,7 +303,7 @@ SELECT = ToolRecord(
         ),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
         GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
-        GestureRow("Drag another curve", "move it whole; Shift keeps to one axis"),
+        GestureRow("Drag another curve", "move it whole; Ctrl or Shift keeps to one axis"),
         GestureRow("Click another curve", "edit it"),
         GestureRow("Alt+click", "the curve below the topmost one there; again: the next below"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),

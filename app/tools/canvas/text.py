@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..pointer import Cursor, Hint
+from ..pointer import SNAP_KEY, Cursor, Hint
 from ..snapping import with_snap
 from ..tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
 
@@ -41,7 +41,7 @@ class TextTool(Tool):
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
         context.preview_snap(-1)
-        return Hint(f"{_HINT} · Ctrl: snap, or not · V goes back to Select")
+        return Hint(f"{_HINT} · {SNAP_KEY} · V goes back to Select")
 
 
 TEXT = ToolRecord(

@@ -7,8 +7,6 @@ import enum
 import msgspec
 import numpy as np
 
-from curvecore.arrays import FloatArray
-
 from ..curve_view import CurveView
 from ..growth import growth_of_points
 from .wording import short
@@ -17,6 +15,9 @@ LARGE_LEBESGUE = 100.0
 """The Lebesgue constant above which two digits of the points' accuracy are gone."""
 
 _LOOK_CLOSER, _MOST_EXACT = 90.0, 60
+
+_HASTE = 10.0
+"""How many times as fast as beside it the curve may run through a narrow gap without a warning."""
 
 NARROW = 1e-2
 """A gap between neighbouring t is narrow below this share of the wider gap beside it; Chebyshev's parameters,
@@ -57,16 +58,16 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
         return []
     found = []
     # Past its points a curve is in no hurry between two of them.
-    gap = _narrowest(view.parameters) if view.source.family.interpolates else None
+    gap = _narrowest(view) if view.source.family.interpolates else None
     if gap is not None:
-        knot, width, wider = gap
+        shows = ", and the smallest error shows" if gap.is_estimated else ""
         found.append(
             Warned(
                 Topic.GAP,
                 "⚠ t almost equal",
-                f"The parameters of points {view.owner(knot)} and {view.owner(knot + 1)} are only "
-                f"{short(width)} apart, {short(wider / width)} times less than the next ones: the curve must "
-                "get from one to the other in no time, and the smallest error shows.",
+                f"The parameters of points {view.owner(gap.knot)} and {view.owner(gap.knot + 1)} are only "
+                f"{short(gap.width)} apart, {short(gap.wider / gap.width)} times less than the next ones: "
+                f"the curve must get from one to the other in no time{shows}.",
             )
         )
     if lebesgue > _LOOK_CLOSER and len(view.parameters) <= _MOST_EXACT and view.basis_curve is not None:
@@ -83,15 +84,59 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
     return found
 
 
-def _narrowest(parameters: FloatArray) -> tuple[int, float, float] | None:
-    """Return the knot before the narrowest gap, its width and that of the wider one beside it, if narrow."""
-    gaps = np.diff(parameters)
+class _Gap(msgspec.Struct, frozen=True):
+    """A narrow gap between parameters.
+
+    Attributes
+    ----------
+    knot
+        Before it.
+    width, wider
+        Its own, and that of the gap beside it.
+    is_estimated
+        Whether derivatives at its ends are, so that its points move them by the more.
+    """
+
+    knot: int
+    width: float
+    wider: float
+    is_estimated: bool
+
+
+def _narrowest(view: CurveView) -> _Gap | None:
+    """Return the narrowest gap that matters, if one is narrow.
+
+    None does where the points are as near as their parameters and the derivatives were set: the curve takes
+    its time there, and no error of a point grows.
+    """
+    gaps = np.diff(view.parameters)
     if len(gaps) < 2:
         return None
-    wider = np.maximum(np.append(gaps[1:], 0.0), np.insert(gaps[:-1], 0, 0.0))
-    knot = int(np.argmin(gaps / wider))
-    narrow = gaps[knot] < NARROW * wider[knot]
-    return (knot, float(gaps[knot]), float(wider[knot])) if narrow else None
+    knots = np.arange(len(gaps))
+    beside = np.where(np.append(gaps[1:], 0.0) >= np.insert(gaps[:-1], 0, 0.0), knots + 1, knots - 1)
+    shares = gaps / gaps[beside]
+    for knot in np.argsort(shares, kind="stable").tolist():
+        if not shares[knot] < NARROW:
+            return None
+        is_estimated = _is_estimated(view, knot)
+        if is_estimated or _speed(view, knot) > _HASTE * _speed(view, beside[knot]):
+            return _Gap(knot, float(gaps[knot]), float(gaps[beside[knot]]), is_estimated)
+    return None
+
+
+def _is_estimated(view: CurveView, knot: int) -> bool:
+    """Whether a rule says what the curve does at the ends of a segment, or all of its points together."""
+    points, orders = view.source.points, range(1, view.source.family.derivatives + 1)
+    ends = [(points[view.owner(knot)], True), (points[view.owner(knot + 1)], False)]
+    return not orders or any(
+        point.explicit_sides(order)[ahead] is None for order in orders for point, ahead in ends
+    )
+
+
+def _speed(view: CurveView, knot: int) -> float:
+    """Return how fast the curve must be between the points of a segment at least."""
+    one, other = (view.points[view.owner(each)] for each in (knot, knot + 1))
+    return float(np.hypot(*(other - one)) / (view.parameters[knot + 1] - view.parameters[knot]))
 
 
 def _remedy(view: CurveView) -> str:

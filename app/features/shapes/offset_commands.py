@@ -1,0 +1,122 @@
+"""Shapes made larger or smaller, by the distance that was typed last or another one."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QPoint, Qt
+
+from ...actions.declaration import action
+from ...actions.sections import CURVE_OFFSETS
+from ...document.expression import ExpressionError
+from ...document.transforms import clean_step
+from ...document.words import number
+from ...view_model.stroke_shapes import offset_by
+from ...workbench.context import WindowContext
+from .. import shapes
+from .chosen_shapes import A_SHAPE, meant
+from .shape_work import ShapeWork
+
+if TYPE_CHECKING:
+    from .distances import Distance
+
+_USUAL = "2 px"
+"""The distance before one was typed: in pixels of CSS, or of the screen without a unit of length."""
+
+_USUAL_PX = 2.0
+_BESIDE = 6
+"""Pixels between the field and the shapes."""
+
+
+class OffsetCommands:
+    """Outset and inset."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+        self._canvas, self._work = context.central.canvas, ShapeWork(context)
+        self._made: shapes.field.OffsetField | None = None
+
+    @property
+    def field(self) -> shapes.field.OffsetField:
+        """The field on the canvas; made when somebody first types into it."""
+        if self._made is None:
+            self._made = shapes.field.OffsetField(self._canvas.viewport())
+            self._made.entered.connect(self._take)
+            self._made.closed.connect(lambda: self._canvas.setFocus(Qt.FocusReason.OtherFocusReason))
+            self._session.interrupted.connect(self._made.close_field)
+        return self._made
+
+    @action(
+        "pathOutset",
+        "Outset",
+        CURVE_OFFSETS,
+        "Ctrl+)",
+        "path-outset",
+        full_name="Outset Shapes",
+        needs=A_SHAPE,
+        keywords="offset path grow expand bolder larger",
+    )
+    def _outset(self) -> None:
+        """Make the chosen shapes larger by the distance used last, 2 px at first."""
+        self._offset(grows=True)
+
+    @action(
+        "pathInset",
+        "Inset",
+        CURVE_OFFSETS,
+        "Ctrl+(",
+        "path-inset",
+        full_name="Inset Shapes",
+        needs=A_SHAPE,
+        keywords="offset path shrink contract thinner smaller",
+    )
+    def _inset(self) -> None:
+        """Make the chosen shapes smaller by the distance used last, 2 px at first."""
+        self._offset(grows=False)
+
+    @action(
+        "pathOffsetBy",
+        "Outset or Inset by…",
+        CURVE_OFFSETS,
+        "Alt+Shift+O",
+        "path-outset",
+        full_name="Outset or Inset Shapes by…",
+        needs=A_SHAPE,
+        keywords="offset path exact distance grow shrink expand contract",
+    )
+    def _ask(self) -> None:
+        """Type how far outlines of chosen shapes move, such as 2 mm; Outset and Inset then do the same."""
+        self._canvas.cancel_gesture()
+        self.field.open_for(self._last().words, self._session.document.unit, self._corner)
+
+    def _offset(self, *, grows: bool) -> None:
+        self._compute(self._last(), grows=grows)
+
+    def _take(self, grows: bool, distance: Distance) -> None:
+        self._context.preferences.offset_distance = distance.words
+        self._compute(distance, grows=grows)
+
+    def _compute(self, distance: Distance, *, grows: bool) -> None:
+        title = "Outset" if grows else "Inset"
+        way = distance.value if grows else -distance.value
+        self._work.compute(f"{title} by {distance.words}", partial(offset_by, distance=way))
+
+    def _last(self) -> Distance:
+        """Return the distance used last; where the document has no such unit, some pixels of the screen."""
+        unit = self._session.document.unit
+        try:
+            return shapes.distances.read_distance(self._context.preferences.offset_distance or _USUAL, unit)
+        except ExpressionError:
+            step = clean_step(_USUAL_PX * self._canvas.camera.pixel_size)
+            return shapes.distances.Distance(step, f"{number(step, 3)} {unit}".rstrip())
+
+    def _corner(self) -> QPoint:
+        """Return where the field stands: beside the chosen shapes."""
+        views = [self._session.views[place] for place in sorted(meant(self._session))]
+        boxes = [view.drawn_box for view in views if view.has_curve]
+        if not boxes:
+            return QPoint(_BESIDE, _BESIDE)
+        right, top = np.max([box[1] for box in boxes], axis=0)
+        return self._canvas.to_pixel(float(right), float(top)) + QPoint(_BESIDE, 0)
