@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen
@@ -69,41 +71,37 @@ class GuidesLayer(Layer):
         """Return the guide at a pixel of the plot area, the nearest of several."""
         if self.locked or not self.is_visible or not self.guides:
             return None
-        away = [abs(_pixel_of(guide, shown) - pixel[_across(guide)]) for guide in self.guides]
+        away = [_distance(guide, pixel, shown) for guide in self.guides]
         # Of those at one place the last one wins: it is drawn on top.
         nearest = len(away) - 1 - int(np.argmin(away[::-1]))
         if away[nearest] > _REACH:
             return None
-        guide = self.guides[nearest]
-        x, y = shown.plane(*pixel)
-        position = (guide.position, y) if guide.axis is Axis.X else (x, guide.position)
-        return Hit(Part.GUIDE, nearest, position)
+        return Hit(Part.GUIDE, nearest, self.guides[nearest].beside(shown.plane(*pixel)))
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw those in sight."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         for place, guide in enumerate(self.guides):
-            at = round(_pixel_of(guide, shown)) if self._is_in_sight(guide, shown) else None
-            if at is not None:
-                self._paint_guide(painter, shown, guide, at, is_lit=place == self.lit)
-
-    def _is_in_sight(self, guide: Guide, shown: PixelMap) -> bool:
-        return 0 <= _pixel_of(guide, shown) <= (shown.width, shown.height)[_across(guide)]
+            ends = _ends(guide, shown)
+            room = (shown.width, shown.height)[guide.axis.coordinate]
+            if min(ends) <= room and max(ends) >= 0:
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing, bool(guide.lean))
+                self._paint_guide(painter, shown, guide, ends, is_lit=place == self.lit)
 
     def _paint_guide(
-        self, painter: QPainter, shown: PixelMap, guide: Guide, at: int, *, is_lit: bool
+        self, painter: QPainter, shown: PixelMap, guide: Guide, ends: tuple[float, float], *, is_lit: bool
     ) -> None:
         colour = self.theme.accent if is_lit else mix(self.theme.accent, self.theme.paper, _CALM)
         pen = QPen(QColor(colour), 1.0)
         if not is_lit:
             pen.setDashPattern(_DASHES)
         painter.setPen(pen)
+        first, last = ends if guide.lean else map(round, ends)
         if guide.axis is Axis.X:
-            painter.drawLine(QPointF(at, 0), QPointF(at, shown.height))
+            painter.drawLine(QPointF(first, 0), QPointF(last, shown.height))
         else:
-            painter.drawLine(QPointF(0, at), QPointF(shown.width, at))
+            painter.drawLine(QPointF(0, first), QPointF(shown.width, last))
         if is_lit:
-            self._write(painter, shown, guide, at)
+            self._write(painter, shown, guide, round(ends[0]))
 
     def _write(self, painter: QPainter, shown: PixelMap, guide: Guide, at: int) -> None:
         """Write where the guide lies, near its upper or left end."""
@@ -112,17 +110,24 @@ class GuidesLayer(Layer):
         size = size_of(painter, text)
         if guide.axis is Axis.X:
             left = at + _GAP if at + _GAP + size.width() <= shown.width else at - _GAP - size.width()
+            left = max(min(left, shown.width - size.width()), 0.0)
             box = QRectF(QPointF(left, _GAP), size)
         else:
             top = at - _GAP - size.height()
-            box = QRectF(QPointF(_GAP, top if top >= 0 else at + _GAP), size)
+            top = max(min(top if top >= 0 else at + _GAP, shown.height - size.height()), 0.0)
+            box = QRectF(QPointF(_GAP, top), size)
         self._halo.write(painter, box, text, self.theme.paper, self.theme.accent, 2 * self.scale)
 
 
-def _across(guide: Guide) -> int:
-    """Return which coordinate of a pixel tells how far it is from a guide."""
-    return 0 if guide.axis is Axis.X else 1
+def _distance(guide: Guide, pixel: Vector, shown: PixelMap) -> float:
+    """Return how many pixels a place is away from a guide."""
+    beside = shown.point(*guide.beside(shown.plane(*pixel)))[guide.axis.coordinate]
+    return abs(beside - pixel[guide.axis.coordinate]) * math.cos(math.radians(guide.lean))
 
 
-def _pixel_of(guide: Guide, shown: PixelMap) -> float:
-    return shown.point(guide.position, guide.position)[_across(guide)]
+def _ends(guide: Guide, shown: PixelMap) -> tuple[float, float]:
+    """Return where a guide comes into the plot area, at the left or the top, and where it leaves it."""
+    return (
+        shown.point(*guide.beside(shown.plane(0, 0)))[guide.axis.coordinate],
+        shown.point(*guide.beside(shown.plane(shown.width, shown.height)))[guide.axis.coordinate],
+    )

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from ..families import HERMITE
 from .curve_edits import fresh_curve, replace_curve
 from .edits import EditError
+from .layers import front_of, in_front, without
 from .model import Curve, Document, Parametrization, Point, Vector
 
 
@@ -50,27 +51,33 @@ class Box(NamedTuple):
         return (abs(self.end[0] - self.start[0]), abs(self.end[1] - self.start[1]))
 
 
-def box_curve_place(document: Document, active: int) -> int:
-    """Return the place of a curve that is drawn in a box: above all others, an empty active one left out."""
-    return len(document.curves) - _is_taken(document.curves[active])
+def box_curve_place(document: Document, active: int, layer: str = "") -> int:
+    """Return the place of a curve drawn in a box: in front in a layer, an empty active one left out."""
+    return front_of(_rest(document, active), layer).place
 
 
-def with_box_curve(document: Document, active: int, points: Sequence[BoxPoint], box: Box) -> Document:
+def with_box_curve(
+    document: Document, active: int, points: Sequence[BoxPoint], box: Box, layer: str = ""
+) -> Document:
     """Return the document with a closed cubic curve that fills a box, at its place.
 
     It has style and rules of the active curve, or is that one where it is empty.
     """
     if not all(box.size):
         raise EditError("Drag to the side and up or down: the box has no area.")
-    model, curves = document.curves[active], document.curves
-    if _is_taken(model):
-        curve = replace(model, parametrization=Parametrization(), shape="", groups=(), visible=True)
-        curves = (*curves[:active], *curves[active + 1 :])
+    model, rest = document.curves[active], _rest(document, active)
+    if rest is not document:
+        curve = replace(model, parametrization=Parametrization(), visible=True)
     else:
         curve = fresh_curve(document, model, Parametrization())
-    curve = replace(curve.with_family(HERMITE), closed=True)
-    made = replace(document, curves=(*curves, curve))
-    return replace_curve(made, len(curves), replace(curve, points=_in_box(points, box)))
+    curve, front = replace(curve.with_family(HERMITE), closed=True), front_of(rest, layer)
+    made = in_front(rest, front, curve)
+    return replace_curve(made, front.place, replace(made.curves[front.place], points=_in_box(points, box)))
+
+
+def _rest(document: Document, active: int) -> Document:
+    """Return the document without the curve that is edited where that becomes the one that is drawn."""
+    return without(document, active) if _is_taken(document.curves[active]) else document
 
 
 def _is_taken(active: Curve) -> bool:

@@ -7,6 +7,7 @@ from enum import Enum, auto
 from itertools import takewhile
 
 import msgspec
+from msgspec.structs import replace
 
 from .model import Curve, Document
 from .words import count_of
@@ -18,6 +19,7 @@ class NodeKind(Enum):
     CURVE = auto()
     SHAPE = auto()
     GROUP = auto()
+    LAYER = auto()
 
 
 class Container(msgspec.Struct, frozen=True):
@@ -57,7 +59,7 @@ class Node(msgspec.Struct, frozen=True):
     around
         What it is in.
     parts
-        What is in it, in the order of the document; nothing in a curve.
+        What is in it, in the order of the document; nothing in a curve or an empty layer.
     """
 
     kind: NodeKind
@@ -75,7 +77,7 @@ class Node(msgspec.Struct, frozen=True):
     def inside(self) -> Container:
         """The surroundings of what is in it."""
         groups = self.around.groups
-        if self.kind is NodeKind.GROUP:
+        if self.kind in (NodeKind.GROUP, NodeKind.LAYER):
             return Container((*groups, self.name))
         return Container(groups, self.name)
 
@@ -147,6 +149,40 @@ def _wholes(nodes: Sequence[Node], chosen: frozenset[int], layers: frozenset[str
             yield node
         else:
             yield from _wholes(node.parts, chosen, layers)
+
+
+def layered_tree(document: Document) -> tuple[Node, ...]:
+    """Return the tree with its layers as such, also those that are empty.
+
+    Where an empty one is no curve says: it is right behind the next layer beside it, or in front of all.
+    """
+    curves = document.curves
+    return tuple(
+        _layered(tree_of(curves), document, OUTSIDE, len(curves)) if document.layers else tree_of(curves)
+    )
+
+
+def _layered(nodes: Sequence[Node], document: Document, inside: Container, end: int) -> Iterator[Node]:
+    """Yield what is in a layer, or in none; `end` is the place behind it."""
+    here = inside.groups[-1] if inside.groups else ""
+    empty = {each.name for each in document.empty_layers if each.inside == here}
+    beside = {node.name for node in nodes if node.kind is NodeKind.GROUP}
+    order = [name for name in document.layers if name in empty or name in beside]
+
+    def in_front_of_next(at: int) -> Iterator[Node]:
+        while order and order[0] in empty:
+            node = Node(NodeKind.LAYER, order.pop(0), range(at, at), inside)
+            yield replace(node, parts=tuple(_layered((), document, node.inside, at)))
+
+    for node in nodes:
+        if node.kind is NodeKind.GROUP and node.name in order:
+            yield from in_front_of_next(node.places.start)
+            order.remove(node.name)
+            parts = tuple(_layered(node.parts, document, node.inside, node.places.stop))
+            yield replace(node, kind=NodeKind.LAYER, parts=parts)
+        else:
+            yield node
+    yield from in_front_of_next(end)
 
 
 def layers_around(document: Document, curve: int) -> tuple[str, ...]:

@@ -12,22 +12,28 @@ _DIGITS = 9
 
 
 def place_words(guide: Guide, unit: str = "") -> str:
-    """Return where a guide lies: "x = 20 mm"."""
-    return f"{guide.axis.value} = {number(guide.position, _DIGITS)}{f' {unit}' if unit else ''}"
+    """Return where a guide lies: "x = 20 mm", "30° through (5, 20) mm"."""
+    suffix = f" {unit}" if unit else ""
+    if guide.lean:
+        x, y = (number(each, _DIGITS) for each in guide.point)
+        return f"{number(guide.angle, _DIGITS)}° through ({x}, {y}){suffix}"
+    return f"{guide.axis.value} = {number(guide.position, _DIGITS)}{suffix}"
 
 
-def add_guide(document: Document, axis: Axis, position: float) -> Document:
-    """Draw a guide more; refused where there is one."""
-    guide = Guide(axis, checked(position, f"The {axis.value} of a guide"))
+def add_guide(
+    document: Document, axis: Axis, position: float, lean: float = 0.0, across: float = 0.0
+) -> Document:
+    """Draw a guide more, of these values; refused where there is one."""
+    guide = _checked(Guide(axis, position, lean, across))
     if guide in document.guides:
         raise EditError(f"There is a guide at {place_words(guide)} already.")
     return replace(document, guides=(*document.guides, guide))
 
 
-def move_guide(document: Document, place: int, position: float) -> Document:
-    """Move a guide, given by its place in the document."""
-    guide = _guide(document, place)
-    moved = replace(guide, position=checked(position, f"The {guide.axis.value} of a guide"))
+def move_guide(document: Document, place: int, to: Guide) -> Document:
+    """Put another guide in the place of one of the document."""
+    _guide(document, place)
+    moved = _checked(to)
     return replace(document, guides=(*document.guides[:place], moved, *document.guides[place + 1 :]))
 
 
@@ -42,6 +48,11 @@ def clear_guides(document: Document) -> Document:
     if not document.guides:
         raise EditError("There are no guides.")
     return replace(document, guides=())
+
+
+def _checked(guide: Guide) -> Guide:
+    position = checked(guide.position, f"The {guide.axis.value} of a guide")
+    return guide.through(position, checked(guide.across, f"The {guide.axis.other.value} of a guide"))
 
 
 def _guide(document: Document, place: int) -> Guide:

@@ -11,15 +11,16 @@ from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
+from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, Requirement, above, at_least, between, printed
+from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
+from .guide import Guide as Guide  # noqa: PLC0414
+from .guide import Length
 from .style import PLAIN_STYLE, USUAL_WIDTH, Style
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
-
-Length = Annotated[float, LENGTH]
-"""A number that is twice as large in a drawing twice as large."""
 
 Lengths = Annotated[Vector | None, LENGTH]
 """A vector of such, or none."""
@@ -301,28 +302,6 @@ class ReferenceImage(Value, frozen=True, omit_defaults=False):
     locked: bool = False
 
 
-class Axis(NamedEnum):
-    """A coordinate of the plane."""
-
-    X = "x", "x"
-    Y = "y", "y"
-
-
-class Guide(Value, frozen=True):
-    """A line to draw along, all across the plane.
-
-    Attributes
-    ----------
-    axis
-        The coordinate that all of its points have in common: x of an upright line.
-    position
-        That coordinate.
-    """
-
-    axis: Axis
-    position: Length
-
-
 class Page(Value, frozen=True, omit_defaults=False):
     """The part of the plane that pictures show.
 
@@ -363,7 +342,10 @@ class Document(Value, frozen=True):
     page
         What pictures of it show; None for what its curves take.
     layers
-        Names of those of its groups that are layers: a press means what is in them.
+        Names of those of its groups that are layers, and of the layers that are empty, from the back to the
+        front, each after the one that it is in: see ``layers``.
+    empty_layers
+        What else is known of those that are empty.
     export
         Its last export.
     """
@@ -375,6 +357,7 @@ class Document(Value, frozen=True):
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
     layers: tuple[str, ...] = ()
+    empty_layers: tuple[EmptyLayer, ...] = ()
     export: Export = NEVER_EXPORTED
 
     def with_curve(self, index: int, curve: Curve) -> Document:

@@ -26,6 +26,8 @@ class Choice(msgspec.Struct, frozen=True):
         The curves that are worked on together, and those acted on as wholes.
     is_editing
         Whether the active curve is edited.
+    layer
+        The layer that was chosen after all that; None for none.
     """
 
     active: int
@@ -33,6 +35,7 @@ class Choice(msgspec.Struct, frozen=True):
     curves: frozenset[int]
     chosen: frozenset[int]
     is_editing: bool
+    layer: str | None = None
 
 
 def followed_curves(

@@ -14,6 +14,7 @@ from msgspec.structs import replace
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import move_points
+from .layers import front_of, within, without
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
@@ -135,14 +136,16 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
 
 
 def alone(document: Document, curves: Collection[int]) -> Document:
-    """Return some curves of a document in a document of their own, which has no page.
+    """Return some curves of a document in a document of their own, with their layers and without a page.
 
     Lines whose styles say no width are as wide as on the page.
     """
     chosen = tuple(document.curves[place] for place in sorted(curves))
     if (page := document.page) is not None:
         chosen = tuple(_with_width(curve, page.usual_width) for curve in chosen)
-    return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
+    around = {name for curve in chosen for name in curve.groups}
+    layers = tuple(name for name in document.layers if name in around)
+    return tidy_shapes(replace(document, curves=chosen, image=None, page=None, layers=layers))
 
 
 def _with_width(curve: Curve, usual: float) -> Curve:
@@ -201,20 +204,26 @@ def add_curves(
     return replace(document, curves=(*document.curves[:at], *own, *document.curves[at:]))
 
 
-def add_imported(document: Document, new: Document) -> tuple[Document, int]:
-    """Return the document with the curves of another, and the place of the first of them.
+def add_imported(document: Document, new: Document, layer: str = "") -> tuple[Document, int]:
+    """Return the document with the curves of another in front in a layer, and the place of the first of them.
 
     A lone curve without points is what a new document begins with; it gives way, and with it unit, page and
-    guides. The other's picture to trace comes along where there is none yet.
+    guides. The other's picture to trace comes along where there is none yet, and its layers to a document
+    that has neither curves nor layers.
     """
-    begun = document.curves if not is_blank(document) else ()
-    curves = (*begun, *with_own_names(new.curves, replace(document, curves=begun)))
+    is_begun = not is_blank(document)
+    base = document if is_begun else without(document, 0)
+    place, container = front_of(base, layer)
+    own = within(with_own_names(new.curves, base), container)
     image = document.image or new.image
-    if begun:
-        return replace(document, curves=curves, image=image), len(begun)
+    document = replace(base, curves=(*base.curves[:place], *own, *base.curves[place:]), image=image)
+    if is_begun:
+        return document, place
     unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
-    document = replace(document, curves=curves, image=image, unit=unit, page=page, guides=guides)
-    return replace(document, layers=new.layers), 0
+    document = replace(document, unit=unit, page=page, guides=guides)
+    if document.layers:
+        return document, 0
+    return replace(document, layers=new.layers, empty_layers=new.empty_layers), 0
 
 
 def left_behind(document: Document, new: Document) -> list[str]:

@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from .curve_edits import free_copy_name, with_each
 from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, layers_around, tree_of, whole_nodes
 from .edits import EditError
+from .layer_order import with_layer_named_anew
 from .model import Curve, Document
 from .selection import Choice
 from .shapes import SHARED, shape_of, shared_start, whole_shapes, with_values
@@ -69,11 +70,12 @@ def contained(
         If nothing would be left there to go to.
     """
     there = [curve for place, curve in enumerate(curves) if container.holds(curve) and place not in chosen]
-    if container != OUTSIDE and not there:
+    nodes = whole_nodes(curves, chosen, layers)
+    if not there and any(node.name in (container.shape, *container.groups) for node in _holders(nodes)):
         raise EditError("A shape or a group cannot go into itself.")
-    of_shape = {name: getattr(there[0], name) for name in SHARED} if container.shape else {}
+    of_shape = {name: getattr(there[0], name) for name in SHARED} if there and container.shape else {}
     found = {}
-    for node in whole_nodes(curves, chosen, layers):
+    for node in nodes:
         for place in node.places:
             own = curves[place]
             groups = (*container.groups, *own.groups[len(node.around.groups) :])
@@ -81,6 +83,10 @@ def contained(
             values = of_shape | {"shape": container.shape} if of_shape else {"shape": shape, "groups": groups}
             found[place] = with_values(own, values)
     return found
+
+
+def _holders(nodes: Iterable[Node]) -> Iterator[Node]:
+    return (node for node in nodes if node.kind is not NodeKind.CURVE)
 
 
 def stepped(document: Document, curves: Collection[int], step: int) -> list[int]:
@@ -263,8 +269,8 @@ def next_pressed(document: Document, choice: Choice, step: int) -> frozenset[int
 
 
 def free_group_name(document: Document, stem: str) -> str:
-    """Return a name "Shape 1" that no shape and no group has."""
-    taken = names_of(document.curves)
+    """Return a name "Shape 1" that no shape, no group and no layer has."""
+    taken = {*names_of(document.curves), *document.layers}
     return next(name for number in count(1) if (name := f"{stem} {number}") not in taken)
 
 
@@ -281,13 +287,13 @@ def named_anew(document: Document, node: Node, name: str) -> Document:
         raise EditError(f"A {kind} needs a name.")
     if name == node.name:
         return document
-    if name in names_of(document.curves):
+    if name in names_of(document.curves) or name in document.layers:
         raise EditError(f"“{name}” is the name of another shape or group.")
     if node.kind is NodeKind.SHAPE:
         return with_each(document, node.places, lambda curve: replace(curve, shape=name))
-    at, layers = node.depth, tuple(name if each == node.name else each for each in document.layers)
+    at = node.depth
     return with_each(
-        replace(document, layers=layers),
+        with_layer_named_anew(document, node.name, name),
         node.places,
         lambda curve: replace(curve, groups=(*curve.groups[:at], name, *curve.groups[at + 1 :])),
     )
@@ -300,7 +306,7 @@ def with_own_names(
 
     That of the `container` which they come into stays.
     """
-    taken = names_of(document.curves)
+    taken = {*names_of(document.curves), *document.layers}
     fresh = {name: name for name in ("", container.shape, *container.groups)}
     for name in (each for curve in curves for each in (curve.shape, *curve.groups)):
         if name not in fresh:

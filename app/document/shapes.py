@@ -12,6 +12,7 @@ from operator import attrgetter, is_
 
 from msgspec.structs import replace
 
+from .layer_order import with_tidy_layers
 from .model import Curve, Document
 from .steps import reshaped
 from .words import count_of
@@ -23,6 +24,7 @@ _DEEPEST = 50
 """Groups that may be within each other."""
 
 _looks = attrgetter(*SHARED, "shape")
+_layers = attrgetter("layers", "empty_layers")
 
 
 def shape_of(document: Document, curve: int) -> range:
@@ -82,17 +84,16 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
     it is not looked for again.
     """
     if before is not None and (
-        reshaped(before, document) is not None or _look_the_same(before.curves, document.curves)
+        reshaped(before, document) is not None
+        or (_layers(before) == _layers(document) and _look_the_same(before.curves, document.curves))
     ):
         return document
     if not any(curve.shape or curve.groups for curve in document.curves):
-        return replace(document, layers=()) if document.layers else document
+        return with_tidy_layers(document, before)
     curves = list(_with_own_groups(_with_whole_shapes(document)))
     if any(new is not old for new, old in zip(curves, document.curves, strict=True)):
         document = replace(document, curves=tuple(curves))
-    names = {name for curve in curves for name in curve.groups} if document.layers else ()
-    layers = tuple(name for name in dict.fromkeys(document.layers) if name in names)
-    return document if layers == document.layers else replace(document, layers=layers)
+    return with_tidy_layers(document, before)
 
 
 def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
@@ -154,7 +155,12 @@ def shape_problem(document: Document) -> str:
     if tidy is document:
         return ""
     if tidy.curves == document.curves:
-        return "layers must name groups that there are, each once"
+        if all(
+            sorted(map(str, a)) == sorted(map(str, b))
+            for a, b in zip(_layers(tidy), _layers(document), strict=True)
+        ):
+            return ""
+        return "layers must name groups that there are, or that empty_layers has, each once"
     place = next(
         i for i, pair in enumerate(zip(tidy.curves, document.curves, strict=True)) if pair[0] is not pair[1]
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from ..document.edits import EditError
-from ..document.model import Axis, Document, Guide, Page, Vector
+from ..document.model import Document, Guide, Page, Vector
 from ..document.several_curves import stepped, whole_curves
 from ..document.transforms import decimal_sum
 
@@ -33,7 +33,8 @@ def shifted(document: Document, by: Vector) -> Document:
 
 
 def _moved(guide: Guide, by: Vector) -> Guide:
-    return replace(guide, position=decimal_sum(guide.position, by[0 if guide.axis is Axis.X else 1]))
+    position = decimal_sum(guide.position, by[guide.axis.coordinate])
+    return guide.through(position, decimal_sum(guide.across, by[guide.axis.other.coordinate]))
 
 
 def from_lower_left(document: Document) -> Document:

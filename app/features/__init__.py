@@ -18,6 +18,7 @@ FEATURES = (
     "import_export",
     "curves",
     "shapes",
+    "layers",
     "text",
     "tangents",
     "rules",

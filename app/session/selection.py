@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from ..document.layers import layer_of
 from ..document.model import Curve, Document
 from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import (
@@ -56,6 +57,8 @@ class Selection:
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
+        # The layer that was chosen since a curve was; None where that of the active curve is meant.
+        self._layer: str | None = None
 
     @property
     def points(self) -> frozenset[int]:
@@ -163,6 +166,20 @@ class Selection:
         if self.hovered != before:
             self._session.hovered_changed.emit(self.hovered)
 
+    @property
+    def layer(self) -> str:
+        """The layer that what is new comes into, empty for none: that of what was chosen last, or itself."""
+        document, layer = self._session.document, self._layer
+        if layer is not None and (not layer or layer in document.layers):
+            return layer
+        return layer_of(document, self._session.active_index)
+
+    def set_layer(self, layer: str | None) -> None:
+        """Have what is new come into a layer, until a curve is chosen; None for that of the active curve."""
+        before, self._layer = self.layer, layer
+        if self.layer != before:
+            self._session.layer_changed.emit()
+
     # Curves
 
     def activate(self, index: int) -> None:
@@ -220,6 +237,7 @@ class Selection:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
         before, places = self.choice, range(len(session.document.curves))
+        layer = self.layer
         wanted = active if active is not None and active in places else session.active_index
         existing = {index for index in indices if index in places}
         if wanted not in existing:
@@ -238,16 +256,22 @@ class Selection:
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
             self._session.box.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
+        # Whoever chooses nothing goes on where he was.
+        self._layer = None if existing else layer
+        if self.layer != layer:
+            session.layer_changed.emit()
 
     @property
     def choice(self) -> Choice:
         """All that is selected now."""
-        return Choice(self._session.active_index, self.group, self.curves, self.chosen, self.is_editing)
+        active = self._session.active_index
+        return Choice(active, self.group, self.curves, self.chosen, self.is_editing, self._layer)
 
     def restore(self, choice: Choice) -> None:
         """Select what was selected before; the active curve is the one of then already."""
         self._take(choice.curves if choice.is_editing else choice.chosen, is_editing=choice.is_editing)
         self.set_group(choice.points)
+        self.set_layer(choice.layer)
 
     def reset(self) -> None:
         """Edit the active curve, with nothing of it selected, and tell nobody yet."""

@@ -25,11 +25,6 @@ CURSORS = {0: Cursor.WIDER, 1: Cursor.HIGHER}
 _KEYS = "Arrow keys: move it · Del: remove it"
 
 
-def index_of(axis: Axis) -> int:
-    """Return which coordinate an axis is: 0 or 1."""
-    return list(Axis).index(axis)
-
-
 class MoveGuide(Drag, frozen=True):
     """Drag of a guide, at the press the last of a document or at some place in it; beyond the rulers it goes.
 
@@ -52,10 +47,6 @@ class MoveGuide(Drag, frozen=True):
     scrolls = False
     keys = "Back to the ruler: no guide"
 
-    @property
-    def _axis(self) -> Axis:
-        return self.document.guides[self.place].axis
-
     def name_at(self, pointer: Pointer) -> str:
         """Return the name of the step: where the guide is, or that it is gone."""
         if _is_beyond(pointer):
@@ -66,13 +57,23 @@ class MoveGuide(Drag, frozen=True):
         """Let the guide be where the pointer is, or be none over a ruler."""
         if _is_beyond(pointer):
             return remove_guide(self.document, self.place)
-        return move_guide(self.document, self.place, self._guide_at(pointer).position)
+        return move_guide(self.document, self.place, self._guide_at(pointer))
 
     def _guide_at(self, pointer: Pointer) -> Guide:
-        index = index_of(self._axis)
+        guide = self.document.guides[self.place]
+        if guide.lean:
+            return self._leaning_at(pointer, guide)
+        index = guide.axis.coordinate
         caught = self.snapper.snap(pointer.position, pointer, index)[index]
         is_snapped = self.snapper.caught is not None
-        return Guide(self._axis, caught if is_snapped else _clean(caught, pointer.scale))
+        return replace(guide, position=caught if is_snapped else _clean(caught, pointer.scale))
+
+    def _leaning_at(self, pointer: Pointer, guide: Guide) -> Guide:
+        """Return a guide that leans, through what the pointer is at; it is that point that it leans about."""
+        place = self.snapper.at(pointer)
+        if self.snapper.caught is None:
+            place = (_clean(place[0], pointer.scale), _clean(place[1], pointer.scale))
+        return guide.through(place[guide.axis.coordinate], place[guide.axis.other.coordinate])
 
     def readout(self, pointer: Pointer) -> str:
         """Return where the guide is."""
@@ -82,9 +83,7 @@ class MoveGuide(Drag, frozen=True):
 
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return the place on the guide beside the pointer."""
-        guide = self._guide_at(pointer)
-        x, y = pointer.position
-        return (guide.position, y) if guide.axis is Axis.X else (x, guide.position)
+        return self._guide_at(pointer).beside(pointer.position)
 
 
 def _is_beyond(pointer: Pointer) -> bool:
@@ -117,7 +116,7 @@ class NudgeGuide(Drag, frozen=True):
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
-        return move_guide(self.document, self.place, self._guide.position)
+        return move_guide(self.document, self.place, self._guide)
 
 
 class _Choice(NamedTuple):
@@ -185,7 +184,7 @@ class GuidePicker:
         place, snapping = self.chosen, context.settings.snapping
         if place is None or context.settings.guides_stay:
             return False
-        way = direction[index_of(context.host.document.guides[place].axis)]
+        way = direction[context.host.document.guides[place].axis.coordinate]
         if way:
             snaps = snapping.on and SnapKind.GRID in snapping.kinds
             step = way * stride.length(context.grid() if snaps else None)
@@ -207,7 +206,7 @@ class GuidePicker:
             else "Click: choose it"
         )
         text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type · {keys}"
-        return Hint(text, grab=True, cursor=CURSORS[index_of(guide.axis)])
+        return Hint(text, grab=True, cursor=CURSORS[guide.axis.coordinate])
 
     @property
     def _is_removable(self) -> bool:
@@ -234,7 +233,7 @@ class GuidePicker:
 def hint_on_ruler(axis: Axis) -> Hint:
     """Return what a press on the ruler would do out of which guides of an axis are drawn."""
     text = "Drag onto the drawing for a guide · Double-click: type where it lies"
-    return Hint(text, grab=True, cursor=CURSORS[index_of(axis)])
+    return Hint(text, grab=True, cursor=CURSORS[axis.coordinate])
 
 
 class GuideTool(Tool):

@@ -83,7 +83,8 @@ class Snappers:
         document = self._host.document
         guides = document.guides if guides is None else guides
         drawn = (*lines_of_guides(guides), *lines_of_page(document.page))
-        self.now = Snapper(self._settings, self._grid, collect, drawn)
+        leaning = [guide for guide in guides if guide.lean]
+        self.now = Snapper(self._settings, self._grid, collect, drawn, leaning)
         return self.now
 
     @property

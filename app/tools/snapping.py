@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
@@ -116,12 +117,19 @@ class DrawnLine(msgspec.Struct, frozen=True):
     value: float
     label: str
 
+    @property
+    def as_guide(self) -> Guide:
+        """The same as a guide."""
+        return Guide(list(Axis)[self.axis], self.value)
+
 
 def lines_of_guides(guides: Sequence[Guide]) -> Iterator[DrawnLine]:
-    """Yield the lines of guides."""
+    """Yield the lines of guides that are level or upright."""
     for guide in guides:
-        axis = list(Axis).index(guide.axis)
-        yield DrawnLine(SnapKind.GUIDES, axis, guide.position, f"guide {place_words(guide)}")
+        if not guide.lean:
+            yield DrawnLine(
+                SnapKind.GUIDES, guide.axis.coordinate, guide.position, f"guide {place_words(guide)}"
+            )
 
 
 def lines_of_page(page: Page | None) -> Iterator[DrawnLine]:
@@ -261,8 +269,10 @@ class Snapper:
         grid: Callable[[], float],
         collect: Callable[[], Targets],
         drawn: Iterable[DrawnLine] = (),
+        leaning: Iterable[Guide] = (),
     ) -> None:
         self._settings, self._grid, self._collect, self._drawn = settings, grid, collect, tuple(drawn)
+        self._leaning = tuple(leaning)
         self._targets: Targets | None = None
         self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
@@ -293,7 +303,20 @@ class Snapper:
             return self._on_lines(targets, position, reach, (axis,))
         on_points = (each.nearest(position, reach) for each in targets.points)
         on_curves = (_on_curve(curve, name, position, reach) for curve, name in targets.curves)
-        return _nearest(on_points) or _nearest(on_curves) or self._on_lines(targets, position, reach, (0, 1))
+        return (
+            _nearest(on_points)
+            or _nearest(on_curves)
+            or self._on_leaning(position, reach)
+            or self._on_lines(targets, position, reach, (0, 1))
+        )
+
+    def _on_leaning(self, position: Vector, reach: float) -> Snap | None:
+        """Return the place on a guide at an angle, or where one meets a guide or the page, if near."""
+        kinds = self._settings().kinds
+        if not self._leaning or SnapKind.GUIDES not in kinds:
+            return None
+        straight = [(line.as_guide, line.label) for line in self._drawn if line.kind in kinds]
+        return on_leaning(self._leaning, straight, position, reach)
 
     def _on_lines(self, targets: Targets, position: Vector, reach: float, axes: Sequence[int]) -> Snap | None:
         lines = {axis: self._line(targets, position, reach, axis) for axis in axes}
@@ -325,6 +348,23 @@ class Snapper:
             if near:
                 return min(near, key=lambda line: abs(line.value - value))
         return None
+
+
+def on_leaning(
+    leaning: Sequence[Guide], straight: Sequence[tuple[Guide, str]], position: Vector, reach: float
+) -> Snap | None:
+    """Return the nearest place on guides at an angle, or where one meets another line, where that is near."""
+    lines = [(guide, f"guide {place_words(guide)}") for guide in leaning]
+    near = [(guide, label) for guide, label in lines if guide.distance(position) <= reach]
+    crossings = []
+    for guide, label in near:
+        for other, name in (*lines, *straight):
+            meeting = guide.meeting(other)
+            if meeting is not None and (away := math.dist(meeting, position)) <= reach:
+                crossings.append((away, Snap(meeting, f"{label} · {name}")))
+    if crossings:
+        return _nearest(crossings)
+    return _nearest((guide.distance(position), Snap(guide.nearest(position), label)) for guide, label in near)
 
 
 def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) -> tuple[float, Snap] | None:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
 
+from ..document.edits import EditError
 from ..document.model import Vector
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingHost
@@ -120,7 +121,10 @@ class Toolbox:
         self._chosen = self._of(record)
         if not self._chosen.finds_other_curves and not self._host.selected.is_editing:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
-            self._host.selected.activate(self._host.active_index)
+            selected = self._host.selected
+            layer = selected.layer
+            selected.activate(self._host.active_index)
+            selected.set_layer(layer)
             self._chosen.take_over(self.context)
 
     def lay_above(self, record: ToolRecord | None) -> None:
@@ -157,7 +161,10 @@ class Toolbox:
         """Begin a gesture, or end the one that keys began."""
         if not self.is_transforming:
             self._end()
-        self.tool.press(self._at(pointer).with_hit())
+        try:
+            self.tool.press(self._at(pointer).with_hit())
+        except EditError as reason:
+            self._host.refuse(str(reason))
         self._give_way()
 
     def move(self, pointer: Pointer) -> None:

@@ -59,6 +59,8 @@ class EntryEdit(ClaimsKeys, QLineEdit):
 class EntryField(OverlayFrame):
     """A small frame on the canvas: a button for one of two kinds of value, and the value, which is typed.
 
+    `more` stands behind the value: lines among it are done with as that is.
+
     Attributes
     ----------
     edit
@@ -72,7 +74,9 @@ class EntryField(OverlayFrame):
 
     closed = Signal()
 
-    def __init__(self, name: str, title: str, below: QWidget, turn: QToolButton, edit: EntryEdit) -> None:
+    def __init__(
+        self, name: str, title: str, below: QWidget, turn: QToolButton, edit: EntryEdit, *more: QWidget
+    ) -> None:
         super().__init__(name, below)
         self.setAccessibleName(title)
         self._corner: Callable[[], QPoint] = lambda: QPoint(0, 0)
@@ -80,12 +84,13 @@ class EntryField(OverlayFrame):
         # Else a click on it would give the focus to the canvas.
         turn.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         turn.clicked.connect(self._change_kind)
-        edit.entered.connect(self._enter)
-        edit.given_up.connect(self.close_field)
-        edit.textEdited.connect(lambda: self._say(""))
+        for line in (edit, *(each for each in more if isinstance(each, EntryEdit))):
+            line.entered.connect(self._enter)
+            line.given_up.connect(self.close_field)
+            line.textEdited.connect(lambda: self._say(""))
         self._suffix = Label()
         self._remark = Label(name=f"{name.removesuffix('Field')}Remark", wordWrap=True)
-        row = row_of(turn, edit, self._suffix, spacing=6)
+        row = row_of(turn, edit, self._suffix, *more, spacing=6)
         column_of(row, self._remark, margins=(8, 6, 8, 6), spacing=4, parent=self)
         self.hide()
         self.follow_theme()

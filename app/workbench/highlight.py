@@ -8,6 +8,7 @@ from typing import Protocol, runtime_checkable
 from PySide6.QtWidgets import QApplication
 
 from ..document.edits import delete_points
+from ..document.layers import layer_node, layer_of, without_layer
 from ..document.model import Document
 from ..document.several_curves import active_after_removal
 from ..document.words import number
@@ -61,6 +62,20 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
     if change:
         session.selected.set_points([])
         _say_change(session, what, deleted)
+    return change
+
+
+def delete_layer(session: Session, layer: str) -> Change:
+    """Remove a layer with all that is in it, as one step."""
+    places = layer_node(session.document, layer).places
+    change = session.change(
+        f"Delete {layer}",
+        lambda document: without_layer(document, layer),
+        active=active_after_removal(session.document, places, session.active_index) if places else None,
+    )
+    if change:
+        session.selected.choose(())
+        session.selected.set_layer(layer_of(session.document, session.active_index))
     return change
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from app.document.empty_layer import EmptyLayer
 from app.document.gradient import Gradient, Stop
 from app.document.model import Axis, Guide, Page, make_curve
 from app.document.several_curves import stepped, whole_curves
@@ -163,7 +164,7 @@ EDITS = {
         lambda d: with_curves(
             d,
             [replace(c, groups=tuple("Top" if g == "Front" else g for g in c.groups)) for c in d.curves],
-            layers=("Back", "Top", "Hidden"),
+            layers=tuple("Top" if each == "Front" else each for each in d.layers),
         ),
         ['-inkscape:label="Front"', '+inkscape:label="Top"'],
     ),
@@ -182,6 +183,20 @@ EDITS = {
             'stroke-linecap="round" stroke-linejoin="round"/>',
             "+</g>",
         ],
+    ),
+    "a layer without a curve is hidden": (
+        lambda d: replace(d, empty_layers=tuple(replace(each, visible=False) for each in d.empty_layers)),
+        ['-id="layer2" />', '+id="layer2"', '+style="display:none" />'],
+    ),
+    "a layer without a curve goes": (
+        lambda d: replace(d, layers=tuple(each for each in d.layers if each != "Empty"), empty_layers=()),
+        ['-inkscape:label="Empty"', '-inkscape:groupmode="layer"', '-id="layer2" />', "-<g"],
+    ),
+    "a layer without a curve is made": (
+        lambda d: replace(
+            d, layers=(*d.layers, "New"), empty_layers=(*d.empty_layers, EmptyLayer("New", locked=True))
+        ),
+        ['+<g id="New" inkscape:groupmode="layer" inkscape:label="New" sodipodi:insensitive="true"/>'],
     ),
     "two are grouped": (
         lambda d: changed(changed(d, ELLIPSE, groups=("Front", "Two")), WAVE, groups=("Front", "Two")),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from app.document.guide_edits import place_words
 from app.document.model import Document, Page, empty_document, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange.options import Options
@@ -409,7 +410,7 @@ def test_lengths_are_the_same_in_another_unit():
     assert in_unit(replace(found, unit=""), "mm").curves is found.curves
 
 
-def test_guides_of_inkscape_come_in_and_slanted_ones_are_told_of():
+def test_guides_of_inkscape_come_in_slanted_ones_too_and_go_out_again():
     """As Inkscape 1.2 writes them for the edges of the rectangle: in user units, from the lower left."""
     guides = "".join(
         f'<sodipodi:guide position="{place}" orientation="{normal}"/>'
@@ -429,8 +430,14 @@ def test_guides_of_inkscape_come_in_and_slanted_ones_are_told_of():
         'width="100mm" height="50mm" viewBox="0 0 200 100"',
     )
     x, y = zip(*(point.position for point in found.document.curves[0].points), strict=True)
-    drawn = [(guide.axis.value, guide.position) for guide in found.document.guides]
+    *straight, leaning = found.document.guides
+    drawn = [(guide.axis.value, guide.position) for guide in straight]
     assert drawn == [("x", min(x)), ("y", min(y)), ("x", max(x)), ("y", max(y))]
+    assert (leaning.angle, leaning.point) == (45.0, (found.document.page.x, found.document.page.y))
+    again = read_svg(svg_of(found.document, Options(unit="mm")).text.encode()).document
+    assert {place_words(guide) for guide in again.guides} == {
+        place_words(guide) for guide in found.document.guides
+    }
     assert intake(empty_document(), found.document).document.guides == found.document.guides
-    assert [each.element for each in found.missed] == ["<guide>"] * 2
-    assert "level or upright" in found.missed[0].sentence
+    assert [each.element for each in found.missed] == ["<guide>"]
+    assert "does not say where it lies" in found.missed[0].sentence

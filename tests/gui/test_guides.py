@@ -518,6 +518,78 @@ def test_a_guide_is_a_dashed_line_that_is_seen(drawing, name, theme):
     drawing.trigger("themeSystem")
 
 
+# At an angle
+
+
+def type_angle(editor, text):
+    edit = field(editor).angle
+    edit.setFocus()
+    edit.selectAll()
+    editor.type_text(edit, text)
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    editor.settle()
+
+
+def test_an_angle_is_typed_and_the_guide_drawn_dragged_and_snapped_to_at_it(drawing):
+    canvas, session = drawing.window.canvas, drawing.session
+    with_guides(drawing, ("y", -1.0), ("x", 5.0))
+    double_click(drawing, canvas.to_pixel(-1.0, -1.0))
+    assert field(drawing).angle.text() == "0"
+    assert field(drawing).edit.text() == "-1"
+    type_angle(drawing, "30")
+    (guide, _) = session.document.guides
+    middle = canvas.to_plane(canvas.camera.centre().toPoint())
+    assert (guide.angle, guide.point) == (30.0, (middle[0], -1.0))
+    assert session.undo_stack.undoText().startswith("Move guide to 30° through (")
+
+    def on_it(x):
+        return (x, -1.0 + (x - guide.across) / 3**0.5)
+
+    # Seen there, and grabbed there.
+    drawing.wait_for_rest()
+    image, colour = canvas.grab().toImage(), mix(LIGHT.accent, LIGHT.paper, _CALM)
+
+    def is_seen(x, y):
+        pixel = canvas.to_pixel(x, y)
+        near = [image.pixelColor(pixel.x(), pixel.y() + step) for step in (-1, 0, 1)]
+        return any(abs(each.red() - colour.red()) + abs(each.blue() - colour.blue()) < 60 for each in near)
+
+    places = [on_it(0.5 + step / 50) for step in range(100)]
+    assert sum(is_seen(*place) for place in places) > 40
+    assert sum(is_seen(x, y + 0.3) for x, y in places) < 10
+    drawing.hover(on_it(1.0))
+    assert drawing.window.status_line.hint.startswith("Guide 30° through")
+    # A point snaps to it, and to where it meets another one.
+    off = 4 * drawing.pixel
+    x, y = on_it(5.0)
+    assert "guide x = 5" in snap_at(drawing, 1, (x + off, y - off))
+    assert drawing.point(1) == pytest.approx((x, y), abs=1e-12)
+    assert drawing.point(1)[0] == 5.0
+    x, y = on_it(0.234)
+    assert snap_at(drawing, 1, (x, y - off)).startswith("guide 30° through")
+    assert guide.distance(drawing.point(1)) < 1e-12
+    # A drag keeps the angle.
+    session.selected.set_points([])
+    drawing.drag(on_it(-0.5), (-2.0, 2.0))
+    moved = session.document.guides[0]
+    assert moved.angle == 30.0
+    assert moved.distance((-2.0, 2.0)) < 2 * drawing.pixel
+    drawing.trigger("undo")
+    assert session.document.guides[0] == guide
+
+
+def test_guides_at_an_angle_are_saved_and_typed_level_again(drawing, tmp_path):
+    drawing.session.change("Guide", lambda now: add_guide(now, Axis.X, 2.0, 0.1 + 0.2, 1.0))
+    (guide,) = drawing.session.document.guides
+    assert guide.angle == pytest.approx(90.3)
+    save(tmp_path / "a.curve.json", drawing.session.document)
+    assert load(tmp_path / "a.curve.json").guides == (guide,)
+    drawing.settle()
+    double_click(drawing, drawing.window.canvas.to_pixel(2.0, 1.0))
+    type_angle(drawing, "90")
+    assert drawing.session.document.guides == (Guide(Axis.X, 2.0),)
+
+
 # Rulers
 
 

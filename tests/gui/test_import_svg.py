@@ -458,6 +458,8 @@ def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path
     path.write_text(LAYERS)
     document, selected = imported(editor, path), editor.session.selected
     assert document.layers == ("Back", "Art work")
+    # Nothing is chosen yet: what is drawn goes to the front, but not where it may not.
+    assert selected.layer == "Art work"
 
     def press(x, y):
         for _ in range(3):

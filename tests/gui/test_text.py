@@ -261,3 +261,19 @@ def test_without_fonts_there_are_no_letters_and_no_crash(tmp_path):
         [sys.executable, "-c", code], env=environment, cwd=FONT.parents[3], capture_output=True, text=True
     )
     assert (run.returncode, run.stdout) == (0, "False 0\n"), run.stderr
+
+
+def test_a_text_comes_into_the_present_layer_behind_those_in_front(drawing):
+    session = drawing.session
+    front = replace(make_curve([(0, -1), (1, -2)], name="Front"), groups=("Above",))
+    layers = Document((*session.document.curves, front), layers=("Ink", "Above"), unit="mm")
+    session.change("Add layers", lambda _: layers)
+    session.selected.set_layer("Ink")
+    begin(drawing)
+    write(drawing, "AV")
+    press(drawing, Qt.Key.Key_Return)
+    assert [curve.groups for curve in session.document.curves][1:] == [
+        *[("Ink", "AV")] * (len(session.document.curves) - 2),
+        ("Above",),
+    ]
+    assert letters(drawing)

@@ -13,6 +13,7 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
+from ...document.empty_layer import EmptyLayer
 from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
 from ...document.words import names_of
@@ -112,7 +113,7 @@ class Drawing(msgspec.Struct, frozen=True):
         Whether the frame is the document's page.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
-    layers, guides
+    layers, empty_layers, guides
         As in `Document`.
     """
 
@@ -124,6 +125,7 @@ class Drawing(msgspec.Struct, frozen=True):
     has_page: bool = False
     hidden: tuple[tuple[int, Outline], ...] = ()
     layers: tuple[str, ...] = ()
+    empty_layers: tuple[EmptyLayer, ...] = ()
     guides: tuple[Guide, ...] = ()
 
     @property
@@ -233,6 +235,7 @@ def drawing_of(
         has_page=page is not None,
         hidden=hidden,
         layers=document.layers,
+        empty_layers=document.empty_layers,
         guides=document.guides,
     )
 

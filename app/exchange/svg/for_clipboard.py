@@ -6,6 +6,7 @@ from dataclasses import replace as with_fields
 
 from msgspec.structs import replace
 
+from ...document.layers import out_of_layers
 from ...document.model import Document, Page
 from ...tasks.progress import Report, silent
 from ..formats import Written
@@ -25,8 +26,8 @@ def svg_for_clipboard(document: Document, report: Report = silent, *, in_group: 
         As `svg_of`.
     """
     options = Options(unit=known_unit(document.unit) or "px", report=report)
-    # Who pastes it has guides of his own.
-    return svg_of(replace(document, guides=(), layers=()), options, in_group=in_group)
+    # Who pastes it has layers and guides of his own.
+    return svg_of(replace(out_of_layers(document), guides=()), options, in_group=in_group)
 
 
 def svg_for_inkscape(document: Document, page: Page | None = None) -> Written:

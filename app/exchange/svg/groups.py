@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
+from ...document.empty_layer import EmptyLayer
 from ..cubics_in import ImportedPath
 from ..naming import Names
 
@@ -34,6 +35,8 @@ class Group:
         What the file calls it; empty where it does not.
     is_layer
         Whether it is a layer of Inkscape's, in nothing but layers.
+    visible, locked
+        What it says of a layer in which there is nothing.
     anchor
         What it is in the file.
     """
@@ -41,6 +44,8 @@ class Group:
     number: int
     name: str
     is_layer: bool = False
+    visible: bool = True
+    locked: bool = False
     anchor: Anchor | None = field(default=None, compare=False)
 
 
@@ -73,17 +78,19 @@ class Drawn:
 
 
 class Settled(NamedTuple):
-    """Paths with the names of their groups, which of these are layers, and the name of each group."""
+    """Paths with the names of their groups, the layers, and the name of each group."""
 
     paths: list[ImportedPath]
     layers: tuple[str, ...]
+    empty_layers: tuple[EmptyLayer, ...]
     names: Mapping[Group, str]
 
 
-def settled(drawn: Sequence[Drawn]) -> Settled:
+def settled(drawn: Sequence[Drawn], layers: Sequence[tuple[Group, ...]] = ()) -> Settled:
     """Return paths with the names of their groups, another one for each.
 
-    A group without a name, around a single shape, is none.
+    A group without a name, around a single shape, is none. The `layers` of the file are there in any case,
+    each with those around it.
     """
     held: dict[Group, set[int]] = {}
     for each in drawn:
@@ -92,7 +99,9 @@ def settled(drawn: Sequence[Drawn]) -> Settled:
     kept = {group for group, elements in held.items() if group.name or group.is_layer or len(elements) > 1}
     names = _Given()
     paths = [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
-    return Settled(paths, names.layers, names.of_group)
+    empty = tuple(names.empty(each) for each in layers if each[-1] not in held)
+    order = tuple(names.name(each[-1]) for each in layers)
+    return Settled(paths, order, empty, names.of_group)
 
 
 class _Given:
@@ -103,10 +112,14 @@ class _Given:
         self._of_shape: dict[int, str] = {}
         self._groups, self._shapes = Names(), Names()
 
-    @property
-    def layers(self) -> tuple[str, ...]:
-        """The names of the groups that are layers."""
-        return tuple(name for group, name in self.of_group.items() if group.is_layer)
+    def name(self, group: Group) -> str:
+        """Return the name of a group."""
+        return self._chain([group])[0]
+
+    def empty(self, layers: Sequence[Group]) -> EmptyLayer:
+        """Return a layer without paths, the last of those within each other."""
+        *around, own = self._chain(layers)
+        return EmptyLayer(own, around[-1] if around else "", layers[-1].visible, layers[-1].locked)
 
     def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
         """Return a path with names of its groups, and one of its shape, that no others have."""

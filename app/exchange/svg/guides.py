@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 
-from ...document.model import MAX_MAGNITUDE, Axis, Guide
+from ...document.guide import Axis, Guide, guide_at
+from ...document.model import MAX_MAGNITUDE
 from ..drawing.drawing import Frame
 from .names import SODIPODI
 from .numbers import number
 from .sheet import Sheet
+
+_ANGLE_DIGITS = 5
+"""Decimals of an angle in degrees: those of its normal are as many as those of places."""
 
 _SIGNIFICANT = 7
 """Digits of a place: Inkscape writes eight, the last of them often off by one."""
@@ -22,19 +27,19 @@ def guides_of(root: ET.Element, sheet: Sheet) -> Iterator[tuple[ET.Element, Guid
 
 
 def _guide(element: ET.Element, sheet: Sheet) -> Guide | None:
-    """Return an upright or a level guide; its place is in user units, from the lower left corner."""
+    """Return a guide; its place is in user units, from the lower left corner."""
     place, normal = _pair(element.get("position", "")), _pair(element.get("orientation", ""))
     page, viewport = sheet.page, sheet.viewport
-    if place is None or normal is None or (normal[0] == 0) == (normal[1] == 0):
+    if place is None or normal is None or page is None or not viewport.width or not viewport.height:
         return None
-    if page is None or not viewport.width or not viewport.height:
-        return None
-    if normal[1] == 0:
-        guide = Guide(Axis.X, page.x + place[0] * page.width / viewport.width)
-    else:
-        guide = Guide(Axis.Y, page.y + place[1] * page.height / viewport.height)
+    across, up = page.width / viewport.width, page.height / viewport.height
+    point = (page.x + place[0] * across, page.y + place[1] * up)
+    # Along it, in the unit of the document.
+    way = (-normal[1] * across, normal[0] * up)
     # Written so that NaN fails.
-    return guide if abs(guide.position) <= MAX_MAGNITUDE else None
+    if not (0 < math.hypot(*way) < math.inf and max(map(abs, point)) <= MAX_MAGNITUDE):
+        return None
+    return guide_at(point, round(math.degrees(math.atan2(way[1], way[0])), _ANGLE_DIGITS))
 
 
 def guide_elements(guides: Sequence[Guide], frame: Frame) -> list[str]:
@@ -46,10 +51,14 @@ def guide_elements(guides: Sequence[Guide], frame: Frame) -> list[str]:
 
 
 def _element(guide: Guide, frame: Frame) -> str:
-    if guide.axis is Axis.X:
-        place, normal = f"{number(guide.position - frame.left)},0", "1,0"
+    (x, y), (across, up) = guide.point, guide.way
+    if guide.lean:
+        place = f"{number(x - frame.left)},{number(y - frame.bottom)}"
+        normal = f"{number(-up)},{number(across)}"
+    elif guide.axis is Axis.X:
+        place, normal = f"{number(x - frame.left)},0", "1,0"
     else:
-        place, normal = f"0,{number(guide.position - frame.bottom)}", "0,1"
+        place, normal = f"0,{number(y - frame.bottom)}", "0,1"
     return f'<sodipodi:guide position="{place}" orientation="{normal}"/>'
 
 

@@ -73,7 +73,7 @@ _CUT_OFF = Flaw("the view box around it cuts some of it off", "it comes in whole
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
 _NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", "left out")
-_ODD_GUIDE = Flaw("guides here are level or upright", "left out")
+_ODD_GUIDE = Flaw("it does not say where it lies", "left out")
 _ONE_POINT = Flaw("it is a single point", "left out")
 _UNPAINTED = "it has neither a stroke nor a fill"
 
@@ -103,11 +103,16 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = SvgReader(root, tolerance, is_in_groups=is_in_groups)
-    (paths, layers, _), guides = reader.all_paths(), reader.guides()
-    found = imported(paths, missed=tuple(reader.missed))
+    drawn, guides = reader.all_paths(), reader.guides()
+    found = imported(drawn.paths, missed=tuple(reader.missed))
     sheet = reader.sheet
     document = msgspec.structs.replace(
-        found.document, unit=sheet.unit, page=sheet.page, guides=guides, layers=layers
+        found.document,
+        unit=sheet.unit,
+        page=sheet.page,
+        guides=guides,
+        layers=drawn.layers,
+        empty_layers=drawn.empty_layers,
     )
     return replace(found, document=tidy_shapes(document))
 
@@ -121,6 +126,8 @@ class SvgReader:
         Its size.
     missed
         What does not come in as it is.
+    layers
+        The layers that were met, each with those around it.
     """
 
     def __init__(
@@ -137,6 +144,7 @@ class SvgReader:
         self._styles = StyleReader(Paints(self._by_id, self._cascade.of))
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
+        self.layers: list[tuple[Group, ...]] = []
 
     def all_paths(self) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
@@ -146,7 +154,7 @@ class SvgReader:
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        return settled(seen or [with_line(each) for each in drawn])
+        return settled(seen or [with_line(each) for each in drawn], self.layers)
 
     def drawn(self) -> list[Drawn]:
         """Return all paths of the file, painted or not."""
@@ -217,8 +225,11 @@ class SvgReader:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
         if not is_around_copied and (tag == "g" or (depth > 0 and name_of(element))):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
-            group = Group(self._visited, name_of(element), is_layer, anchor)
+            visible = state.properties.is_displayed
+            group = Group(self._visited, name_of(element), is_layer, visible, state.is_locked, anchor)
             state = replace(state, groups=(*state.groups, group))
+            if is_layer:
+                self.layers.append(state.groups)
         if tag == "svg" and depth > 0:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             state = self._in_view_box(element, element, state, (x, y))

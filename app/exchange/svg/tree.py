@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import takewhile
 
 import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
@@ -33,18 +34,20 @@ class Tree:
     lines
         What was written so far.
 
-    Of `layers` it says whether all of the `outlines` in them are hidden or locked.
+    Of the drawing's layers it says whether all in them is hidden or locked; empty ones are written, too.
     """
 
     def __init__(
         self,
         style: PictureStyle,
-        usual_width: float,
-        layers: Sequence[str] = (),
-        outlines: Iterable[Outline] = (),
+        drawing: Drawing,
+        outlines: Iterable[Outline],
     ) -> None:
-        self._style, self._usual_width = style, usual_width
-        self._layers = {name: _LayerState() for name in layers}
+        self._style, self._usual_width = style, drawing.usual_width
+        self._layers = {name: _LayerState() for name in drawing.layers}
+        self._empty = [each for each in drawing.empty_layers if each.name in self._layers]
+        for each in self._empty:
+            self._layers[each.name] = _LayerState(is_hidden=not each.visible, is_locked=each.locked)
         for outline in outlines:
             for name in self._layers_of(outline):
                 self._layers[name].add(outline)
@@ -74,17 +77,34 @@ class Tree:
     def close(self) -> None:
         """Close all groups."""
         self._go_into(())
+        self._add_empty("")
 
     def _go_into(self, groups: tuple[str, ...]) -> None:
         common = 0
         while groups[common : common + 1] == self._open[common : common + 1] != ():
             common += 1
         while len(self._open) > common:
+            self._add_empty(self._open[-1])
             self._open = self._open[:-1]
             self._write("</g>")
         for name in groups[common:]:
+            if name in self._layers:
+                self._add_empty(self._open[-1] if self._open else "", before=name)
             self._write(f"<g{self._called(name)}>" if name not in self._layers else self._layer(name))
             self._open = (*self._open, name)
+
+    def _add_empty(self, outer: str, before: str = "") -> None:
+        """Write the empty layers in an open one, all that are left or those before another one."""
+        behind = takewhile(lambda name: name != before, self._layers)
+        for each in [
+            each for name in behind for each in self._empty if (each.name, each.inside) == (name, outer)
+        ]:
+            self._empty.remove(each)
+            self._write(self._layer(each.name))
+            self._open = (*self._open, each.name)
+            self._add_empty(each.name)
+            self._open = self._open[:-1]
+            self._write("</g>")
 
     def _layer(self, name: str) -> str:
         """Return the tag that opens a layer; one in another says only what that does not."""
@@ -110,15 +130,16 @@ class Tree:
 
 
 class _LayerState:
-    """Whether all in a layer is hidden, and whether all is locked."""
+    """Whether all in a layer is hidden, and whether all is locked; of an empty one, what it says itself."""
 
-    def __init__(self) -> None:
-        self.is_hidden = self.is_locked = True
+    def __init__(self, *, is_hidden: bool = False, is_locked: bool = False) -> None:
+        self.is_hidden, self.is_locked, self._is_empty = is_hidden, is_locked, True
 
     def add(self, outline: Outline) -> None:
         """Take note of something in it."""
-        self.is_hidden &= not outline.visible
-        self.is_locked &= outline.locked
+        self.is_hidden = not outline.visible and (self._is_empty or self.is_hidden)
+        self.is_locked = outline.locked and (self._is_empty or self.is_locked)
+        self._is_empty = False
 
 
 def stem(name: str, kind: str) -> str:

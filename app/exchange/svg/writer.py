@@ -148,7 +148,7 @@ def _paper(frame: Frame, colour: str) -> str:
 
 def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> Tree:
     shapes = drawing.all_shapes
-    tree = Tree(style, drawing.usual_width, drawing.layers, [each for shape in shapes for each in shape])
+    tree = Tree(style, drawing, [each for shape in shapes for each in shape])
     for shape in told(shapes, report, "Writing"):
         tree.add(shape)
     tree.close()

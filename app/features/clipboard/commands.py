@@ -9,6 +9,7 @@ from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document.edits import EditError
+from ...document.layers import out_of_layers
 from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import Highlight
@@ -54,8 +55,9 @@ class ClipboardCommands:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark, page = self._session, decimal_mark(), self._session.document.page
         if len(what.points.parts) != 1:
-            curves = self._copied_curves(what)
-            return Offer(CURVES, Document(curves, unit=session.document.unit), page=page)
+            curves, layers = self._copied_curves(what), session.document.layers
+            copy = out_of_layers(Document(curves, unit=session.document.unit, layers=layers))
+            return Offer(CURVES, copy, page=page)
         ((curve, indices),) = what.points.parts
         view = session.views[curve]
         clip = copied(view, indices)

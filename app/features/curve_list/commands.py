@@ -14,6 +14,7 @@ from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_tree import Node, NodeKind, counted_nodes
 from ...document.edits import EditError, rename_curve
+from ...document.layers import looks_of, with_layer_looks
 from ...document.model import Document
 from ...document.several_curves import (
     active_after_removal,
@@ -31,7 +32,7 @@ from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
-from ...workbench.highlight import highlighted_curves
+from ...workbench.highlight import delete_layer, highlighted_curves
 from ...workbench.strip_menu import strip_menu
 from .dropping import Drop
 from .panel import CurveList
@@ -67,12 +68,12 @@ class CurveListCommands:
     def _connect(self, panel: CurveList) -> None:
         session = self._session
         panel.view.activated_row.connect(session.selected.activate)
-        panel.view.chosen_entry.connect(session.selected.choose)
+        panel.view.chosen_entry.connect(self._choose_entry)
         panel.view.rows_selected.connect(session.selected.set_curves)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._set_name)
-        panel.visible_switched.connect(self._switch_visible_of)
-        panel.locked_switched.connect(self._switch_locked_of)
+        panel.visible_switched.connect(self._switch_row_visible)
+        panel.locked_switched.connect(self._switch_row_locked)
         panel.colour_chosen.connect(self._paint)
         panel.fill_chosen.connect(self._fill)
         panel.colour_looked_at.connect(self._look_at)
@@ -80,6 +81,7 @@ class CurveListCommands:
         session.interrupted.connect(panel.abandon)
         panel.row_meant.connect(self._choose_meant)
         session.selected_curves_changed.connect(self._render)
+        session.layer_changed.connect(self._render)
 
     def render(self, view: CurveView) -> None:
         """Show the curves of the document."""
@@ -88,7 +90,11 @@ class CurveListCommands:
     def _render(self) -> None:
         session, selected = self._session, self._session.selected
         self.panel.render_document(
-            session.document, session.active_index, selected.marked, is_editing=selected.is_editing
+            session.document,
+            session.active_index,
+            selected.marked,
+            selected.layer,
+            is_editing=selected.is_editing,
         )
 
     # Number
@@ -141,8 +147,11 @@ class CurveListCommands:
         """Delete the curve, or all that are selected."""
         self._delete_all(highlighted_curves(self._context))
 
-    def _delete_all(self, curves: frozenset[int]) -> None:
+    def _delete_all(self, curves: frozenset[int], layer: str = "") -> None:
         session, document = self._session, self._session.document
+        if layer:
+            delete_layer(session, layer)
+            return
         session.change(
             f"Delete {named(document, curves)}",
             lambda document: remove_curves(document, curves),
@@ -229,10 +238,39 @@ class CurveListCommands:
         selected = self._session.selected.curves
         return selected if places <= selected else places
 
-    def _choose_meant(self, places: frozenset[int]) -> None:
-        session = self._session
+    def _choose_entry(self, node: Node) -> None:
+        self._session.selected.choose(node.places)
+        if node.kind is NodeKind.LAYER:
+            self._session.selected.set_layer(node.name)
+
+    def _choose_meant(self, node: Node) -> None:
+        session, places = self._session, frozenset(node.places)
+        if not places:
+            self._choose_entry(node)
+            return
         active = session.active_index if session.active_index in places else max(places)
         session.selected.set_curves(self._meant(places), active)
+        if node.kind is NodeKind.LAYER:
+            session.selected.set_layer(node.name)
+
+    def _switch_row_visible(self, node: Node) -> None:
+        if node.kind is not NodeKind.LAYER:
+            self._switch_visible_of(frozenset(node.places))
+            return
+        visible, _ = looks_of(self._session.committed, node)
+        self._change_layer("Hide" if visible else "Show", node, visible=not visible)
+
+    def _switch_row_locked(self, node: Node) -> None:
+        if node.kind is not NodeKind.LAYER:
+            self._switch_locked_of(frozenset(node.places))
+            return
+        _, locked = looks_of(self._session.committed, node)
+        self._change_layer("Unlock" if locked else "Lock", node, locked=not locked)
+
+    def _change_layer(self, verb: str, node: Node, **looks: bool) -> None:
+        self._session.change(
+            f"{verb} {node.name}", lambda document: with_layer_looks(document, node.name, **looks)
+        )
 
     def _switch_visible_of(self, places: frozenset[int]) -> None:
         visible = not any(self._session.committed.curves[place].visible for place in places)
@@ -284,7 +322,10 @@ class CurveListCommands:
                 return rename_curve(document, node.places.start, name)
             return named_anew(document, node, name)
 
-        self._session.change(f"Rename {node.kind.name.lower()}", edit)
+        selected = self._session.selected
+        is_layer_now = node.kind is NodeKind.LAYER and node.name == selected.layer
+        if self._session.change(f"Rename {node.kind.name.lower()}", edit) and is_layer_now:
+            selected.set_layer(name.strip())
 
 
 def _curves(now: Situation) -> str:

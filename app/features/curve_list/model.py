@@ -1,8 +1,8 @@
 """The curves of the document as a Qt list model: the one in front at the top, shapes and groups above theirs.
 
 A document has its curves in the order in which they are drawn, hence from the back to the front; rows are
-counted the other way round. A shape or a group is an entry of its own, and what is in it has rows while it is
-open. Everything outside Qt's indices names a curve by its place in the document.
+counted the other way round. A shape, a group or a layer is an entry of its own, and what is in it has rows
+while it is open. Everything outside Qt's indices names a curve by its place in the document.
 """
 
 from __future__ import annotations
@@ -12,10 +12,11 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, tree_of
+from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, layered_tree
+from ...document.layers import looks_of
 from ...document.model import Curve, Document
 from ...document.steps import changed_besides_points
-from ...document.style import Style
+from ...document.style import PLAIN_STYLE, Style
 from ...document.words import count_of
 from ...qt.overrides import Guarded
 
@@ -35,7 +36,7 @@ class Row(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """Row of the list: a curve, a shape or a group, and whether it is open."""
+    """Row of the list: a curve, a shape, a group or a layer, and whether it is open."""
 
     node: Node
     is_open: bool = False
@@ -44,6 +45,11 @@ class Entry(NamedTuple):
     def places(self) -> frozenset[int]:
         """The curves that it is about."""
         return frozenset(self.node.places)
+
+    @property
+    def holds(self) -> bool:
+        """Whether curves can be in it."""
+        return self.node.kind is not NodeKind.CURVE
 
     @property
     def opens(self) -> bool:
@@ -70,6 +76,8 @@ class CurveListModel(Guarded, QAbstractListModel):
         What the rows are about, from the top.
     has_folds
         Whether there are shapes or groups.
+    layer
+        The layer that what is new comes into.
     """
 
     name_edited = Signal(object, str)
@@ -77,7 +85,8 @@ class CurveListModel(Guarded, QAbstractListModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("curveListModel")
-        self._curves: tuple[Curve, ...] = ()
+        self._document: Document | None = None
+        self.layer = ""
         self.entries: list[Entry] = []
         self.has_folds = False
         self._rows: list[Row] = []
@@ -87,32 +96,34 @@ class CurveListModel(Guarded, QAbstractListModel):
         self._edited: int | None = 0
         self._chosen: frozenset[int] = frozenset()
 
-    def show_document(self, document: Document, edited: int | None, selected: frozenset[int]) -> None:
-        """Show the curves of `document`; only what changed is announced."""
-        self._edited, self._chosen = edited, selected
-        before, self._curves = self._curves, document.curves
-        if before is document.curves:
-            return
-        if _have_same_tree(before, document.curves):
-            changed = changed_besides_points(before, document.curves)
+    def show_document(
+        self, document: Document, edited: int | None, selected: frozenset[int], layer: str
+    ) -> None:
+        """Show the curves and layers of `document`; only what changed is announced."""
+        self._edited, self._chosen, self.layer = edited, selected, layer
+        before, self._document = self._document, document
+        if before is None:
+            self._build(document)
+        elif not _have_same_tree(before, document):
+            self._follow_names(before, document)
+            self._build(document)
+        elif before.curves is not document.curves:
+            changed = changed_besides_points(before.curves, document.curves)
             self._show_rows({row for place in changed for row in self._rows_about(place)})
-        else:
-            self._follow_names(before)
-            self._build()
 
-    def _follow_names(self, before: Sequence[Curve]) -> None:
+    def _follow_names(self, before: Document, document: Document) -> None:
         """Keep open what has another name now, its curves being where they were."""
-        if len(before) != len(self._curves):
+        if len(before.curves) != len(document.curves):
             return
         was_open = {
             (node.kind, node.depth, node.places) for node in _walked(before) if _key(node) in self._open
         }
         self._open |= {
-            _key(node) for node in _walked(self._curves) if (node.kind, node.depth, node.places) in was_open
+            _key(node) for node in _walked(document) if (node.kind, node.depth, node.places) in was_open
         }
 
-    def _build(self) -> None:
-        tree = tree_of(self._curves)
+    def _build(self, document: Document) -> None:
+        tree = layered_tree(document)
         # What is no more is folded when something of its name is there again: in another document, for one.
         self._open &= {_key(node) for top in tree for node in top.walk()}
         self._put(list(_entries(tree, self._open)))
@@ -131,7 +142,7 @@ class CurveListModel(Guarded, QAbstractListModel):
 
     def _take(self, entries: list[Entry], rows: list[Row]) -> None:
         self.entries, self._rows = entries, rows
-        self.has_folds = any(entry.opens for entry in entries)
+        self.has_folds = any(entry.opens or entry.node.depth for entry in entries)
         self._rows_around = list(_rows_around(entries))
         self._row_of = {
             place: row
@@ -152,12 +163,13 @@ class CurveListModel(Guarded, QAbstractListModel):
             self.dataChanged.emit(self.index(changed[0]), self.index(changed[-1]))
 
     def _row(self, node: Node) -> Row:
-        parts = self._curves[node.places.start : node.places.stop]
+        assert self._document is not None
+        parts = self._document.curves[node.places.start : node.places.stop]
         if node.kind is NodeKind.CURVE:
             return _row_of_curve(parts[0])
-        what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}"
-        visible, locked = any(part.visible for part in parts), all(part.locked for part in parts)
-        return Row(node.name, parts[0].style, visible, locked, what)
+        what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}" if parts else "empty layer"
+        style = parts[0].style if parts else PLAIN_STYLE
+        return Row(node.name, style, *looks_of(self._document, node), what)
 
     # Rows and places
 
@@ -196,9 +208,9 @@ class CurveListModel(Guarded, QAbstractListModel):
     def open(self, row: int, is_open: bool) -> None:
         """Show what is in a shape or a group, or no longer."""
         entry = self.entries[row]
-        if entry.opens and entry.is_open != is_open:
+        if entry.opens and entry.is_open != is_open and self._document is not None:
             self._open ^= {entry.key}
-            self._build()
+            self._build(self._document)
 
     # For Qt
 
@@ -215,12 +227,28 @@ class CurveListModel(Guarded, QAbstractListModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return row.name
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{row.name}, {row.facts}{_state(row, entry)}{self._role_of(entry)}"
+            here = ", new curves come here" if self.is_layer_now(entry) else ""
+            return f"{row.name}, {row.facts}{_state(row, entry)}{self._role_of(entry)}{here}"
         return None
+
+    def is_layer_now(self, entry: Entry) -> bool:
+        """Whether an entry is the layer that what is new comes into."""
+        return entry.node.kind is NodeKind.LAYER and entry.node.name == self.layer
+
+    def is_chosen(self, entry: Entry) -> bool:
+        """Whether an entry is of what is chosen; an empty layer, while new curves come there and none is."""
+        if not entry.places:
+            return self.is_layer_now(entry) and not self._chosen
+        return entry.places <= self._chosen
+
+    def chosen_layer(self, entry: Entry) -> str:
+        """Return the name of an entry that is a layer, all that is chosen being in it; empty of others."""
+        is_layer = entry.node.kind is NodeKind.LAYER and self.is_chosen(entry)
+        return entry.node.name if is_layer and self._chosen <= entry.places else ""
 
     def _role_of(self, entry: Entry) -> str:
         is_alone = self._edited is not None and len(self._chosen) < 2
-        if is_alone or not entry.places <= self._chosen:
+        if is_alone or not self.is_chosen(entry):
             return ""
         return ", chosen, edited" if self._edited in entry.places else ", chosen"
 
@@ -232,16 +260,18 @@ class CurveListModel(Guarded, QAbstractListModel):
         return bool(str(value).strip())
 
 
-def _have_same_tree(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
-    """Whether what is in which shape and group is the same, and at the same places."""
-    return len(before) == len(after) and all(
+def _have_same_tree(before: Document, after: Document) -> bool:
+    """Whether what is in which shape, group and layer is the same, and at the same places."""
+    if (before.layers, before.empty_layers) != (after.layers, after.empty_layers):
+        return False
+    return len(before.curves) == len(after.curves) and all(
         new is old or (new.shape == old.shape and new.groups == old.groups)
-        for old, new in zip(before, after, strict=True)
+        for old, new in zip(before.curves, after.curves, strict=True)
     )
 
 
-def _walked(curves: Sequence[Curve]) -> Iterator[Node]:
-    return (node for top in tree_of(curves) for node in top.walk())
+def _walked(document: Document) -> Iterator[Node]:
+    return (node for top in layered_tree(document) for node in top.walk())
 
 
 def _key(node: Node) -> _Key:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from ...appearance.colours import fill_colour
 from ...appearance.theme import theme_of
+from ...document.curve_tree import Node
 from ...document.model import Document
 from ...document.style import Style
 from ...qt.overrides import Guarded
@@ -28,13 +29,13 @@ class CurveList(Guarded, QWidget):
     Signals
     -------
     visible_switched, locked_switched
-        The eye or the lock of the row about these curves was clicked (a set of places).
+        The eye or the lock of the row of a node was clicked.
     colour_chosen, fill_chosen
         Another colour, or another fill, was selected for these curves.
     colour_looked_at, colour_given_up
         A colour for these curves is looked at; it was not chosen.
     row_meant
-        A menu about these curves is wanted.
+        A menu about the row of a node is wanted.
     menu_requested
         A menu for the active curve is wanted at a place of the screen.
 
@@ -72,21 +73,21 @@ class CurveList(Guarded, QWidget):
             self._buttons.insertWidget(place, button)
 
     def render_document(
-        self, document: Document, active: int, selected: frozenset[int], *, is_editing: bool
+        self, document: Document, active: int, selected: frozenset[int], layer: str, *, is_editing: bool
     ) -> None:
-        """Show the curves of `document`, which of them is edited, if any is, and which are selected."""
-        self.model.show_document(document, active if is_editing else None, selected)
+        """Show the curves of `document`, which is edited, if any, which are selected, and the layer now."""
+        self.model.show_document(document, active if is_editing else None, selected, layer)
         self.view.show_active(active, selected, is_editing=is_editing)
 
     # What the person did
 
-    def _switch(self, places: frozenset[int], spot: Spot) -> None:
+    def _switch(self, node: Node, spot: Spot) -> None:
         if spot is Spot.SWATCH:
-            self.choose_colour(places)
+            self.choose_colour(frozenset(node.places))
         elif spot is Spot.EYE:
-            self.visible_switched.emit(places)
+            self.visible_switched.emit(node)
         else:
-            self.locked_switched.emit(places)
+            self.locked_switched.emit(node)
 
     def choose_colour(self, places: frozenset[int]) -> QMenu:
         """Open the palette for curves, and all selected with them, beside their swatch if that is seen."""
@@ -126,10 +127,8 @@ class CurveList(Guarded, QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the curve under the pointer, or of the active one."""
         place = self.view.viewport().mapFromGlobal(event.globalPos())
-        places = self.view.places_at(place)
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
             place = self.view.entry_rect(self.view.current).center()
-            places = self.view.places_at(place)
-        if places:
-            self.row_meant.emit(places)
+        if (node := self.view.node_at(place)) is not None:
+            self.row_meant.emit(node)
         self.menu_requested.emit(self.view.viewport().mapToGlobal(place))

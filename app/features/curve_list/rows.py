@@ -63,7 +63,7 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         """Paint a row; called by Qt."""
         view, number = self._view, index.row()
         entry, row, theme = view.curves.entries[number], view.curves.row(number), theme_of(view.palette())
-        is_active, is_chosen = view.shows_edited(entry), entry.places <= view.selected
+        is_active, is_chosen = view.shows_edited(entry), view.curves.is_chosen(entry)
         is_one_of_many = is_chosen and (len(view.selected) > 1 or not view.is_editing)
         if is_active or is_chosen:
             painter.fillRect(option.rect, mix(theme.accent, theme.paper, 0.2 if view.hasFocus() else 0.12))
@@ -81,7 +81,10 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         swatch = spot_rect(rect, Spot.SWATCH)
         if is_one_of_many:
             self._paint_ring(painter, swatch, theme.accent)
-        if entry.node.kind is NodeKind.GROUP:
+        if entry.node.kind is NodeKind.LAYER:
+            # That into which what is new comes is seen at once.
+            self._paint_switch(painter, swatch, "layers", view.curves.is_layer_now(entry))
+        elif entry.node.kind is NodeKind.GROUP:
             # What is in a group need not look the same.
             self._paint_switch(painter, swatch, "group", True)
         else:

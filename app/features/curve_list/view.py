@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from ...appearance.theme import theme_of
+from ...document.curve_tree import Node
 from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...qt.labels import tip_of
 from ...widgets.controls import named
@@ -42,15 +43,15 @@ class CurveListView(ClaimsKeys, QListView):
     activated_row
         The row of a curve was clicked or walked to.
     chosen_entry
-        The row of a shape or group was clicked or walked to (a set of places).
+        The row of a shape, group or layer was clicked or walked to (a Node).
     rows_selected
         These curves shall be worked on together (a set of places).
     spot_clicked
-        The swatch, the lock or the eye of the row about these curves was clicked (set, Spot).
+        The swatch, the lock or the eye of a row was clicked (Node, Spot).
     moved
         The row about these curves was dragged to another place (set, Drop).
     deletion_wanted
-        These curves shall be deleted (a set).
+        These curves shall be deleted (a set), or the layer of this name with them.
     """
 
     activated_row = Signal(int)
@@ -58,7 +59,7 @@ class CurveListView(ClaimsKeys, QListView):
     rows_selected = Signal(object)
     spot_clicked = Signal(object, object)
     moved = Signal(object, object)
-    deletion_wanted = Signal(object)
+    deletion_wanted = Signal(object, str)
 
     def __init__(self, model: CurveListModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -132,7 +133,8 @@ class CurveListView(ClaimsKeys, QListView):
     @property
     def meant(self) -> frozenset[int]:
         """The curves that commands are about while the list has the keys: of an open shape also one alone."""
-        return self.selected if len(self.selected) > 1 else self._places(self._current)
+        here = self._places(self._current) or self.selected or frozenset({self.active})
+        return self.selected if len(self.selected) > 1 else here
 
     @property
     def current(self) -> int:
@@ -160,8 +162,13 @@ class CurveListView(ClaimsKeys, QListView):
 
     def places_at(self, place: QPoint) -> frozenset[int]:
         """Return the curves that the row at a place of the viewport is about."""
+        node = self.node_at(place)
+        return frozenset(node.places if node is not None else ())
+
+    def node_at(self, place: QPoint) -> Node | None:
+        """Return what the row at a place of the viewport is about."""
         row = self._row_at(place)
-        return self._places(row) if row >= 0 else frozenset()
+        return self.curves.entries[row].node if row >= 0 else None
 
     def _is_on_opener(self, place: QPoint) -> bool:
         row = self._row_at(place)
@@ -172,7 +179,8 @@ class CurveListView(ClaimsKeys, QListView):
         rect = self.entry_rect(self._row_at(place))
         for spot in (Spot.SWATCH, Spot.LOCK, Spot.EYE):
             if spot_rect(rect, spot).contains(place):
-                return spot
+                # There is nothing to colour in an empty layer.
+                return spot if spot is not Spot.SWATCH or self.places_at(place) else Spot.NAME
         return Spot.NAME
 
     # Mouse: a click activates or switches, a drag moves the row
@@ -193,14 +201,15 @@ class CurveListView(ClaimsKeys, QListView):
         places, spot = self._places(row), self.spot_at(event.position().toPoint())
         held = event.modifiers()
         if spot is not Spot.NAME:
-            self.spot_clicked.emit(places, spot)
+            self.spot_clicked.emit(self.curves.entries[row].node, spot)
         elif held & Qt.KeyboardModifier.ControlModifier:
             others = self.selected - places
             self.rows_selected.emit(others if places <= self.selected else others | places)
         elif held & Qt.KeyboardModifier.ShiftModifier:
             self._choose_to(row)
         else:
-            self._press, self._pressed_row = event.position().toPoint(), row
+            # What holds no curve is not dragged.
+            self._press, self._pressed_row = event.position().toPoint() if places else None, row
             self._reached = row
             if not self._is_of_several(row):
                 self._go(row)
@@ -212,8 +221,8 @@ class CurveListView(ClaimsKeys, QListView):
         """Edit the curve of a row, or choose all that is in a shape or group."""
         self._current = max(0, min(row, self.curves.rowCount() - 1))
         entry = self.curves.entries[self._current]
-        if entry.opens:
-            self.chosen_entry.emit(entry.places)
+        if entry.holds:
+            self.chosen_entry.emit(entry.node)
         else:
             self.activated_row.emit(entry.node.places.start)
         self.scrollTo(self.curves.index(self._current))
@@ -264,7 +273,7 @@ class CurveListView(ClaimsKeys, QListView):
     def _drop_at(self, place: QPoint, press: QPoint) -> Drop:
         """Return where a drop would fall: between rows, or on one that opens, in the middle half of that."""
         entries, row = self.curves.entries, self._row_at(place)
-        if row not in (-1, self._pressed_row) and entries[row].opens:
+        if row not in (-1, self._pressed_row) and entries[row].holds:
             rect = self.visualRect(self.curves.index(row))
             if abs(place.y() - rect.center().y()) <= rect.height() // 4:
                 return drop_onto(entries, row)
@@ -348,7 +357,8 @@ class CurveListView(ClaimsKeys, QListView):
         elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:
             self.edit_name(self._current)
         elif _deletes(event):
-            self.deletion_wanted.emit(self.meant)
+            entry = self.curves.entries[self._current]
+            self.deletion_wanted.emit(self.meant, self.curves.chosen_layer(entry))
         else:
             # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
             event.ignore()

@@ -10,6 +10,7 @@ from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAP
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits
+from ...document.layers import front_of, in_front
 from ...document.model import Document, Parametrization
 from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
@@ -46,11 +47,10 @@ class CurveCommands:
     @also(CANVAS_MENU(22), CURVE_LIST_MENU(30), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
         """Add a curve to the document."""
-        session = self._session
-        model, place = session.active_curve, len(session.document.curves)
-        fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
+        session, front = self._session, front_of(self._session.document, self._session.selected.layer)
+        fresh = curve_edits.fresh_curve(session.document, session.active_curve, Parametrization())
         if session.change(
-            f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place
+            f"New {fresh.name}", lambda document: in_front(document, front, fresh), active=front.place
         ):
             self._context.actions["addTool"].trigger()
 

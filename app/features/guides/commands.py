@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from msgspec.structs import astuple
 from PySide6.QtCore import QPoint, QPointF, Qt
 
 from ...actions.declaration import action, also, switch
@@ -65,16 +66,19 @@ class GuideCommands:
     def _open(self, which: int | Axis) -> None:
         """Ask for the place of a guide in the document, or of a new one of an axis."""
         self._canvas.cancel_gesture()
+        middle = self._canvas.to_plane(self._canvas.camera.centre().toPoint())
         if isinstance(which, Axis):
             self._typed = None
-            self.field.open_for(None, which, self._unit, self._corner_of_new)
+            self.field.open_for(None, which, self._unit, self._corner_of_new, middle)
         else:
             guide, self._typed = self._session.document.guides[which], which
-            self.field.open_for(guide, guide.axis, self._unit, lambda _axis: self._corner_of(guide))
+            self.field.open_for(guide, guide.axis, self._unit, lambda _axis: self._corner_of(guide), middle)
 
     def _corner_of(self, guide: Guide) -> QPoint:
         """Return where the field stands for a guide: beside it, at the ruler."""
-        origin, pixel = self._canvas.camera.origin, self._canvas.to_pixel(guide.position, guide.position)
+        # At an angle where it comes in; its field goes no farther than the canvas.
+        corner = guide.beside(self._canvas.to_plane(self._canvas.camera.origin.toPoint()))
+        origin, pixel = self._canvas.camera.origin, self._canvas.to_pixel(*corner)
         if guide.axis is Axis.X:
             return QPoint(pixel.x() + _BESIDE, int(origin.y()) + _BESIDE)
         return QPoint(int(origin.x()) + _BESIDE, pixel.y() + _BESIDE)
@@ -85,15 +89,15 @@ class GuideCommands:
         at = QPointF(centre.x(), origin.y()) if axis is Axis.X else QPointF(origin.x(), centre.y())
         return (at + QPointF(_BESIDE, _BESIDE)).toPoint()
 
-    def _take(self, axis: Axis, position: float) -> None:
-        guide, place = Guide(axis, position), self._typed
+    def _take(self, guide: Guide) -> None:
+        place = self._typed
         if place is None:
             self._context.store.change(guides_shown=True)
             name = f"Guide at {place_words(guide)}"
-            self._session.change(name, lambda document: add_guide(document, axis, position))
+            self._session.change(name, lambda document: add_guide(document, *astuple(guide)))
         else:
             name = f"Move guide to {place_words(guide)}"
-            self._session.change(name, lambda document: move_guide(document, place, position))
+            self._session.change(name, lambda document: move_guide(document, place, guide))
 
     # Actions
 
@@ -112,13 +116,13 @@ class GuideCommands:
     @action("addGuide", "Add Guide…", VIEW_GUIDES, "Shift+G", "add-guide", keywords="guideline help line")
     @also(CANVAS_MENU(33))
     def _add(self) -> None:
-        """Type where a new guide lies: “x = 20”, “y = 1 in”; or drag one out of a ruler."""
+        """Type where a new guide lies and at which angle: “x = 20”, “y = 1 in”; or drag it from a ruler."""
         self._open(Axis.X)
 
     @action("typeGuide", "Type Place…", VIEW_GUIDES, full_name="Type Place of Guide…", needs=_SOME_GUIDE)
     @also(GUIDE_MENU(10))
     def _type(self) -> None:
-        """Type where the guide lies that was pointed at last."""
+        """Type where the guide lies that was pointed at last, and at which angle."""
         self._open(self._last())
 
     @action(

@@ -1,4 +1,4 @@
-"""The field on the canvas into which the place of a guide is typed."""
+"""The field on the canvas into which place and angle of a guide are typed."""
 
 from __future__ import annotations
 
@@ -7,50 +7,89 @@ from collections.abc import Callable
 from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QWidget
 
-from ...document.expression import ExpressionError
-from ...document.model import Axis, Guide
+from ...document.expression import ExpressionError, parse_number
+from ...document.guide import Axis, Guide, guide_at
+from ...document.value import Vector
+from ...qt.labels import Label
 from ...widgets.controls import named
 from ...widgets.entry_field import EntryEdit, EntryField
-from ...widgets.number_text import typed_text
+from ...widgets.number_text import decimal_mark, field_text, typed_text
 from ...widgets.tool_buttons import tool_button
 from .places import read_place
 
 _TIP = "Where the guide lies: a number or an expression, with a unit if you like, such as 20, 1/3 or 1 in"
+_ANGLE_TIP = "Degrees from the x axis, counterclockwise: 0 is level, 90 upright"
+_ANGLE_WIDTH = 55
 
 
 class GuideField(EntryField):
-    """A small frame beside a ruler, in which the place of one guide is typed.
+    """A small frame beside a ruler, in which the place of one guide and its angle are typed.
 
     Signals
     -------
     entered
-        A guide shall be there: its axis and its position.
+        A guide shall be there.
     """
 
-    entered = Signal(object, float)
+    entered = Signal(object)
 
     def __init__(self, below: QWidget) -> None:
         self._axis, self._unit = Axis.X, ""
         self._guide: Guide | None = None
+        self._middle: Vector = (0.0, 0.0)
         turn = tool_button("guideAxis", "Coordinate of the guide", "Upright (x) or level (y)", text="x =")
         edit = named(EntryEdit(), "guidePlace", "Place of the guide", _TIP)
-        super().__init__("guideField", "Guide", below, turn, edit)
+        self.angle = named(EntryEdit(), "guideAngle", "Angle of the guide", _ANGLE_TIP)
+        self.angle.setFixedWidth(_ANGLE_WIDTH)
+        super().__init__("guideField", "Guide", below, turn, edit, self.angle, Label("°"))
 
-    def open_for(self, guide: Guide | None, axis: Axis, unit: str, corner: Callable[[Axis], QPoint]) -> None:
-        """Ask for the place of a guide, or of a new one of this axis, at a corner of the canvas."""
-        self._guide, self._axis, self._unit = guide, axis, unit
+    def open_for(
+        self,
+        guide: Guide | None,
+        axis: Axis,
+        unit: str,
+        corner: Callable[[Axis], QPoint],
+        middle: Vector,
+    ) -> None:
+        """Ask for the place of a guide, or of a new one of this axis, at a corner of the canvas.
+
+        One that is level or upright so far is turned about its point beside the `middle`.
+        """
+        self._guide, self._axis, self._unit, self._middle = guide, axis, unit, middle
         self._turn.setEnabled(guide is None)
-        self.ask(typed_text(guide.position) if guide is not None else "", unit, lambda: corner(self._axis))
+        about = f"at {guide.axis.other.value} = {field_text(guide.across)}" if guide and guide.lean else ""
+        self.angle.setText(typed_text(guide.angle if guide is not None else _angle_of(axis)))
+        place = typed_text(guide.position) if guide is not None else ""
+        self.ask(place, f"{unit} {about}".strip(), lambda: corner(self._axis))
 
     def _kind(self) -> str:
         return f"{self._axis.value} ="
 
     def _other_kind(self) -> None:
-        self._axis = Axis.Y if self._axis is Axis.X else Axis.X
+        self._axis = self._axis.other
+        self.angle.setText(typed_text(_angle_of(self._axis)))
 
     def _take(self, text: str) -> Callable[[], object]:
         now = self._guide.position if self._guide is not None else 0.0
         typed = read_place(text, self._unit, now)
         if typed.axis not in (None, self._axis) and self._guide is not None:
             raise ExpressionError(f"This guide holds {self._axis.value}; type that.")
-        return lambda: self.entered.emit(typed.axis or self._axis, typed.position)
+        guide = self._typed_guide(typed.axis or self._axis, typed.position)
+        return lambda: self.entered.emit(guide)
+
+    def _typed_guide(self, axis: Axis, position: float) -> Guide:
+        """Return the guide at the place that was typed, at the angle beside it."""
+        plain = _angle_of(self._axis)
+        angle = parse_number(self.angle.text(), decimal_mark()) if self.angle.text().strip() else plain
+        if angle % 180.0 == plain:
+            return Guide(axis, position)
+        across = self._middle[axis.other.coordinate]
+        if self._guide is not None and self._guide.lean:
+            across = self._guide.across
+        point = (position, across) if axis is Axis.X else (across, position)
+        return guide_at(point, angle)
+
+
+def _angle_of(axis: Axis) -> float:
+    """Return the degrees from the x axis to a level or an upright guide."""
+    return Guide(axis, 0.0).angle

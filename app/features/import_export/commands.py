@@ -15,6 +15,7 @@ from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import FILE_EXCHANGE
 from ...document.edits import EditError
+from ...document.layers import foremost_layer, free_layer
 from ...document.model import Document
 from ...document.shapes import counted_shapes
 from ...document.words import count_of, listed, number
@@ -189,9 +190,10 @@ class ExchangeCommands:
             return
         new, begins = taken.document, anew or session.files.is_untouched
         target, rest = self._target(anew), self._words_about_rest(new, anew)
+        layer = "" if begins else free_layer(target, session.selected.layer)
 
         def work(report: Report) -> Arrival:
-            return intake.intake(target, new, lambda share: report(share, "Computing curves"))
+            return intake.intake(target, new, lambda share: report(share, "Computing curves"), layer)
 
         def done(arrival: Arrival) -> None:
             try:
@@ -199,7 +201,8 @@ class ExchangeCommands:
                     session.refuse(_NOT_IMPORTED.format(listed([path.name])))
                     return
                 if not begins and session.committed is not target:
-                    arrival = intake.intake(session.committed, new)
+                    now = free_layer(session.committed, session.selected.layer)
+                    arrival = intake.intake(session.committed, new, layer=now)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
                 if self._put(path, arrival, taken, begins=begins, anew=anew):
                     said = "Opened" if anew and path == self._opened else "Imported"
@@ -209,7 +212,7 @@ class ExchangeCommands:
 
         self._meant_for = self._documents
         if intake.points_of(new) < intake.MANY_POINTS:
-            done(intake.intake(target, new))
+            done(intake.intake(target, new, layer=layer))
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
@@ -249,16 +252,18 @@ class ExchangeCommands:
 
     def _show_added(self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
         """Show what has come in, choose it where it came to others, and say what it is."""
-        added, curves = arrival.places, arrival.document.curves[arrival.places.start :]
-        if added.start > 0 or len(curves) > 1:
+        added, document, selected = arrival.places, arrival.document, self._session.selected
+        curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
+        if not is_all or len(curves) > 1:
             # What came to others is put in its place as a whole, but for what nobody may move.
-            free = [place for place in added if arrival.document.curves[place].is_free]
-            self._session.selected.choose(free)
-        if added.start == 0 and len(curves) > 1:
-            self._session.selected.choose(())
+            selected.choose([place for place in added if document.curves[place].is_free])
+        if is_all and len(curves) > 1:
+            selected.choose(())
+        if is_all:
+            selected.set_layer(foremost_layer(document))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
-        if added.start == 0 or not self._context.central.canvas.framing.shows_curves(added):
+        if is_all or not self._context.central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
         what = f"{counted_shapes(curves)}, {count_of(count, 'point')}"

@@ -22,17 +22,23 @@ def points_of(document: Document) -> int:
     return sum(len(curve.points) for curve in document.curves)
 
 
-def intake(document: Document, new: Document, told: Callable[[float], object] | None = None) -> Arrival:
-    """Return a document with the curves of another in front, and views of them if somebody is `told`.
+def intake(
+    document: Document,
+    new: Document,
+    told: Callable[[float], object] | None = None,
+    layer: str = "",
+) -> Arrival:
+    """Return a document with the curves of another in front in a layer, and views of them if one is `told`.
 
     What is an inch there is an inch here; to an empty document they bring their unit, page and guides.
     """
     new = _sized_for(document, new)
-    filled, first = add_imported(document, new)
+    filled, first = add_imported(document, new, layer)
     # As the door of the session leaves it, whose curves the views are to be of.
     filled = tidy_shapes(plain(filled, document), document)
-    views = views_ahead(filled.curves[first:], told) if told is not None else ()
-    return Arrival(filled, range(first, len(filled.curves)), tuple(views))
+    places = range(first, first + len(new.curves))
+    views = views_ahead(filled.curves[places.start : places.stop], told) if told is not None else ()
+    return Arrival(filled, places, tuple(views))
 
 
 def words_about_rest(document: Document, new: Document) -> str:

@@ -114,7 +114,13 @@ class TextCommands:
         """Return the document with the text, and the places of its curves."""
         session, size = self._session, self.field.text_size
         return text.letters.with_text(
-            session.committed, session.active_curve, name, self._outlines, self._place, size
+            session.committed,
+            session.active_curve,
+            name,
+            self._outlines,
+            self._place,
+            size,
+            session.selected.layer,
         )
 
     # The end

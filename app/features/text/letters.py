@@ -40,9 +40,15 @@ def filled(style: Style) -> Style:
 
 
 def with_text(
-    document: Document, model: Curve, name: str, outlines: Outlines, place: Vector, size: float
+    document: Document,
+    model: Curve,
+    name: str,
+    outlines: Outlines,
+    place: Vector,
+    size: float,
+    layer: str = "",
 ) -> tuple[Document, range]:
-    """Return the document with a text in front of all else, and the places of its curves; there must be some.
+    """Return the document with a text in front in a layer, and the places of its curves; there must be some.
 
     Parameters
     ----------
@@ -68,8 +74,8 @@ def with_text(
         shape = names.different(glyph.letters) if len(glyph.contours) > 1 else ""
         contours = tuple(each.tobytes() for each in glyph.contours)
         curves += _letter(glyph.letters, contours, Look(style, shape, groups), place, size / outlines.em)
-    new, first = add_imported(document, Document(tuple(curves)))
-    return new, range(first, len(new.curves))
+    new, first = add_imported(document, Document(tuple(curves)), layer)
+    return new, range(first, first + len(curves))
 
 
 @lru_cache(maxsize=1000)

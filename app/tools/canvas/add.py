@@ -7,7 +7,8 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import add_curve, fresh_curve
+from ...document.curve_edits import fresh_curve
+from ...document.layers import begun, layer_of
 from ...document.model import Curve, Parametrization, Vector
 from ...document.point_group import points_of
 from ...families import HERMITE
@@ -128,7 +129,10 @@ class AddTool(Tool):
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
 
     def _append(self, context: ToolContext) -> None:
-        host = context.host
+        host, layer = context.host, context.host.selected.layer
+        if not context.view.source.points and layer != layer_of(host.document, host.active_index):
+            self._begin(context)
+            return
         index, key = len(context.view.source.points), _key(host)
         snapper = context.snappers.for_new(index)
         append = AppendPoint(
@@ -145,10 +149,12 @@ class AddTool(Tool):
         context.drags.press_at_once(context.pointer, append, on_done=done, makes=index)
 
     def _begin(self, context: ToolContext) -> None:
-        """Begin another curve; it is the one that is edited from the press on."""
+        """Begin another curve, or the empty one in another layer; it is edited from the press on."""
         host = context.host
-        fresh, place = _fresh(context), len(host.document.curves)
-        document = add_curve(host.document, place, fresh)
+        document, place = begun(
+            host.document, host.active_index, host.selected.layer, lambda: _fresh(context)
+        )
+        fresh = document.curves[place]
         self._finished.discard((place, fresh.name))
         view, snapper = view_of(fresh), context.snappers.for_new(-1)
         how = _appending(context), _makes_corners(context)

@@ -74,8 +74,8 @@ class DrawInBox(Drag, frozen=True):
 
     Attributes
     ----------
-    active
-        The curve that was edited at the press.
+    active, layer
+        The curve that was edited at the press, and the layer to draw in.
     typed
         Width and height as typed meanwhile.
     """
@@ -86,6 +86,7 @@ class DrawInBox(Drag, frozen=True):
     snapper: Snapper
     unit: str
     typed: TypedAmount = TypedAmount()
+    layer: str = ""
 
     @property
     def name(self) -> str:
@@ -104,7 +105,7 @@ class DrawInBox(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve."""
-        return with_box_curve(self.document, self.active, self.drawn.points, self._box(pointer))
+        return with_box_curve(self.document, self.active, self.drawn.points, self._box(pointer), self.layer)
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
@@ -162,9 +163,9 @@ class BoxCurveTool(Tool):
         """Begin at a corner of the box."""
         host, snapper = context.host, context.snappers.for_new(-1)
         start = snapper.at(context.pointer)
-        active, unit = host.active_index, context.settings.unit
-        self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit)
-        place = box_curve_place(host.document, active)
+        active, unit, layer = host.active_index, context.settings.unit, host.selected.layer
+        place = box_curve_place(host.document, active, layer)
+        self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit, layer=layer)
         context.drags.press(context.pointer, self._drag, self._say_how(context), active=place)
 
     def _say_how(self, context: ToolContext) -> Callable[[], None]:

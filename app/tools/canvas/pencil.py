@@ -9,9 +9,10 @@ from time import thread_time
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import add_curve, fresh_curve, replace_curve
+from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
-from ...document.model import Curve, Parametrization, Vector
+from ...document.layers import Begun, begun
+from ...document.model import Curve, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
@@ -67,7 +68,8 @@ class Drawing(Gesture):
         returns = math.dist(self._last, self._press.pixel) <= _CLOSING
         closed = returns and self._length > _LEAST_ROUND * _CLOSING
         tolerance = context.settings.pencil.pixels / self._press.scale
-        model, _ = _model(host, closed=closed)
+        begin = _begun(host)
+        model = replace(begin.document.curves[begin.place], closed=closed)
         work = partial(_fitted, model, self.line, tolerance)
         done = partial(_take, host, model, self._press, tolerance)
         context.background.do(Errand("The pencil's curve", work, done, self.line))
@@ -87,13 +89,8 @@ class Drawing(Gesture):
         return f"Drawing, {detail} · {closed}Escape cancels"
 
 
-def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
-    """Return the curve that a line becomes, and its place: the active one where that is empty."""
-    active, place = host.active_view.source, host.active_index
-    if not active.points and not active.locked:
-        return replace(active, closed=closed), place
-    fresh = fresh_curve(host.document, active, Parametrization())
-    return replace(fresh, settings=active.settings, closed=closed), len(host.document.curves)
+def _begun(host: EditingHost) -> Begun:
+    return begun(host.document, host.active_index, host.selected.layer)
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:
@@ -123,16 +120,17 @@ def _take(host: EditingHost, model: Curve, press: Pointer, tolerance: float, mad
     if isinstance(made, str):
         host.refuse(made)
         return
-    now, place = _model(host, closed=model.closed)
+    try:
+        begin = _begun(host)
+    except EditError as reason:
+        host.refuse(str(reason))
+        return
+    now = begin.document.curves[begin.place]
     curve = replace(made.curve, name=now.name, style=now.style, shape=now.shape, groups=now.groups)
     if host.change(
         "Draw with the pencil",
-        lambda document: (
-            replace_curve(document, place, curve)
-            if place < len(document.curves) and not document.curves[place].points
-            else add_curve(document, place, curve)
-        ),
-        active=place,
+        lambda _: replace_curve(begin.document, begin.place, curve),
+        active=begin.place,
     ):
         host.say(_told(made, model, press, tolerance))
 
@@ -159,7 +157,8 @@ class PencilTool(Tool):
     gesture: Drawing | None = None
 
     def press(self, context: ToolContext) -> None:
-        """Begin a line here."""
+        """Begin a line here, if there is a place for a curve."""
+        _begun(context.host)
         self.gesture = Drawing(context)
 
     def hover(self, context: ToolContext) -> Hint:

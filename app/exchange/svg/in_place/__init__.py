@@ -4,7 +4,7 @@
 - ``source``: the file as a tree that is written back to the byte.
 - ``found``: its shapes, and those that the document wants.  ``matching``: which are which.
 - ``plan``, ``placing``: what there shall be in which groups, and putting it there.
-- ``courses``, ``looks``, ``sheets``: how elements run and look; page and guides.
+- ``courses``, ``looks``, ``sheets``, ``empty_layers``: how elements run and look; page, guides, bare layers.
 """
 
 import lazy_loader as lazy

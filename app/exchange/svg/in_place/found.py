@@ -13,6 +13,7 @@ import numpy as np
 from curvecore import cubic_path
 from curvecore.arrays import FloatArray
 
+from ....document.empty_layer import EmptyLayer
 from ....document.style import Style
 from ....view_model.curve_view import view_of
 from ...cubics_in import imported
@@ -151,8 +152,8 @@ class Reading:
         The names of the groups around those, by their elements.
     states
         The states around these groups.
-    layers
-        The elements that are layers.
+    layers, empty_layers
+        The elements that are layers, and those of them in which there is no shape.
     nodes, root
         All elements, in the order of the file, and the outermost one as the reader has it.
     sheet, guides
@@ -169,15 +170,20 @@ class Reading:
         self.sheet, drawn = reader.sheet, reader.drawn()
         self.guides = [(of_element[each], guide) for each, guide in guides_of(root, reader.sheet)]
         seen = [each for each in drawn if is_seen(each)] or [with_line(each) for each in drawn]
-        told = settled(seen)
+        told = settled(seen, reader.layers)
         named = {each.element: path.look for each, path in zip(seen, told.paths, strict=True)}
         self.states: dict[Node, State] = {}
         self.groups: dict[Node, str] = {}
         self.layers: set[Node] = set()
-        for group in dict.fromkeys(group for each in seen for group in each.anchor.around.groups):
+        self.empty_layers: dict[Node, EmptyLayer] = {}
+        empty = {each.name: each for each in told.empty_layers}
+        around = (group for each in seen for group in each.anchor.around.groups)
+        for group in dict.fromkeys([*around, *(group for each in reader.layers for group in each)]):
             if group.anchor is not None and group in told.names:
                 node = of_element[group.anchor.element]
                 self.states[node], self.groups[node] = group.anchor.around, told.names[group]
+                if told.names[group] in empty:
+                    self.empty_layers[node] = empty[told.names[group]]
                 self.layers |= {node} if group.is_layer else set()
 
         def found(parts: Sequence[Drawn]) -> Found:

@@ -30,6 +30,7 @@ from ..matrices import combined, is_uneven, mean_scale, moved
 from ..our_own import OurOwn
 from ..sheet import Sheet
 from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, move_whole, redraw
+from .empty_layers import has_empty_layers, set_empty_layers
 from .found import Found, Reading, Wanted, runs_as
 from .looks import Looks, declare_style
 from .matching import origins
@@ -107,6 +108,8 @@ class _Rewriting:
         The file as it is, and the document with its shapes in the plane of the file.
     room, looks
         By how much courses may differ, and how styles are compared.
+    layers
+        The names of the layers that the document began with.
     has_rules
         Whether the file has rules of CSS, which outweigh attributes.
     """
@@ -121,6 +124,7 @@ class _Rewriting:
             self.reach = max(self.reach, page.width, page.height)
         self.room = _ROUNDING * self.reach
         self.looks = Looks(INK, drawing.usual_width, self.reach)
+        self.layers = begun.layers if begun is not None else ()
         before = None if begun is None else self._begun(_in_file(begun, base.sheet))
         known = origins(self.wanted, before, base.seen, self.reach)
         self._planner = Planner(self.wanted, base, known.pairs, known.taken, document.layers)
@@ -189,7 +193,10 @@ class _Round:
         for each in source.adopted("\n".join(self._gradients.lines)):
             each.put_last(definitions(source))
         if not self.wrong:
-            self.wrong = self._check(Reading(source))
+            reading = Reading(source)
+            if set_empty_layers(source, reading, job.document.empty_layers, job.layers):
+                reading = Reading(source)
+            self.wrong = self._check(reading)
 
     # Changes
 
@@ -287,7 +294,8 @@ class _Round:
             around = [each for each in shapes[node][0].around if each in owners]
             if around != [groups[name] for name in entry.groups]:
                 return [None]
-        return []
+        job = self._job
+        return [] if has_empty_layers(reading, job.document.empty_layers, job.layers) else [None]
 
     def _is_right(self, found: list[Found], wanted: list[Wanted]) -> bool:
         job = self._job

@@ -1,0 +1,274 @@
+"""Layers as in Inkscape: what is drawn comes into the present one, empty ones stay; real mouse and keys."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QLineEdit
+
+from app.document.layers import layer_of, with_layer_looks
+from app.exchange.options import Options
+from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
+from app.features.curve_list.commands import CurveListCommands
+from app.features.curve_list.rows import Spot, spot_rect
+from app.storage.format import decode, encode
+
+LEFT = Qt.MouseButton.LeftButton
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+
+SVG = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="60" height="40" viewBox="0 0 60 40"'
+    ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+    ' xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd">'
+    '<g inkscape:groupmode="layer" inkscape:label="Back">'
+    '<path id="ground" d="M0 0H60V40H0Z" fill="#eee"/></g>'
+    '<g inkscape:groupmode="layer" inkscape:label="Sketch" style="display:none"/>'
+    '<g inkscape:groupmode="layer" inkscape:label="Art"><g inkscape:groupmode="layer" inkscape:label="Inner"'
+    ' sodipodi:insensitive="true"/><path id="left" d="M5 5H20V20H5Z" fill="#00aa00"/>'
+    '<path id="right" d="M40 5H55V20H40Z" fill="#aa0000"/></g>'
+    '<g inkscape:groupmode="layer" inkscape:label="Notes"></g></svg>'
+)
+ORDER = ("Back", "Sketch", "Art", "Inner", "Notes")
+
+
+@pytest.fixture
+def layered(editor):
+    """Layers Back and Art, Sketch (empty, hidden), Notes (empty), and in Art Inner (empty, locked)."""
+    document = replace(read_svg(SVG.encode()).document, unit="", page=None)
+    editor.session.commit(document, "Begin", active=1)
+    editor.session.selected.choose((1,))
+    editor.show_dock("curvesDock")
+    editor.fit()
+    return editor
+
+
+def view_of(editor):
+    return editor.window.commands[CurveListCommands].panel.view
+
+
+def rows(editor):
+    model = view_of(editor).curves
+    return ["  " * entry.node.depth + model.index(row).data() for row, entry in enumerate(model.entries)]
+
+
+def layer_now(editor):
+    """What the status line says of the layer; empty where it says nothing."""
+    editor.settle()
+    label = editor.window.findChild(QLabel, "layerNow")
+    return label.text() if not label.isHidden() else ""
+
+
+def click_row(editor, name, spot=Spot.NAME):
+    view, row = view_of(editor), [each.strip() for each in rows(editor)].index(name)
+    QTest.mouseClick(view.viewport(), LEFT, pos=spot_rect(view.entry_rect(row), spot).center())
+    editor.settle()
+
+
+def layers(editor):
+    document = editor.session.document
+    return {curve.name: layer_of(document, place) for place, curve in enumerate(document.curves)}
+
+
+def draw(editor, tool, start, to):
+    editor.trigger(tool)
+    editor.drag(start, to)
+    editor.settle()
+
+
+def newest(editor):
+    return editor.session.document.curves[editor.session.active_index]
+
+
+def test_whatever_is_new_comes_to_the_front_of_the_present_layer(layered, qtbot):
+    """It came in front of all layers, and in none of them."""
+    editor, session = layered, layered.session
+    assert layer_now(editor) == "Layer: Art"
+    draw(editor, "rectangleTool", (25, -5), (35, -15))
+    # Behind what is in front of its layer, had there been anything.
+    assert [curve.name for curve in session.document.curves] == ["ground", "left", "right", "Curve 1"]
+    assert newest(editor).groups == ("Art",)
+    click_row(editor, "Back")
+    assert layer_now(editor) == "Layer: Back"
+    draw(editor, "ellipseTool", (25, -5), (35, -15))
+    assert session.active_index == 1
+    assert newest(editor).groups == ("Back",)
+    click_row(editor, "Notes")
+    assert session.selected.marked == frozenset()
+    editor.trigger("addTool")
+    editor.click((3, -33))
+    editor.click((10, -30))
+    editor.key(Qt.Key.Key_Return)
+    assert newest(editor).groups == ("Notes",)
+    assert len(newest(editor).points) == 2
+    draw(editor, "pencilTool", (3, -25), (20, -28))
+    qtbot.waitUntil(lambda: newest(editor).name == "Curve 4")
+    assert newest(editor).groups == ("Notes",)
+    assert layer_now(editor) == "Layer: Notes"
+    # Choosing a curve makes its layer the present one, and choosing nothing leaves it.
+    editor.trigger("selectTool")
+    editor.escape()
+    editor.escape()
+    editor.click((47, -12))
+    assert layer_now(editor) == "Layer: Art"
+    editor.trigger("copyPoints")
+    click_row(editor, "Notes")
+    editor.trigger("pasteInPlace")
+    assert newest(editor).groups == ("Notes",)
+    assert newest(editor).name == "right copy"
+    session.selected.choose((session.document.curves.index(newest(editor)), 2))
+    editor.trigger("duplicateCurve")
+    copies = [curve for curve in session.document.curves if "copy" in curve.name]
+    assert sorted(curve.groups for curve in copies) == [("Art",), ("Notes",), ("Notes",)]
+    assert session.document.layers == ORDER
+
+
+def test_a_layer_stays_the_present_one_through_tools_and_escape(layered):
+    """A tool that is taken edits the active curve, and Escape chooses what was chosen before."""
+    editor = layered
+    click_row(editor, "Notes")
+    editor.trigger("addTool")
+    assert layer_now(editor) == "Layer: Notes"
+    editor.trigger("rectangleTool")
+    editor.press((25, -5))
+    editor.move((30, -9))
+    assert "Notes" in layers(editor).values()
+    editor.escape()
+    editor.release((30, -9))
+    assert "Notes" not in layers(editor).values()
+    assert layer_now(editor) == "Layer: Notes"
+
+
+def test_nothing_is_drawn_in_a_layer_that_is_hidden_or_locked(layered):
+    editor = layered
+    before = editor.session.document
+    for name, why in (("Sketch", "hidden; show it"), ("Art", "locked; unlock it")):
+        if name == "Art":
+            click_row(editor, name, Spot.LOCK)
+            before = editor.session.document
+            assert [curve.locked for curve in before.curves] == [False, True, True]
+        click_row(editor, name)
+        for tool in ("rectangleTool", "pencilTool", "addTool"):
+            draw(editor, tool, (25, -25), (35, -35))
+            assert f"The layer “{name}” is {why}" in editor.status
+            assert editor.session.document is before
+    click_row(editor, "Sketch", Spot.EYE)
+    assert editor.session.undo_stack.undoText() == "Show Sketch"
+    click_row(editor, "Sketch")
+    draw(editor, "rectangleTool", (25, -25), (35, -35))
+    assert newest(editor).groups == ("Sketch",)
+    assert editor.session.active_index == 1
+
+
+def test_empty_layers_stay_in_the_list_and_in_files(layered):
+    """They were lost when a drawing came in, and a layer went with its last curve."""
+    editor, session = layered, layered.session
+    assert rows(editor) == ["Notes", "Art", "Sketch", "Back"]
+    click_row(editor, "Back")
+    editor.trigger("deleteSelection")
+    assert rows(editor) == ["Notes", "Art", "Sketch", "Back"]
+    document = session.document
+    assert [each.name for each in document.empty_layers] == ["Back", "Sketch", "Inner", "Notes"]
+    assert decode(encode(document)) == document
+    text = svg_of(document, Options()).text
+    again = read_svg(text.encode()).document
+    assert (again.layers, again.empty_layers) == (document.layers, document.empty_layers)
+    places = [text.index(f'"{name}"') for name in ("Back", "Sketch", "Art", "left", "Inner", "Notes")]
+    assert places == sorted(places)
+    assert text.count("insensitive") == text.count("display:none") == 1
+    editor.trigger("undo")
+    assert session.document.curves[0].groups == ("Back",)
+    assert [each.name for each in session.document.empty_layers] == ["Sketch", "Inner", "Notes"]
+
+
+def test_layers_are_made_named_stepped_and_deleted(layered):
+    editor, session = layered, layered.session
+    editor.key(Qt.Key.Key_L, CTRL | SHIFT)
+    assert layer_now(editor) == "Layer: Layer 1"
+    assert session.document.layers == ("Back", "Sketch", "Art", "Inner", "Layer 1", "Notes")
+    editor.trigger("lowerLayer")
+    editor.trigger("lowerLayer")
+    assert rows(editor) == ["Notes", "Art", "Sketch", "Layer 1", "Back"]
+    editor.trigger("raiseLayer")
+    click_row(editor, "Layer 1")
+    QTest.keyClick(view_of(editor), Qt.Key.Key_F2)
+    field = view_of(editor).viewport().findChild(QLineEdit, "curveNameEditor")
+    field.selectAll()
+    editor.type_text(field, "Ink")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    editor.settle()
+    assert rows(editor) == ["Notes", "Art", "Ink", "Sketch", "Back"]
+    assert layer_now(editor) == "Layer: Ink"
+    # The whole of Art, behind Ink; what is in it goes along.
+    click_row(editor, "Art")
+    editor.trigger("lowerLayer")
+    assert rows(editor) == ["Notes", "Ink", "Art", "Sketch", "Back"]
+    editor.trigger("lowerLayer")
+    editor.trigger("lowerLayer")
+    assert rows(editor) == ["Notes", "Ink", "Sketch", "Back", "Art"]
+    assert [curve.name for curve in session.document.curves] == ["left", "right", "ground"]
+    assert not editor.action("lowerLayer").isEnabled()
+    # Delete in the list takes an empty layer, and one with what is in it.
+    click_row(editor, "Ink")
+    QTest.keyClick(view_of(editor), Qt.Key.Key_Delete)
+    assert rows(editor) == ["Notes", "Sketch", "Back", "Art"]
+    click_row(editor, "Art")
+    QTest.keyClick(view_of(editor), Qt.Key.Key_Delete)
+    assert session.document.layers == ("Back", "Sketch", "Notes")
+    assert [curve.name for curve in session.document.curves] == ["ground"]
+    assert editor.session.undo_stack.undoText() == "Delete Art"
+
+
+def test_what_is_chosen_moves_to_the_layer_above_or_below(layered):
+    editor, session = layered, layered.session
+    editor.key(Qt.Key.Key_PageUp, SHIFT)
+    assert "The layer “Inner” is locked" in editor.status
+    session.change("Unlock", lambda document: with_layer_looks(document, "Inner", locked=False))
+    editor.window.activateWindow()
+    for name in ("Inner", "Notes"):
+        editor.key(Qt.Key.Key_PageUp, SHIFT)
+        assert layers(editor)["left"] == name
+        assert {session.document.curves[place].name for place in session.selected.chosen} == {"left"}
+        assert layer_now(editor) == f"Layer: {name}"
+    assert not editor.action("moveToLayerAbove").isEnabled()
+    assert session.document.layers == ORDER
+    for name in ("Inner", "Art"):
+        editor.key(Qt.Key.Key_PageDown, SHIFT)
+        assert layers(editor)["left"] == name
+    assert [curve.name for curve in session.document.curves] == ["ground", "right", "left"]
+    editor.key(Qt.Key.Key_PageDown, SHIFT)
+    assert "The layer “Sketch” is hidden" in editor.status
+
+
+def test_a_curve_is_dragged_into_an_empty_layer(layered):
+    editor, view = layered, view_of(layered)
+    view.curves.open(1, True)
+    editor.settle()
+    assert rows(editor) == ["Notes", "Art", "  Inner", "  right", "  left", "Sketch", "Back"]
+    start, end = (view.entry_rect(row).center() for row in (3, 0))
+    QTest.mousePress(view.viewport(), LEFT, pos=start)
+    QTest.mouseMove(view.viewport(), end + QPoint(0, 8))
+    QTest.mouseMove(view.viewport(), end)
+    QTest.mouseRelease(view.viewport(), LEFT, pos=end)
+    assert layers(editor) == {"ground": "Back", "left": "Art", "right": "Notes"}
+
+
+def test_without_layers_nothing_tells_of_them_until_there_is_one(editor):
+    editor.show_dock("curvesDock")
+    assert layer_now(editor) == ""
+    draw(editor, "rectangleTool", (1, 1), (2, 2))
+    assert newest(editor).groups == ()
+    editor.session.new()
+    editor.key(Qt.Key.Key_L, CTRL | SHIFT)
+    assert rows(editor) == ["Layer 1", "Curve 1"]
+    # The curve that a new document begins with is drawn where new curves are.
+    editor.trigger("addTool")
+    editor.click((0.1, 0.1))
+    editor.click((0.4, 0.3))
+    document = editor.session.document
+    assert [(curve.name, curve.groups, len(curve.points)) for curve in document.curves] == [
+        ("Curve 1", ("Layer 1",), 2)
+    ]
+    assert document.empty_layers == ()
