@@ -33,9 +33,9 @@ def set_empty_layers(
         if layer.name in by_name and layer.name not in known:
             # There are shapes in it that were not taken in.
             continue
-        node, before = known.get(layer.name, (None, EmptyLayer(layer.name)))
-        if node is None:
-            node = by_name[layer.name] = source.new("g")
+        node, before = known.get(layer.name) or (source.new("g"), EmptyLayer(layer.name))
+        if layer.name not in known:
+            by_name[layer.name] = node
             node.set("id", ids.different(stem(layer.name, "layer")))
             node.set(source.inkscape("groupmode"), "layer")
             node.set(source.inkscape("label"), layer.name)
