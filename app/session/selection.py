@@ -16,7 +16,7 @@ from ..document.selection import (
     returned_points,
 )
 from ..document.several_curves import is_blank
-from ..document.shapes import whole_shapes
+from ..document.shapes import shape_around, whole_shapes
 from ..view_model.pivot import Pivot
 from .highlight import Highlight
 
@@ -303,21 +303,41 @@ class Selection:
         self.set_hovered(-1)
         self._session.active_index = index
 
+    def begin(self, index: int) -> None:
+        """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
+        self.enter(index)
+        self.is_editing, self._chosen, self.curves = True, frozenset(), frozenset({index})
+
     # From document to document
 
     def follow_curves(self, before: Sequence[Curve]) -> bool:
-        """Select the same curves where they are now; return whether their places are other ones."""
-        session, old = self._session, (self.curves, self._chosen)
+        """Select the same curves where they are now; return whether that is another selection.
+
+        Where what was edited is gone, and no curve has come in its place, none is edited and none chosen: the
+        next key is not about a curve that nobody has asked for.
+        """
+        session, old = self._session, (self.curves, self._chosen, self.is_editing)
         after, active = session.document.curves, session.active_index
         several = self._chosen if not self.is_editing else self.curves if len(self.curves) > 1 else ()
         kept = followed_curves(several, before, after)
-        if active not in kept:
+        if self.is_editing and self._is_left(before, after):
+            self.is_editing, kept = False, frozenset()
+        elif active not in kept:
             # A curve that was added is what is worked on now; where one has gone nobody has chosen another.
             kept = frozenset({active} if self.is_editing or len(after) > len(before) else ())
         self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
         self._chosen = frozenset() if self.is_editing else kept
-        return (self.curves, self._chosen) != old
+        return (self.curves, self._chosen, self.is_editing) != old
+
+    def _is_left(self, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+        """Whether all that was edited is gone, and the active curve is another one that was there already."""
+        if len(after) >= len(before) or not any(
+            curve is after[self._session.active_index] for curve in before
+        ):
+            return False
+        edited = {place for each in self.curves for place in shape_around(before, each)}
+        return not followed_places(edited, before, after)
 
     def followed_group(self, before: Sequence[Curve]) -> PointGroup:
         """Return where the selected points are in the document that is shown."""

@@ -239,7 +239,7 @@ class Session(QObject):
             self._home = self.selected.choice
             self._views.leave()
         if active is not None and active != self.active_index:
-            self.selected.enter(active)
+            self.selected.begin(active)
         self._show(document)
         return True
 

@@ -144,7 +144,7 @@ class CurveListCommands:
         session.change(
             f"Delete {named(document, curves)}",
             lambda document: remove_curves(document, curves),
-            active=active_after_removal(document, curves, session.active_index),
+            active=active_after_removal(document, curves, session.active_index, session.selected.edited),
         )
 
     # How they are called and shown

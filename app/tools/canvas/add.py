@@ -100,7 +100,7 @@ class AddTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin what a press here does."""
         host, hit = context.host, context.hit
-        if hit is not None and not hints.is_no_part(hit):
+        if hit is not None and not hints.is_no_part(hit) and not _begins_anew(host):
             self._press_on_part(context, hit)
             return
         act = self._act(context)
@@ -124,6 +124,8 @@ class AddTool(Tool):
             press_on_part(context, hit)
 
     def _act(self, context: ToolContext) -> PenAct:
+        if _begins_anew(context.host):
+            return PenAct.BEGIN
         finished = self._is_finished(context.host)
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
 
@@ -160,7 +162,7 @@ class AddTool(Tool):
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
         hit, view = context.hit, context.view
-        act = self._act(context) if hints.is_no_part(hit) else None
+        act = self._act(context) if hints.is_no_part(hit) or _begins_anew(context.host) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         if place is not None:
             context.preview_snap(place)
@@ -199,6 +201,11 @@ class AddTool(Tool):
             preview_curve=self._preview if is_shown else None,
             spot=self._spot if is_shown else None,
         )
+
+
+def _begins_anew(host: EditingHost) -> bool:
+    """Whether no curve is edited that a press could go on with: the one that was is gone."""
+    return not host.selected.is_editing and bool(host.active_view.source.points)
 
 
 def _key(host: EditingHost) -> tuple[int, str]:
