@@ -295,7 +295,7 @@ class DocumentFiles:
             self._session.files.file.close()
 
     def _ask_about_changes(self) -> int:
-        asked, told = _question_about(self._session)
+        asked, told = _question_about(self._session, self._place_beside_foreign())
         question = QMessageBox(self._window)
         question.setObjectName("saveChanges")
         question.setWindowTitle("Curvebench")
@@ -320,13 +320,20 @@ def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
     return reading, views_ahead(reading.document.curves, lambda share: told(share, "Computing curves"))
 
 
-def _question_about(session: Session) -> tuple[str, str]:
-    """Return what is asked before a document goes that is not in its file, and why."""
-    is_named = session.files.path is not None or session.files.beginning.title
+def _question_about(session: Session, beside: Path | None) -> tuple[str, str]:
+    """Return what is asked before a document goes that is not in its file, and why.
+
+    `beside` is where it is saved without a question, beside the file of another format that it was opened from.
+    """
+    files, file = session.files, session.files.file
+    if files.path is None and files.foreign is not None:
+        opened = _short(files.foreign.path.name)
+        where = f"Saving writes {_short(beside.name)} beside it" if beside else "Saving asks for a name"
+        return f"Save the changes to {opened}?", f"{where}; {opened} itself stays as it is."
+    is_named = files.path is not None or files.beginning.title
     name = _short(title_of(session)) if is_named else "the sketch"
-    file = session.files.file
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
-    if session.files.has_changes:
+    if files.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."
     return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
 
