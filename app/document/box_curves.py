@@ -13,6 +13,7 @@ from ..families import HERMITE
 from .curve_edits import fresh_curve, replace_curve
 from .edits import EditError
 from .model import Curve, Document, Parametrization, Point, Vector
+from .style import Style
 
 
 class BoxPoint(NamedTuple):
@@ -55,10 +56,12 @@ def box_curve_place(document: Document, active: int) -> int:
     return len(document.curves) - _is_taken(document.curves[active])
 
 
-def with_box_curve(document: Document, active: int, points: Sequence[BoxPoint], box: Box) -> Document:
+def with_box_curve(
+    document: Document, active: int, points: Sequence[BoxPoint], box: Box, style: Style
+) -> Document:
     """Return the document with a closed cubic curve that fills a box, at its place.
 
-    It has style and rules of the active curve, or is that one where it is empty.
+    It has a style and the rules of the active curve, or is that one where it is empty.
     """
     if not all(box.size):
         raise EditError("Drag to the side and up or down: the box has no area.")
@@ -67,7 +70,7 @@ def with_box_curve(document: Document, active: int, points: Sequence[BoxPoint], 
         curve = replace(model, parametrization=Parametrization(), shape="", groups=(), visible=True)
         curves = (*curves[:active], *curves[active + 1 :])
     else:
-        curve = fresh_curve(document, model, Parametrization())
+        curve = fresh_curve(document, replace(model, style=style), Parametrization())
     curve = replace(curve.with_family(HERMITE), closed=True)
     made = replace(document, curves=(*curves, curve))
     return replace_curve(made, len(curves), replace(curve, points=_in_box(points, box)))

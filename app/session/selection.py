@@ -19,6 +19,7 @@ from ..document.several_curves import is_blank
 from ..document.shapes import shape_around, whole_shapes
 from ..view_model.pivot import Pivot
 from .highlight import Highlight
+from .next_style import Marked, NextStyle
 
 if TYPE_CHECKING:
     from .session import Session
@@ -49,6 +50,8 @@ class Selection:
         The t of the scrub line, or None.
     pivot
         What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
+    next_style
+        The style of what is drawn next, where nothing is chosen.
     turns
         Whether the box around what is selected has grips that rotate and skew; until something else is.
     """
@@ -65,6 +68,7 @@ class Selection:
         self.scrub: float | None = None
         self.pivot: Pivot | None = None
         self.turns = False
+        self.next_style = NextStyle()
         # The place that was asked for: the scrub line stands there as far as the curve goes.
         self._scrub_asked: float | None = None
 
@@ -237,6 +241,12 @@ class Selection:
         places = [index for index in indices if 0 <= index < len(document.curves)]
         self._take(whole_shapes(document, places), is_editing=False)
 
+    def take_up(self) -> None:
+        """Edit the active curve, for a tool that needs one; where nobody chose it, its style says nothing."""
+        was_chosen = bool(self.marked) and self.next_style.marked
+        self.activate(self._session.active_index)
+        self.next_style.marked = was_chosen or Marked.LENT
+
     def show_choice(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""
         self._chosen = frozenset(indices)
@@ -262,6 +272,7 @@ class Selection:
         if session.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
+        self._note_style(session.document.curves)
         before, places = self.choice, range(len(session.document.curves))
         wanted = active if active is not None and active in places else session.active_index
         existing = {index for index in indices if index in places}
@@ -269,6 +280,7 @@ class Selection:
             wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
         self.curves = frozenset({*existing, wanted})
         self.is_editing, self._chosen = is_editing, frozenset() if is_editing else frozenset(existing)
+        self.next_style.marked = Marked.ASKED
         if wanted != session.active_index:
             session.interrupted.emit()
             session.cancel()
@@ -305,8 +317,11 @@ class Selection:
 
     def begin(self, index: int) -> None:
         """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
+        self._note_style(self._session.document.curves)
         self.enter(index)
         self.is_editing, self._chosen, self.curves = True, frozenset(), frozenset({index})
+        # It is not in the document yet.
+        self.next_style.marked = Marked.LENT
 
     # From document to document
 
@@ -316,6 +331,7 @@ class Selection:
         Where what was edited is gone, and no curve has come in its place, none is edited and none chosen: the
         next key is not about a curve that nobody has asked for.
         """
+        self._note_style(before)
         session, old = self._session, (self.curves, self._chosen, self.is_editing)
         after, active = session.document.curves, session.active_index
         several = self._chosen if not self.is_editing else self.curves if len(self.curves) > 1 else ()
@@ -328,7 +344,13 @@ class Selection:
         self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
         self._chosen = frozenset() if self.is_editing else kept
+        if not any(curve is after[active] for curve in before):
+            # It was drawn, or worked on.
+            self.next_style.marked = Marked.ASKED
         return (self.curves, self._chosen, self.is_editing) != old
+
+    def _note_style(self, curves: Sequence[Curve]) -> None:
+        self.next_style.note(curves, self.marked, self._session.active_index)
 
     def _is_left(self, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
         """Whether all that was edited is gone, and the active curve is another one that was there already."""

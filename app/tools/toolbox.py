@@ -122,7 +122,7 @@ class Toolbox:
         self._chosen = self._of(record)
         if not self._chosen.finds_other_curves and not self._host.selected.is_editing:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
-            self._host.selected.activate(self._host.active_index)
+            self._host.selected.take_up()
             self._chosen.take_over(self.context)
 
     def lay_above(self, record: ToolRecord | None) -> None:

@@ -323,7 +323,7 @@ def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
 def _question_about(session: Session, beside: Path | None) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why.
 
-    `beside` is where it is saved without a question, beside the file of another format that it was opened from.
+    `beside` is where it is saved unasked, beside the file of another format that it was opened from.
     """
     files, file = session.files, session.files.file
     if files.path is None and files.foreign is not None:

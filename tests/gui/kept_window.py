@@ -121,6 +121,7 @@ class KeptEditor:
         session.history.clock = time.monotonic
         # With what was computed for it before.
         session.files.replace(self._sketch, None, views=self._views)
+        session.selected.next_style.last = None
         fading = window.canvas.drawing.curve._fade
         fading.setCurrentTime(fading.duration())
         self._reset_actions()

@@ -1,11 +1,14 @@
-"""A drawing of another program that is open: its name, those of its objects, and the question about changes."""
+"""A drawing of another program that is open: names, the question about changes, the style of what is new."""
 
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QUndoView
 
+from app.document.style import PLAIN_STYLE
+from app.features.text.commands import TextCommands
 from app.testing import spin
 
 DRAWING = (
@@ -69,3 +72,61 @@ def test_the_question_about_changes_says_what_saving_writes(drawing, tmp_path, i
     drawing.action("newDocument").trigger()
     where = "Saving asks for a name" if is_taken else "Saving writes in.curve.json beside it"
     assert asked == [("Save the changes to in.svg?", f"{where}; in.svg itself stays as it is.")]
+
+
+# The style of what is drawn next
+
+
+def drawn_with(editor, tool):
+    """Return the style of a curve drawn with a tool."""
+    editor.trigger(tool)
+    if tool == "addTool":
+        editor.click((6, 15))
+    else:
+        editor.drag((6, 15), (12, 20))
+    editor.wait_for_rest()
+    style = editor.session.document.curves[-1].style
+    editor.session.undo_stack.undo()
+    editor.trigger("selectTool")
+    return style
+
+
+TOOLS = ["addTool", "rectangleTool", "pencilTool"]
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool):
+    """It took that of the first object of the file."""
+    before = drawing.session.document.curves
+    assert drawn_with(drawing, tool) == PLAIN_STYLE
+    drawing.escape()
+    drawing.escape()
+    # What was chosen last says how the next one looks, also when it is let go, and gone.
+    drawing.click((28, 17))
+    assert drawing.session.selected.chosen == {1}
+    drawing.escape()
+    assert not drawing.session.selected.marked
+    assert drawn_with(drawing, tool) == before[1].style
+    drawing.session.selected.choose({1})
+    drawing.trigger("deleteSelection")
+    assert drawn_with(drawing, tool) == before[1].style
+    drawing.session.selected.choose({0})
+    assert drawn_with(drawing, tool) == before[0].style
+
+
+def test_a_text_takes_the_colour_chosen_last(drawing):
+    def written():
+        drawing.trigger("textTool")
+        drawing.click((6, 15))
+        words = drawing.window.commands[TextCommands].field.words
+        QTest.keyClicks(words, "I")
+        drawing.settle()
+        assert len(drawing.session.document.curves) == 3
+        fill = drawing.session.document.curves[-1].style.fill
+        QTest.keyClick(words, Qt.Key.Key_Escape)
+        drawing.trigger("selectTool")
+        return fill
+
+    assert written() == PLAIN_STYLE.colour
+    drawing.session.selected.choose({1})
+    assert written() == "#ff0000"

@@ -47,7 +47,7 @@ class CurveCommands:
     def _new(self) -> None:
         """Add a curve to the document."""
         session = self._session
-        model, place = session.active_curve, len(session.document.curves)
+        model, place = session.model, len(session.document.curves)
         fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
         if session.change(
             f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place

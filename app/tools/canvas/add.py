@@ -236,7 +236,7 @@ def _appending(context: ToolContext) -> Appending:
 
 def _fresh(context: ToolContext) -> Curve:
     """Return another curve to begin: as the one that is edited, with velocities where clicks make corners."""
-    document, model = context.host.document, context.view.source
+    document, model = context.host.document, context.host.model
     if model.family.derivatives or not _makes_corners(context):
         return fresh_curve(document, model, model.parametrization)
     return fresh_curve(document, model, Parametrization()).with_family(HERMITE)

@@ -19,6 +19,7 @@ from ...document.box_curves import (
     with_box_curve,
 )
 from ...document.model import Document, Vector
+from ...document.style import Style
 from ...document.transforms import decimal_sum
 from ..drag import Drag
 from ..marks import GestureMarks, Note
@@ -76,6 +77,8 @@ class DrawInBox(Drag, frozen=True):
     ----------
     active
         The curve that was edited at the press.
+    style
+        Of what is drawn.
     typed
         Width and height as typed meanwhile.
     """
@@ -85,6 +88,7 @@ class DrawInBox(Drag, frozen=True):
     start: Vector
     snapper: Snapper
     unit: str
+    style: Style
     typed: TypedAmount = TypedAmount()
 
     @property
@@ -104,7 +108,7 @@ class DrawInBox(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve."""
-        return with_box_curve(self.document, self.active, self.drawn.points, self._box(pointer))
+        return with_box_curve(self.document, self.active, self.drawn.points, self._box(pointer), self.style)
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
@@ -168,7 +172,7 @@ class BoxCurveTool(Tool):
         host, snapper = context.host, context.snappers.for_new(-1)
         start = snapper.at(_snapping_as_set(context.pointer))
         active, unit = host.active_index, context.settings.unit
-        self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit)
+        self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit, host.model.style)
         place = box_curve_place(host.document, active)
         context.drags.press(context.pointer, self._drag, self._say_how(context), active=place)
 

@@ -92,7 +92,7 @@ def _model(host: EditingHost, *, closed: bool) -> tuple[Curve, int]:
     active, place = host.active_view.source, host.active_index
     if not active.points and not active.locked:
         return replace(active, closed=closed), place
-    fresh = fresh_curve(host.document, active, Parametrization())
+    fresh = fresh_curve(host.document, host.model, Parametrization())
     return replace(fresh, settings=active.settings, closed=closed), len(host.document.curves)
 
 
