@@ -6,6 +6,7 @@
 - ``history``: the steps that can be undone.  ``views``: the view-models of the curves shown.
 - ``selection``: selected points and curves, the point under the pointer, the scrub line.
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
+- ``next_style``: the style of what is drawn next.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """
 

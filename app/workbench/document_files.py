@@ -13,9 +13,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
-from ..document.model import Document, empty_document
+from ..document.model import Document, Page, empty_document
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
+from ..families import HERMITE
 from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
@@ -39,6 +40,9 @@ StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[s
 
 Returns whether the work has begun.
 """
+
+_A4 = Page(0.0, 0.0, 210.0, 297.0)
+"""The page of a drawing, in millimetres, where no other is usual."""
 
 _READ = 0.1
 """Share of opening that is reading the file."""
@@ -69,6 +73,8 @@ class DocumentFiles:
         """Does work beside the window; without it every document is opened at once."""
         self.open_foreign: Callable[[Path], object] | None = None
         """Opens a file of another format as a new document."""
+        self.open_window: Callable[[], object] | None = None
+        """Opens a window with an empty document; None where somebody else keeps the windows."""
         self._after_opening: list[Callable[[str], object]] | None = None
         session.files.blank = self._blank
         self._prepare_sketch()
@@ -95,6 +101,19 @@ class DocumentFiles:
         if self.may_discard():
             self.remember_rules()
             self._session.new()
+
+    def new_drawing(self) -> bool:
+        """Start a page to draw on, after asking about unsaved changes; return whether it is there."""
+        if not self.may_discard():
+            return False
+        self.remember_rules()
+        usual = self._blank()
+        curve = usual.curves[0].with_family(HERMITE)
+        document = replace(usual, curves=(curve,))
+        if document.page is None:
+            document = replace(document, unit="mm", page=_A4)
+        self._session.files.begin(document)
+        return True
 
     def remember_rules(self) -> None:
         """Let new documents begin with the family and the rules of the curve that is edited.
