@@ -27,6 +27,7 @@ from app.features.help.shortcut_sheet import ShortcutSheet
 from app.features.motion.commands import MotionCommands
 from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
+from app.session.next_style import NextStyle
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
@@ -121,13 +122,13 @@ class KeptEditor:
         session.history.clock = time.monotonic
         # With what was computed for it before.
         session.files.replace(self._sketch, None, views=self._views)
-        session.selected.next_style.last = None
         fading = window.canvas.drawing.curve._fade
         fading.setCurrentTime(fading.duration())
         self._reset_actions()
         self._reset_settings()
         self._reset_drawing()
         self._reset_layout()
+        session.selected.next_style = NextStyle()
         window.commands.messages.greet()
         window.actions_by_name["fitView"].trigger()
         window.activateWindow()

@@ -29,6 +29,7 @@ from ...exchange.formats import (
     is_document,
     with_ending,
 )
+from ...session.next_style import Marked
 from ...storage.files import StorageError, read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
@@ -249,11 +250,13 @@ class ExchangeCommands:
     def _show_added(self, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
         """Show what has come in, choose it where it came to others, and say what it is."""
         added, curves = arrival.places, arrival.document.curves[arrival.places.start :]
-        if added.start > 0:
+        if added.start > 0 or len(curves) > 1:
             # What came to others is put in its place as a whole, but for what nobody may move.
             free = [place for place in added if arrival.document.curves[place].is_free]
             self._session.selected.choose(free)
-        elif len(curves) > 1:
+        if added.start == 0 and len(curves) > 1:
+            # Nobody has chosen them: what is drawn next is not to look like them.
+            self._session.selected.next_style.marked = Marked.OPENED
             self._session.selected.choose(())
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
