@@ -39,7 +39,11 @@ CHOSEN = Need(
     why=lambda _now: NONE_CHOSEN,
 )
 
-HIGHLIGHTED = Need("a curve or a point", lambda now: now.has_highlight)
+HIGHLIGHTED = Need(
+    "a curve or a point",
+    lambda now: now.has_highlight,
+    why=lambda now: "" if now.is_blank else NONE_CHOSEN,
+)
 HERMITE_CURVE = Need("a Hermite curve", lambda now: now.has_derivatives)
 HERMITE_POINTS = Need(
     "selected points of a Hermite curve",

@@ -9,11 +9,12 @@ import signal
 import socket
 import sys
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from types import FrameType
 from typing import IO, Any
 
-from PySide6.QtCore import QObject, QSocketNotifier, QTimer
+from PySide6.QtCore import QObject, QPoint, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
 from .. import diagnostics
@@ -33,6 +34,9 @@ _SIGNALS = tuple(
 )
 _LOG_FILE_MS = 1000
 """Milliseconds until the log goes to its file, too: until then it is in memory."""
+
+_ASIDE = 40
+"""Pixels that a new window lies beside the one that it was asked for in."""
 
 _FIRST_SIGNAL_CODE = 128
 """Added to a signal's number it is what a shell expects of a program that the signal ended."""
@@ -69,6 +73,7 @@ class Lifecycle(QObject):
         SlowFrames(window.session.document_changed, window.canvas.painted, window)
         window.commands[RecoveryCommands].keep_with(autosave, self._open_beside)
         window.commands.drops.open_window = self._open_window
+        window.context.files.open_window = partial(self._open_empty, window)
         window.closed.connect(lambda: self._finish(window))
         # Who goes on working has called the end of the system off.
         window.session.history_changed.connect(window.ask_before_closing)
@@ -84,6 +89,12 @@ class Lifecycle(QObject):
         session = Session()
         session.open(path)
         self._show(session)
+
+    def _open_empty(self, beside: MainWindow) -> None:
+        """Open an empty document in another window, which leaves a part of the one before in sight."""
+        window = self._show(Session())
+        window.session.new()
+        window.move(beside.pos() + QPoint(_ASIDE, _ASIDE))
 
     def _show(self, session: Session) -> MainWindow:
         window = MainWindow(session)

@@ -14,6 +14,7 @@ from .curve_edits import fresh_curve, replace_curve
 from .edits import EditError
 from .layers import front_of, in_front, without
 from .model import Curve, Document, Parametrization, Point, Vector
+from .style import Style
 
 
 class BoxPoint(NamedTuple):
@@ -57,11 +58,11 @@ def box_curve_place(document: Document, active: int, layer: str = "") -> int:
 
 
 def with_box_curve(
-    document: Document, active: int, points: Sequence[BoxPoint], box: Box, layer: str = ""
+    document: Document, active: int, points: Sequence[BoxPoint], box: Box, style: Style, layer: str = ""
 ) -> Document:
     """Return the document with a closed cubic curve that fills a box, at its place.
 
-    It has style and rules of the active curve, or is that one where it is empty.
+    It has a style and the rules of the active curve, or is that one where it is empty.
     """
     if not all(box.size):
         raise EditError("Drag to the side and up or down: the box has no area.")
@@ -69,7 +70,7 @@ def with_box_curve(
     if rest is not document:
         curve = replace(model, parametrization=Parametrization(), visible=True)
     else:
-        curve = fresh_curve(document, model, Parametrization())
+        curve = fresh_curve(document, replace(model, style=style), Parametrization())
     curve, front = replace(curve.with_family(HERMITE), closed=True), front_of(rest, layer)
     made = in_front(rest, front, curve)
     return replace_curve(made, front.place, replace(made.curves[front.place], points=_in_box(points, box)))

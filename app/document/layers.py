@@ -10,12 +10,12 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from .curve_edits import add_curve, fresh_curve, remove_curve, with_each
+from .curve_edits import add_curve, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, Node, NodeKind, layered_tree, layers_around
 from .edits import EditError
 from .empty_layer import EmptyLayer
 from .layer_order import with_tidy_layers
-from .model import Curve, Document, Parametrization
+from .model import Curve, Document
 from .shape_edits import Gathered, contained, free_group_name, gathered
 from .shapes import whole_shapes
 
@@ -104,16 +104,15 @@ def free_layer(document: Document, layer: str) -> str:
     return layer
 
 
-def begun(document: Document, active: int, layer: str, fresh: Callable[[], Curve] | None = None) -> Begun:
+def begun(document: Document, active: int, layer: str, fresh: Callable[[], Curve]) -> Begun:
     """Return the document with the empty curve that is drawn next in front in a layer.
 
     That is the active one where it is empty and free, and else a `fresh` one.
     """
     model = document.curves[active]
     if model.points or model.locked:
-        curve = fresh_curve(document, model, Parametrization()) if fresh is None else fresh()
         front = front_of(document, layer)
-        return Begun(in_front(document, front, curve), front.place)
+        return Begun(in_front(document, front, fresh()), front.place)
     if layer_of(document, active) == layer:
         return Begun(document, active)
     rest = without(document, active)

@@ -163,9 +163,17 @@ def place_in(document: Document, curve: Curve) -> int:
     return next(place for place, each in enumerate(document.curves) if each is curve)
 
 
-def active_after_removal(document: Document, curves: Collection[int], active: int) -> int:
-    """Return which curve to edit when `curves` are gone: the one that takes the place of the active one."""
-    before = sum(place not in curves for place in range(active))
+def active_after_removal(
+    document: Document, curves: Collection[int], active: int, edited: Collection[int] = ()
+) -> int:
+    """Return which curve is the active one when `curves` are gone.
+
+    Of those `edited`, or of the shape of the active one, the nearest that is left; where none is, the one
+    that takes its place.
+    """
+    left = [place for place in edited or shape_of(document, active) if place not in curves]
+    nearest = min(left, key=lambda place: abs(place - active), default=active)
+    before = sum(place not in curves for place in range(nearest))
     return max(0, min(before, len(document.curves) - len(curves) - 1))
 
 

@@ -7,6 +7,7 @@
 - ``selection``: selected points and curves, the point under the pointer.  ``scrub_line``: a t that is shown.
 - ``box``: what the box around what is selected turns about, and what its grips do.
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
+- ``next_style``: the style of what is drawn next.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """
 

@@ -13,13 +13,15 @@ from ..document.selection import (
     Choice,
     followed_curves,
     followed_group,
+    followed_places,
     returned_curves,
     returned_points,
 )
 from ..document.several_curves import is_blank
-from ..document.shapes import whole_shapes
+from ..document.shapes import shape_around, whole_shapes
 from ..document.steps import reshaped
 from .highlight import Highlight
+from .next_style import Marked, NextStyle
 
 if TYPE_CHECKING:
     from .session import Session
@@ -46,6 +48,8 @@ class Selection:
         Whether the active curve is edited.
     hovered
         The point under the pointer, or -1.
+    next_style
+        The style of what is drawn next, where nothing is chosen.
     """
 
     def __init__(self, session: Session) -> None:
@@ -57,6 +61,7 @@ class Selection:
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
+        self.next_style = NextStyle()
         # The layer that was chosen since a curve was; None where that of the active curve is meant.
         self._layer: str | None = None
 
@@ -211,6 +216,12 @@ class Selection:
         places = [index for index in indices if 0 <= index < len(document.curves)]
         self._take(whole_shapes(document, places), is_editing=False)
 
+    def take_up(self) -> None:
+        """Edit the active curve, for a tool that needs one; where nobody chose it, its style says nothing."""
+        was_chosen = bool(self.marked) and self.next_style.marked
+        self.activate(self._session.active_index)
+        self.next_style.marked = was_chosen or Marked.LENT
+
     def show_choice(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""
         self._chosen = frozenset(indices)
@@ -236,6 +247,7 @@ class Selection:
         if session.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
+        self._note_style(session.document.curves)
         before, places = self.choice, range(len(session.document.curves))
         layer = self.layer
         wanted = active if active is not None and active in places else session.active_index
@@ -244,6 +256,7 @@ class Selection:
             wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
         self.curves = frozenset({*existing, wanted})
         self.is_editing, self._chosen = is_editing, frozenset() if is_editing else frozenset(existing)
+        self.next_style.marked = Marked.ASKED
         if wanted != session.active_index:
             session.interrupted.emit()
             session.cancel()
@@ -284,6 +297,14 @@ class Selection:
         self.set_hovered(-1)
         self._session.active_index = index
 
+    def begin(self, index: int) -> None:
+        """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
+        self._note_style(self._session.document.curves)
+        self.enter(index)
+        self.is_editing, self._chosen, self.curves = True, frozenset(), frozenset({index})
+        # It is not in the document yet.
+        self.next_style.marked = Marked.LENT
+
     # From document to document
 
     @contextmanager
@@ -311,18 +332,40 @@ class Selection:
             session.selected_curves_changed.emit(self.curves)
 
     def _follow_curves(self, before: Sequence[Curve]) -> bool:
-        """Select the same curves where they are now; return whether their places are other ones."""
-        session, old = self._session, (self.curves, self._chosen)
+        """Select the same curves where they are now; return whether that is another selection.
+
+        Where what was edited is gone, and no curve has come in its place, none is edited and none chosen: the
+        next key is not about a curve that nobody has asked for.
+        """
+        self._note_style(before)
+        session, old = self._session, (self.curves, self._chosen, self.is_editing)
         after, active = session.document.curves, session.active_index
         several = self._chosen if not self.is_editing else self.curves if len(self.curves) > 1 else ()
         kept = followed_curves(several, before, after)
-        if active not in kept:
+        if self.is_editing and self._is_left(before, after):
+            self.is_editing, kept = False, frozenset()
+        elif active not in kept:
             # A curve that was added is what is worked on now; where one has gone nobody has chosen another.
             kept = frozenset({active} if self.is_editing or len(after) > len(before) else ())
         self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
         self._chosen = frozenset() if self.is_editing else kept
-        return (self.curves, self._chosen) != old
+        if not any(curve is after[active] for curve in before):
+            # It was drawn, or worked on.
+            self.next_style.marked = Marked.ASKED
+        return (self.curves, self._chosen, self.is_editing) != old
+
+    def _note_style(self, curves: Sequence[Curve]) -> None:
+        self.next_style.note(curves, self.marked, self._session.active_index)
+
+    def _is_left(self, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+        """Whether all that was edited is gone, and the active curve is another one that was there already."""
+        if len(after) >= len(before) or not any(
+            curve is after[self._session.active_index] for curve in before
+        ):
+            return False
+        edited = {place for each in self.curves for place in shape_around(before, each)}
+        return not followed_places(edited, before, after)
 
     def select_returned(self, before: Sequence[Curve]) -> None:
         """Select the points, or the curves, that undo or redo has brought back."""

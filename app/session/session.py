@@ -6,6 +6,7 @@ import logging
 from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
@@ -14,6 +15,7 @@ from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
 from ..document.shapes import tidy_shapes
+from ..document.style import Style
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
@@ -23,6 +25,7 @@ from .change import Change, raiser_of, why_locked, why_not_kept
 from .files import Files
 from .history import Beginning, History, State
 from .messages import Message, MessageKind
+from .next_style import Marked
 from .scrub_line import ScrubLine
 from .selection import Selection
 from .views import Views
@@ -191,6 +194,19 @@ class Session(QObject):
         return self.views[self.active_index]
 
     @property
+    def style(self) -> Style:
+        """The style of what is drawn next: of what is edited or chosen, or was last, or of new documents."""
+        curve, following = self.active_curve, self.selected.next_style
+        if not curve.points or (self.selected.marked and following.marked is not Marked.LENT):
+            return curve.style
+        return following.last or self.files.blank().curves[0].style
+
+    @property
+    def model(self) -> Curve:
+        """The curve that what is drawn next is like: in family and rules the active one."""
+        return replace(self.active_curve, style=self.style)
+
+    @property
     def meant_view(self) -> CurveView | None:
         """The view-model of the active curve; None while no curve is edited and none chosen."""
         return self.active_view if self.selected.means_curve else None
@@ -249,7 +265,7 @@ class Session(QObject):
             self._home = self.selected.choice
             self._views.leave()
         if active is not None and active != self.active_index:
-            self.selected.enter(active)
+            self.selected.begin(active)
         self._show(document)
         return True
 
@@ -310,6 +326,8 @@ class Session(QObject):
                 self.left.emit(before)
             self._turn_to(state.beginning)
         self._restore(state)
+        if is_other:
+            self.selected.next_style.marked = Marked.OPENED
         if self.history.is_pushing:
             return
         if is_other:
@@ -326,7 +344,8 @@ class Session(QObject):
             self.files.close()
             self.undo_stack.resetClean()
         self.selected.set_points([])
-        self.selected.activate(self.active_index)
+        self.selected.take_up()
+        self.selected.next_style.marked = Marked.LENT
         self.scrub.set(None)
         self.box.set_pivot(None)
         # Another document's curves are nobody's last good shape.
@@ -393,6 +412,7 @@ class Session(QObject):
         self._turn_to(state.beginning)
         self.files.path = path
         self._restore(state, views)
+        self.selected.next_style.marked = Marked.OPENED
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

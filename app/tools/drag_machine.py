@@ -9,7 +9,7 @@ from typing import Protocol
 import msgspec
 
 from ..document.edits import EditError
-from ..document.model import Document, Vector
+from ..document.model import Curve, Document, Vector
 from ..document.point_group import PointGroup
 from ..document.selection import Choice
 from ..view_model.curve_view import CurveView
@@ -84,6 +84,9 @@ class SelectionHost(Protocol):
     def activate(self, index: int) -> None:
         """Edit another curve."""
 
+    def take_up(self) -> None:
+        """Edit the active curve, for a tool that needs one."""
+
     def edit_chosen(self) -> None:
         """Edit what is chosen."""
 
@@ -142,6 +145,10 @@ class EditingHost(Protocol):
     @property
     def active_view(self) -> CurveView:
         """The view of the active curve."""
+
+    @property
+    def model(self) -> Curve:
+        """The curve that what is drawn next is like."""
 
     def preview(self, document: Document, *, active: int | None = None) -> bool:
         """Show a document for the length of the gesture; edit its curve `active` where that is another.

@@ -123,7 +123,7 @@ class Toolbox:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
             selected = self._host.selected
             layer = selected.layer
-            selected.activate(self._host.active_index)
+            selected.take_up()
             selected.set_layer(layer)
             self._chosen.take_over(self.context)
 

@@ -13,9 +13,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
-from ..document.model import Document, empty_document
+from ..document.model import Document, Page, empty_document
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
+from ..families import HERMITE
 from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
@@ -39,6 +40,9 @@ StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[s
 
 Returns whether the work has begun.
 """
+
+_A4 = Page(0.0, 0.0, 210.0, 297.0)
+"""The page of a drawing, in millimetres, where no other is usual."""
 
 _READ = 0.1
 """Share of opening that is reading the file."""
@@ -69,6 +73,8 @@ class DocumentFiles:
         """Does work beside the window; without it every document is opened at once."""
         self.open_foreign: Callable[[Path], object] | None = None
         """Opens a file of another format as a new document."""
+        self.open_window: Callable[[], object] | None = None
+        """Opens a window with an empty document; None where somebody else keeps the windows."""
         self._after_opening: list[Callable[[str], object]] | None = None
         session.files.blank = self._blank
         self._prepare_sketch()
@@ -95,6 +101,19 @@ class DocumentFiles:
         if self.may_discard():
             self.remember_rules()
             self._session.new()
+
+    def new_drawing(self) -> bool:
+        """Start a page to draw on, after asking about unsaved changes; return whether it is there."""
+        if not self.may_discard():
+            return False
+        self.remember_rules()
+        usual = self._blank()
+        curve = usual.curves[0].with_family(HERMITE)
+        document = replace(usual, curves=(curve,))
+        if document.page is None:
+            document = replace(document, unit="mm", page=_A4)
+        self._session.files.begin(document)
+        return True
 
     def remember_rules(self) -> None:
         """Let new documents begin with the family and the rules of the curve that is edited.
@@ -295,7 +314,7 @@ class DocumentFiles:
             self._session.files.file.close()
 
     def _ask_about_changes(self) -> int:
-        asked, told = _question_about(self._session)
+        asked, told = _question_about(self._session, self._place_beside_foreign())
         question = QMessageBox(self._window)
         question.setObjectName("saveChanges")
         question.setWindowTitle("Curvebench")
@@ -320,13 +339,20 @@ def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
     return reading, views_ahead(reading.document.curves, lambda share: told(share, "Computing curves"))
 
 
-def _question_about(session: Session) -> tuple[str, str]:
-    """Return what is asked before a document goes that is not in its file, and why."""
-    is_named = session.files.path is not None or session.files.beginning.title
+def _question_about(session: Session, beside: Path | None) -> tuple[str, str]:
+    """Return what is asked before a document goes that is not in its file, and why.
+
+    `beside` is where it is saved unasked, beside the file of another format that it was opened from.
+    """
+    files, file = session.files, session.files.file
+    if files.path is None and files.foreign is not None:
+        opened = _short(files.foreign.path.name)
+        where = f"Saving writes {_short(beside.name)} beside it" if beside else "Saving asks for a name"
+        return f"Save the changes to {opened}?", f"{where}; {opened} itself stays as it is."
+    is_named = files.path is not None or files.beginning.title
     name = _short(title_of(session)) if is_named else "the sketch"
-    file = session.files.file
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
-    if session.files.has_changes:
+    if files.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."
     return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
 

@@ -46,7 +46,7 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
 
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
     """
-    document, active = session.document, session.active_index
+    document, active, edited = session.document, session.active_index, session.selected.edited
     gone, deleted = what.curves_of(document), list[Deletion]()
 
     def without(document: Document, curve: int, indices: Collection[int]) -> Document:
@@ -57,7 +57,7 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
     change = session.change(
         f"{verb} {what.words(document)}",
         lambda document: what.removed_from(document, delete),
-        active=active_after_removal(document, gone, active) if gone else None,
+        active=active_after_removal(document, gone, active, edited) if gone else None,
     )
     if change:
         session.selected.set_points([])

@@ -28,6 +28,7 @@ from app.features.motion.commands import MotionCommands
 from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
 from app.features.view.zoom_commands import ZoomCommands
+from app.session.next_style import NextStyle
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
@@ -130,6 +131,7 @@ class KeptEditor:
         self._reset_settings()
         self._reset_drawing()
         self._reset_layout()
+        session.selected.next_style = NextStyle()
         window.commands.messages.greet()
         window.actions_by_name["fitView"].trigger()
         window.activateWindow()

@@ -174,7 +174,11 @@ def test_the_actions_choose_all_and_one(five):
     assert not five.action("onlyThisCurve").isEnabled()
     five.run_command("Select All Curves")
     assert chosen(five) == "BACDE"
-    assert not five.action("selectAllCurves").isEnabled()
+    # Once more is harmless, and no warning.
+    five.window.canvas.setFocus()
+    five.key(Qt.Key.Key_A, CTRL | SHIFT)
+    assert chosen(five) == "BACDE"
+    assert (five.status, five.window.status_line.is_refusal) == ("All 5 curves are chosen.", False)
     five.trigger("onlyThisCurve")
     assert chosen(five) == "B"
 

@@ -155,7 +155,7 @@ class CurveListCommands:
         session.change(
             f"Delete {named(document, curves)}",
             lambda document: remove_curves(document, curves),
-            active=active_after_removal(document, curves, session.active_index),
+            active=active_after_removal(document, curves, session.active_index, session.selected.edited),
         )
 
     # How they are called and shown
@@ -208,17 +208,16 @@ class CurveListCommands:
         "Select All Curves",
         EDIT_SELECT,
         "Ctrl+Shift+A",
-        needs=Need(
-            "a curve that is not chosen yet",
-            lambda now: len(now.session.selected.marked) < len(now.session.document.curves),
-        ),
+        needs=Need("a curve", lambda now: not now.is_blank),
     )
     @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
     def _choose_all(self) -> None:
         """Choose all curves, to move, scale, hide, colour or delete them together."""
-        session = self._session
-        session.selected.set_curves(range(len(session.document.curves)))
-        session.say(f"{named(session.document, session.selected.curves)} chosen.")
+        session, count = self._session, len(self._session.document.curves)
+        session.selected.set_curves(range(count))
+        session.say(
+            f"All {count} curves are chosen." if count > 1 else f"“{session.active_curve.name}” is chosen."
+        )
 
     @action(
         "onlyThisCurve",

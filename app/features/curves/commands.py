@@ -48,7 +48,7 @@ class CurveCommands:
     def _new(self) -> None:
         """Add a curve to the document."""
         session, front = self._session, front_of(self._session.document, self._session.selected.layer)
-        fresh = curve_edits.fresh_curve(session.document, session.active_curve, Parametrization())
+        fresh = curve_edits.fresh_curve(session.document, session.model, Parametrization())
         if session.change(
             f"New {fresh.name}", lambda document: in_front(document, front, fresh), active=front.place
         ):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import action, also
 from ...actions.sections import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE
 from ...actions.strips import TOOLBAR
+from ...document.edits import EditError
 from ...workbench.context import WindowContext
 from .work_commands import WorkCommands
 
@@ -22,6 +23,27 @@ class DocumentCommands:
         self._context.files.new()
         if not self._context.session.active_curve.points:
             self._context.actions["addTool"].trigger()
+
+    @action(
+        "newDrawing",
+        "New Drawing",
+        FILE_OPEN,
+        "Ctrl+Alt+Shift+N",
+        "new-drawing",
+        keywords="page A4 paper artboard millimetres",
+    )
+    def _new_drawing(self) -> None:
+        """Start a page to draw on, with the pen in hand: A4 in millimetres, or that of new documents."""
+        if self._context.files.new_drawing():
+            self._context.actions["addTool"].trigger()
+            self._context.actions["fitPage"].trigger()
+
+    @action("newWindow", "New Window", FILE_OPEN, "Alt+Shift+N", "new-window", keywords="second beside")
+    def _open_window(self) -> None:
+        """Open another window with an empty document, beside this one."""
+        if self._context.files.open_window is None:
+            raise EditError("Another program keeps this window, and opens no second one.")
+        self._context.files.open_window()
 
     @action("openDocument", "Open…", FILE_OPEN, "Ctrl+O", "open")
     @also(TOOLBAR(11))

@@ -31,6 +31,7 @@ from ...exchange.formats import (
     is_document,
     with_ending,
 )
+from ...session.next_style import Marked
 from ...storage.files import StorageError, read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
@@ -258,6 +259,8 @@ class ExchangeCommands:
             # What came to others is put in its place as a whole, but for what nobody may move.
             selected.choose([place for place in added if document.curves[place].is_free])
         if is_all and len(curves) > 1:
+            # Nobody has chosen them: what is drawn next is not to look like them.
+            selected.next_style.marked = Marked.OPENED
             selected.choose(())
         if is_all:
             selected.set_layer(foremost_layer(document))

@@ -33,6 +33,7 @@ class TextCommands:
         self._made: text.field.TextField | None = None
         self._place: Vector = (0.0, 0.0)
         self._before = self._session.selected.choice
+        self._model = self._session.model
         # The size that was used last in this document; None before.
         self._size: float | None = None
         self._outlines = glyphs.NO_OUTLINES
@@ -67,7 +68,7 @@ class TextCommands:
             self._session.refuse("There are no fonts on this computer, and so no letters.")
             return
         self._place = place
-        self._before = self._session.selected.choice
+        self._before, self._model = self._session.selected.choice, self._session.model
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
         size = self._size or clean_step_within(self._view_height * _SHARE)
@@ -115,7 +116,7 @@ class TextCommands:
         session, size = self._session, self.field.text_size
         return text.letters.with_text(
             session.committed,
-            session.active_curve,
+            self._model,
             name,
             self._outlines,
             self._place,

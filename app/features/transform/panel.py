@@ -216,7 +216,7 @@ class TransformPanel(FieldForm):
             self.clear_refusal()
         self._shown = shown
         bounds, is_there = shown.bounds, shown.bounds is not None and not shown.problem
-        self.what.setText(f"{shown.what[0].upper()}{shown.what[1:]}")
+        self.what.setText(shown.what)
         self._units.setText(shown.unit)
         self._units.setVisible(bool(shown.unit))
         edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit)

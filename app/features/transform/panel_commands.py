@@ -114,12 +114,15 @@ class TransformPanelCommands(QObject):
         target, session = self._target, self._session
         if target.is_nothing:
             return transform.panel.Situated(
-                "nothing chosen", None, (False, False), (0.0, 0.0), None, 0.0, "", ""
+                "Nothing chosen", None, (False, False), (0.0, 0.0), None, 0.0, "", ""
             )
         bounds, bare, pivot = target.bounds, target.bare_bounds.size, target.centre
         places = [at for at in NINE if bounds.place(*at) == pivot]
+        words, group = target.words, target.for_keys
+        # A name is shown as it is; all else is a sentence's beginning.
+        what = words if group.name else f"{words[0].upper()}{words[1:]}"
         return transform.panel.Situated(
-            target.words, bounds, (bare[0] > 0.0, bare[1] > 0.0), pivot,
+            what, bounds, (bare[0] > 0.0, bare[1] > 0.0), pivot,
             places[len(places) // 2] if places else None, self._angle(),
             session.document.unit, target.refusal_of_keys,
         )  # fmt: skip

@@ -101,7 +101,7 @@ class AddTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin what a press here does."""
         host, hit = context.host, context.hit
-        if hit is not None and not hints.is_no_part(hit):
+        if hit is not None and not hints.is_no_part(hit) and not _begins_anew(host):
             self._press_on_part(context, hit)
             return
         act = self._act(context)
@@ -125,6 +125,8 @@ class AddTool(Tool):
             press_on_part(context, hit)
 
     def _act(self, context: ToolContext) -> PenAct:
+        if _begins_anew(context.host):
+            return PenAct.BEGIN
         finished = self._is_finished(context.host)
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
 
@@ -166,7 +168,7 @@ class AddTool(Tool):
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
         hit, view = context.hit, context.view
-        act = self._act(context) if hints.is_no_part(hit) else None
+        act = self._act(context) if hints.is_no_part(hit) or _begins_anew(context.host) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         in_steps = act is PenAct.APPEND and place_in_steps(view, context.pointer) is not None
         if place is not None and not in_steps:
@@ -210,6 +212,11 @@ class AddTool(Tool):
         )
 
 
+def _begins_anew(host: EditingHost) -> bool:
+    """Whether no curve is edited that a press could go on with: the one that was is gone."""
+    return not host.selected.is_editing and bool(host.active_view.source.points)
+
+
 def _key(host: EditingHost) -> tuple[int, str]:
     return host.active_index, host.active_view.source.name
 
@@ -238,7 +245,7 @@ def _appending(context: ToolContext) -> Appending:
 
 def _fresh(context: ToolContext) -> Curve:
     """Return another curve to begin: as the one that is edited, with velocities where clicks make corners."""
-    document, model = context.host.document, context.view.source
+    document, model = context.host.document, context.host.model
     if model.family.derivatives or not _makes_corners(context):
         return fresh_curve(document, model, model.parametrization)
     return fresh_curve(document, model, Parametrization()).with_family(HERMITE)

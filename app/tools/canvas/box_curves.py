@@ -19,6 +19,7 @@ from ...document.box_curves import (
     with_box_curve,
 )
 from ...document.model import Document, Vector
+from ...document.style import Style
 from ...document.transforms import decimal_sum
 from ..drag import Drag
 from ..marks import GestureMarks, Note
@@ -76,6 +77,8 @@ class DrawInBox(Drag, frozen=True):
     ----------
     active, layer
         The curve that was edited at the press, and the layer to draw in.
+    style
+        Of what is drawn.
     typed
         Width and height as typed meanwhile.
     """
@@ -85,6 +88,7 @@ class DrawInBox(Drag, frozen=True):
     start: Vector
     snapper: Snapper
     unit: str
+    style: Style
     typed: TypedAmount = TypedAmount()
     layer: str = ""
 
@@ -105,7 +109,8 @@ class DrawInBox(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve."""
-        return with_box_curve(self.document, self.active, self.drawn.points, self._box(pointer), self.layer)
+        box = self._box(pointer)
+        return with_box_curve(self.document, self.active, self.drawn.points, box, self.style, self.layer)
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
@@ -162,10 +167,10 @@ class BoxCurveTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin at a corner of the box."""
         host, snapper = context.host, context.snappers.for_new(-1)
-        start = snapper.at(context.pointer)
+        start, style = snapper.at(context.pointer), host.model.style
         active, unit, layer = host.active_index, context.settings.unit, host.selected.layer
         place = box_curve_place(host.document, active, layer)
-        self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit, layer=layer)
+        self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit, style, layer=layer)
         context.drags.press(context.pointer, self._drag, self._say_how(context), active=place)
 
     def _say_how(self, context: ToolContext) -> Callable[[], None]:

@@ -9,10 +9,10 @@ from time import thread_time
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import replace_curve
+from ...document.curve_edits import fresh_curve, replace_curve
 from ...document.edits import EditError
 from ...document.layers import Begun, begun
-from ...document.model import Curve, Vector
+from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
@@ -90,7 +90,10 @@ class Drawing(Gesture):
 
 
 def _begun(host: EditingHost) -> Begun:
-    return begun(host.document, host.active_index, host.selected.layer)
+    document, layer = host.document, host.selected.layer
+    return begun(
+        document, host.active_index, layer, lambda: fresh_curve(document, host.model, Parametrization())
+    )
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:

@@ -1,0 +1,127 @@
+"""What is edited and chosen when a curve is gone: nothing, until somebody asks for it; real events."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+
+from app.document.model import Document
+from app.document.selection import NONE_CHOSEN
+from app.features.curve_list.commands import CurveListCommands
+
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+DELETE = Qt.Key.Key_Delete
+
+
+@pytest.fixture
+def four(waves):
+    """Four waves, the second edited by a double click, with no point selected."""
+    editor = waves("ABCD")
+    editor.escape()
+    editor.double_click(tuple(editor.session.views[1].curve.evaluate(0.45).tolist()))
+    assert state(editor) == ("ABCD", True, "", "B")
+    return editor
+
+
+def names(editor):
+    return "".join(curve.name for curve in editor.session.document.curves)
+
+
+def state(editor):
+    """Return which curves there are, whether one is edited, which are chosen, and the active one."""
+    selected, curves = editor.session.selected, editor.session.document.curves
+    chosen = "".join(curves[place].name for place in sorted(selected.chosen))
+    return names(editor), selected.is_editing, chosen, editor.curve.name if selected.is_editing else ""
+
+
+@pytest.mark.parametrize(
+    ("key", "held", "step"),
+    [(DELETE, 0, "Delete B"), (Qt.Key.Key_X, CTRL, "Cut B"), (DELETE, SHIFT, "Delete B")],
+)
+def test_a_second_and_third_delete_take_no_other_curve(four, key, held, step):
+    """Three keys took the curve that was edited and two that nobody had touched."""
+    steps = four.session.undo_stack.count()
+    for _ in range(3):
+        four.key(key, held or Qt.KeyboardModifier.NoModifier)
+        assert state(four) == ("ACD", False, "", "")
+    assert four.status == NONE_CHOSEN
+    assert (four.session.undo_stack.count(), four.session.undo_stack.undoText()) == (steps + 1, step)
+    four.trigger("undo")
+    assert state(four) == ("ABCD", False, "B", "")
+    four.trigger("redo")
+    assert state(four) == ("ACD", False, "", "")
+
+
+def test_one_deleted_in_the_list_leaves_the_one_that_is_edited(four):
+    four.show_dock("curvesDock")
+    four.click_in_list(3)
+    four.window.commands[CurveListCommands].panel.view.setFocus()
+    four.trigger("deleteCurve")
+    assert state(four) == ("ABC", False, "", "")
+
+
+def test_all_points_deleted_of_one_part_leave_the_rest_of_the_shape_edited(four):
+    document = four.session.document
+    parts = [replace(curve, shape="S") if curve.name in "CD" else curve for curve in document.curves]
+    four.session.commit(Document(tuple(parts)), "Combine")
+    four.session.selected.activate(3)
+    four.select([0, 1, 2, 3])
+    four.key(DELETE)
+    assert state(four) == ("ABC", True, "", "C")
+
+
+def test_of_several_that_are_edited_those_left_are_still(four):
+    selected = four.session.selected
+    selected.choose({0, 3})
+    four.key(Qt.Key.Key_Return)
+    gone, left = ("A", "D") if four.curve.name == "A" else ("D", "A")
+    four.select([0, 1, 2, 3])
+    four.key(DELETE)
+    assert state(four) == ("ABCD".replace(gone, ""), True, "", left)
+
+
+def test_undo_of_a_curve_that_was_drawn_leaves_the_others_alone(four):
+    four.key(Qt.Key.Key_P)
+    four.key(Qt.Key.Key_Return)
+    four.click((1.5, 4.6))
+    assert names(four) == "ABCDCurve 1"
+    four.trigger("undo")
+    assert state(four) == ("ABCD", False, "", "")
+    four.key(DELETE)
+    assert names(four) == "ABCD"
+    # The pen in hand begins another curve, also on the points of the one edited before.
+    four.click((1, 4))
+    assert [len(curve.points) for curve in four.session.document.curves] == [4, 4, 4, 4, 1]
+    assert four.session.selected.is_editing
+    four.click((1.5, 4.6))
+    assert len(four.curve.points) == 2
+
+
+def test_a_pen_that_has_lost_its_curve_takes_back_a_beginning(four):
+    four.key(Qt.Key.Key_P)
+    four.key(DELETE)
+    assert state(four) == ("ACD", False, "", "")
+    document = four.session.document
+    four.press((1.5, 4.6))
+    four.move((1.8, 4.8))
+    four.escape()
+    four.release((1.8, 4.8))
+    assert four.session.document is document
+    assert state(four) == ("ACD", False, "", "")
+    four.hover((1.5, 4.6))
+    assert four.window.status_line.hint.startswith("Click to begin another curve")
+
+
+def test_the_last_curve_leaves_one_to_draw(waves):
+    one = waves("AB")
+    one.key(DELETE)
+    one.session.selected.choose({0})
+    one.key(Qt.Key.Key_Return)
+    one.key(DELETE)
+    assert one.curve.points == ()
+    one.key(Qt.Key.Key_P)
+    one.fit()
+    one.click((0.4, 0.4))
+    one.click((0.6, 0.4))
+    assert [len(curve.points) for curve in one.session.document.curves] == [2]

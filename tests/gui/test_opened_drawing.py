@@ -1,0 +1,132 @@
+"""A drawing of another program that is open: names, the question about changes, the style of what is new."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QUndoView
+
+from app.document.style import PLAIN_STYLE
+from app.features.text.commands import TextCommands
+from app.testing import spin
+
+DRAWING = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
+    '<path id="r1" d="M2 2L10 2L10 10Z" fill="#00ff00"/>'
+    '<path id="r2" d="M20 20L30 20L30 30Z" fill="#ff0000" stroke="#0000ff" stroke-width="1"/></svg>'
+)
+
+pytestmark = pytest.mark.usefixtures("drawings_read_here")
+
+
+@pytest.fixture
+def drawing(editor, tmp_path):
+    """An SVG opened as a document; none of its two triangles is chosen."""
+    path = tmp_path / "in.svg"
+    path.write_text(DRAWING)
+    editor.session.new()
+    editor.window.context.files.open(path)
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    while dialog.jobs.is_busy:
+        spin(5)
+    dialog.ok.click()
+    editor.settle()
+    assert [curve.name for curve in editor.session.document.curves] == ["r1", "r2"]
+    assert not editor.session.selected.marked
+    return editor
+
+
+def test_its_history_begins_with_the_name_of_its_file(drawing):
+    model = drawing.window.findChild(QUndoView, "historyView").model()
+    assert model.data(model.index(0, 0)) == "Opened in.svg"
+
+
+def test_the_transform_panel_shows_names_as_they_are(drawing):
+    drawing.show_dock("transformDock")
+    label = drawing.window.findChild(QLabel, "transformWhat")
+    drawing.session.selected.choose({0})
+    assert label.text() == "r1"
+    drawing.session.selected.choose({0, 1})
+    assert label.text() == "2 curves"
+    drawing.session.selected.activate(0)
+    drawing.settle()
+    assert label.text() == "All 3 points"
+
+
+@pytest.mark.parametrize("is_taken", [False, True])
+def test_the_question_about_changes_says_what_saving_writes(drawing, tmp_path, is_taken):
+    if is_taken:
+        (tmp_path / "in.curve.json").write_text("another one")
+    drawing.session.selected.choose({0})
+    drawing.trigger("deleteSelection")
+    asked = []
+
+    def answer():
+        box = drawing.window.findChild(QMessageBox, "saveChanges")
+        asked.append((box.text(), box.informativeText()))
+        box.button(QMessageBox.StandardButton.Cancel).click()
+
+    QTimer.singleShot(0, answer)
+    drawing.action("newDocument").trigger()
+    where = "Saving asks for a name" if is_taken else "Saving writes in.curve.json beside it"
+    assert asked == [("Save the changes to in.svg?", f"{where}; in.svg itself stays as it is.")]
+
+
+# The style of what is drawn next
+
+
+def drawn_with(editor, tool):
+    """Return the style of a curve drawn with a tool."""
+    editor.trigger(tool)
+    if tool == "addTool":
+        editor.click((6, 15))
+    else:
+        editor.drag((6, 15), (12, 20))
+    editor.wait_for_rest()
+    style = editor.session.document.curves[-1].style
+    editor.session.undo_stack.undo()
+    editor.trigger("selectTool")
+    return style
+
+
+TOOLS = ["addTool", "rectangleTool", "pencilTool"]
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool):
+    """It took that of the first object of the file."""
+    before = drawing.session.document.curves
+    assert drawn_with(drawing, tool) == PLAIN_STYLE
+    drawing.escape()
+    drawing.escape()
+    # What was chosen last says how the next one looks, also when it is let go, and gone.
+    drawing.click((28, 17))
+    assert drawing.session.selected.chosen == {1}
+    drawing.escape()
+    assert not drawing.session.selected.marked
+    assert drawn_with(drawing, tool) == before[1].style
+    drawing.session.selected.choose({1})
+    drawing.trigger("deleteSelection")
+    assert drawn_with(drawing, tool) == before[1].style
+    drawing.session.selected.choose({0})
+    assert drawn_with(drawing, tool) == before[0].style
+
+
+def test_a_text_takes_the_colour_chosen_last(drawing):
+    def written():
+        drawing.trigger("textTool")
+        drawing.click((6, 15))
+        words = drawing.window.commands[TextCommands].field.words
+        QTest.keyClicks(words, "I")
+        drawing.settle()
+        assert len(drawing.session.document.curves) == 3
+        fill = drawing.session.document.curves[-1].style.fill
+        QTest.keyClick(words, Qt.Key.Key_Escape)
+        drawing.trigger("selectTool")
+        return fill
+
+    assert written() == PLAIN_STYLE.colour
+    drawing.session.selected.choose({1})
+    assert written() == "#ff0000"
