@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import repeat
+from operator import is_
 from typing import TYPE_CHECKING
 
 from ..document.layers import layer_of
@@ -350,7 +352,7 @@ class Selection:
         self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
         self._chosen = frozenset() if self.is_editing else kept
-        if not any(curve is after[active] for curve in before):
+        if not any(map(is_, before, repeat(after[active]))):
             # It was drawn, or worked on.
             self.next_style.marked = Marked.ASKED
         return (self.curves, self._chosen, self.is_editing) != old
@@ -360,9 +362,8 @@ class Selection:
 
     def _is_left(self, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
         """Whether all that was edited is gone, and the active curve is another one that was there already."""
-        if len(after) >= len(before) or not any(
-            curve is after[self._session.active_index] for curve in before
-        ):
+        active = after[self._session.active_index]
+        if len(after) >= len(before) or not any(map(is_, before, repeat(active))):
             return False
         edited = {place for each in self.curves for place in shape_around(before, each)}
         return not followed_places(edited, before, after)

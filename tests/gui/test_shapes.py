@@ -15,6 +15,7 @@ from app.appearance.theme import LIGHT
 from app.cli import main
 from app.document.edits import move_points
 from app.document.model import Document, make_curve
+from app.document.several_curves import with_appearance
 from app.document.style import FillRule, Style
 from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands
@@ -761,7 +762,7 @@ def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
 # Many
 
 
-def test_a_move_in_a_list_of_thousands_makes_one_row_anew(editor, monkeypatch):
+def test_a_change_in_a_list_of_thousands_makes_its_rows_anew_and_a_move_none(editor, monkeypatch):
     curves = [
         replace(diamond(1.0, f"c{k}", x=3.0 * k), shape=f"S{k // 2}", groups=(f"G{k // 20}",))
         for k in range(2000)
@@ -777,12 +778,14 @@ def test_a_move_in_a_list_of_thousands_makes_one_row_anew(editor, monkeypatch):
     resets = []
     model.modelAboutToBeReset.connect(lambda: resets.append(1))
     editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
+    assert (made, resets) == ([], [])
+    editor.session.change("Hide", lambda document: with_appearance(document, [7], visible=False))
     assert (made, resets) == (["G0"], [])
     fold(editor, "G0")
     fold(editor, "S3")
     made.clear(), resets.clear()
-    editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
-    assert (sorted(made), resets) == (["G0", "S3", "c7"], [])
+    editor.session.change("Show", lambda document: with_appearance(document, [7], visible=True))
+    assert (sorted(made), resets) == (["G0", "S3", "c6", "c7"], [])
 
 
 def test_leaving_a_curve_of_a_shape_chooses_the_shape(edited):
