@@ -35,6 +35,10 @@ class NextStyle:
         self.last: Style | None = None
         self.marked = Marked.OPENED
 
+    def is_of_active(self, marked: Collection[int]) -> bool:
+        """Whether what is drawn next looks like the active curve: the person edits or has chosen it."""
+        return bool(marked) and self.marked is not Marked.LENT
+
     def note(self, curves: Sequence[Curve], marked: Collection[int], active: int) -> None:
         """Take note of the style of what was chosen until now; of several, of the active or front one."""
         if marked and self.marked is Marked.ASKED:

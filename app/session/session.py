@@ -15,7 +15,6 @@ from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
 from ..document.shapes import tidy_shapes
-from ..document.style import Style
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
@@ -194,17 +193,12 @@ class Session(QObject):
         return self.views[self.active_index]
 
     @property
-    def style(self) -> Style:
-        """The style of what is drawn next: of what is edited or chosen, or was last, or of new documents."""
-        curve, following = self.active_curve, self.selected.next_style
-        if not curve.points or (self.selected.marked and following.marked is not Marked.LENT):
-            return curve.style
-        return following.last or self.files.blank().curves[0].style
-
-    @property
     def model(self) -> Curve:
         """The curve that what is drawn next is like: in family and rules the active one."""
-        return replace(self.active_curve, style=self.style)
+        selected, style = self.selected, self.active_curve.style
+        if self.active_curve.points and not selected.next_style.is_of_active(selected.marked):
+            style = selected.next_style.last or self.files.blank().curves[0].style
+        return replace(self.active_curve, style=style)
 
     @property
     def meant_view(self) -> CurveView | None:

@@ -83,7 +83,7 @@ class StyleCommands:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
         actions = self._context.actions
-        droppers = {"fill": actions["eyedropperTool"], "stroke": actions["stroke_eyedropperTool"]}
+        droppers = {"fill": actions["eyedropperTool"], "stroke": actions["strokeEyedropperTool"]}
         panel = self._panel = style.panel.StylePanel(buttons, actions["gradientTool"], droppers, parent)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))

@@ -76,7 +76,7 @@ def _tool(paint: str, *, place: int, title: str, key: str, name: str) -> ToolRec
         title=title,
         full_name=f"{title} Tool",
         key=key,
-        icon=name.replace("_", "-"),
+        icon="eyedropper" if paint == "fill" else f"{paint}-eyedropper",
         tip=f"Pick a colour seen in the drawing for the {paint} of what is chosen; Shift: for its {other}",
         in_menu=paint == "fill",
         in_toolbar=False,
@@ -86,5 +86,5 @@ def _tool(paint: str, *, place: int, title: str, key: str, name: str) -> ToolRec
 
 EYEDROPPER = _tool("fill", place=31, title="Eyedropper", key="F7", name="eyedropper")
 STROKE_EYEDROPPER = _tool(
-    "stroke", place=32, title="Eyedropper for Strokes", key="Shift+F7", name="stroke_eyedropper"
+    "stroke", place=32, title="Eyedropper for Strokes", key="Shift+F7", name="strokeEyedropper"
 )
