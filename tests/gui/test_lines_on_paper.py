@@ -6,6 +6,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
+from app.document.style_edits import with_style
+
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
 
@@ -50,6 +52,38 @@ def test_a_new_line_on_a_page_is_drawn_as_wide_as_its_number_says(page):
     page.session.selected.choose({page.session.active_index})
     page.show_dock("styleDock")
     assert text_of(page, "strokeWidth") == "0.3 mm"
+
+
+def test_what_is_chosen_shows_its_own_colour_beside_the_mark(page):
+    curve = draw_rectangle(page)
+    (left, low), canvas = curve.points[0].position, page.window.canvas
+    canvas.camera.show_box((left - 10, left + 30), (low, low + 30))
+
+    def seen_with(width):
+        """Return the colours across the left side, and those while the rectangle is not chosen."""
+        page.session.change(
+            "Style", lambda document: with_style(document, {0}, stroke="#d00000", width=width)
+        )
+        found = []
+        for chosen in ({0}, ()):
+            page.session.selected.choose(chosen)
+            page.settle()
+            image, place = canvas.viewport().grab().toImage(), canvas.to_pixel(left, low + 14.3)
+            found.append(
+                [image.pixelColor(round(place.x()) + off, round(place.y())) for off in range(-12, 13)]
+            )
+        return found
+
+    def count(colours, *, red):
+        return sum((each.red() if red else each.blue()) > 150 > each.green() for each in colours)
+
+    wide, bare = seen_with(0.8)
+    assert count(bare, red=True) > 8
+    assert count(wide, red=True) >= count(bare, red=True) - 5
+    assert count(wide, red=False) in (1, 2)
+    fine, bare = seen_with(0.15)
+    assert count(fine, red=True) == count(bare, red=True) > 0
+    assert fine != bare
 
 
 def test_a_width_is_a_clean_one_of_each_unit_and_none_without_paper(editor):
