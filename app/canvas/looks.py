@@ -52,6 +52,22 @@ def line_of(view: CurveView, shown: PixelMap) -> Polyline:
     return view.flattened(TOLERANCE / finer / scale, box)
 
 
+def printed_width(style: Style, shown: PixelMap, usual: float) -> float:
+    """Return the width in pixels of a line as it prints; 0 of none, `usual` where it has none of its own."""
+    if not style.has_stroke:
+        return 0.0
+    return usual if style.width is None else style.width * shown.sx
+
+
+def paint_line(painter: QPainter, view: CurveView, shown: PixelMap, theme: Theme, usual: float) -> None:
+    """Paint the line of a curve as it prints, without its inside."""
+    style = view.source.style
+    width = printed_width(style, shown, usual)
+    ink = Ink(curve_colour(style.stroke, theme), theme.curve, width, theme.curve)
+    part = Part(line_of(view, shown).points, view.source.is_closed)
+    paint_printed(painter, [part], style.with_fields({"fill": NO_PAINT}), ink, shown)
+
+
 def paint_shape(
     painter: QPainter, shape: Sequence[CurveView], shown: PixelMap, theme: Theme, usual: float
 ) -> None:

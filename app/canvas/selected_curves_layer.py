@@ -17,11 +17,15 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
 from ..view_model.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
-from .looks import Shape, is_plain, line_of
+from .looks import Shape, is_plain, line_of, paint_line, printed_width
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
 _WIDTH, _HALO, _OVER_PRINT = 2.0, 7.0, 1.0
+
+_CASED, _WIDE = 2.5, 5.0
+"""Pixels of the mark with paper on either side, and of the least line that shows its colour beside that."""
+
 _HALO_SHARE = 0.28
 _HALOS_UP_TO = 12
 """Curves from which on there are rings alone: wide lines would take half of the time of a drag of thirty."""
@@ -55,7 +59,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             self.update()
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
-        """Paint halos, lines and rings into the picture; over a shape that prints otherwise, a thin line."""
+        """Paint halos, lines and rings into the picture; over a wide line, or an inside, a thin line."""
         views = [view for shape in shapes for view in shape]
         # No opacity: where the pieces of a line meet, their caps would be seen.
         halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
@@ -64,16 +68,25 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             painter.setOpacity(opacity_of(view))
             stroke.show(line_of(view, shown).points, shown)
             is_line = self._is_thin or is_plain(view.source.style)
-            if is_line and len(self._views) <= _HALOS_UP_TO:
-                painter.setPen(self._line(halo, _HALO))
+            width = printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
+            has_halo = (is_line or 0 < width < _WIDE) and len(self._views) <= _HALOS_UP_TO
+            if has_halo:
+                painter.setPen(self._line(halo, max(_HALO, width + _HALO - _WIDTH)))
                 stroke.draw(painter)
             painter.setOpacity(1.0)
-            if not view.source.visible:
-                line = (self.theme.handle, FAINT_WIDTH)
+            if is_line or not view.source.visible:
+                is_seen = view.source.visible
+                pens = [(self._colour(view), _WIDTH) if is_seen else (self.theme.handle, FAINT_WIDTH)]
+            elif has_halo:
+                # Over a fine line no other one would leave any of its colour.
+                paint_line(painter, view, shown, self.theme, _WIDTH * self.scale)
+                pens = []
             else:
-                line = (self._colour(view), _WIDTH) if is_line else (self.theme.accent, _OVER_PRINT)
-            painter.setPen(self._line(*line))
-            stroke.draw(painter)
+                casing = [(self.theme.paper, _CASED)] if width >= _WIDE else []
+                pens = [*casing, (self.theme.accent, _OVER_PRINT)]
+            for pen in pens:
+                painter.setPen(self._line(*pen))
+                stroke.draw(painter)
         if self._has_rings:
             self._paint_rings(painter, shown, views)
 

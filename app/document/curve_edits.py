@@ -14,6 +14,7 @@ from msgspec.structs import replace
 from .derivatives import DERIVATIVES
 from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
 from .model import Curve, Document, Parametrization, Point, Vector
+from .paper import drawn_style
 from .style import PLAIN_STYLE
 from .words import enumerated
 
@@ -41,7 +42,10 @@ def with_parts(document: Document, index: int, first: Curve, *others: Curve) -> 
 def remove_curve(document: Document, curve: int) -> Document:
     """Remove a curve; the last one leaves an empty curve of its family behind."""
     rest = (*document.curves[:curve], *document.curves[curve + 1 :])
-    return replace(document, curves=rest or (unstyled_model(document.curves[curve]),))
+    if not rest:
+        left = unstyled_model(document.curves[curve])
+        rest = (replace(left, style=drawn_style(document, left.style)),)
+    return replace(document, curves=rest)
 
 
 def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:

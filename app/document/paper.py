@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from typing import Final
 
+from msgspec.structs import replace
+
 from ..families import HERMITE
 from .model import Document
+from .style import Style
 
 PAPER_UNITS: Final = frozenset({"mm", "cm", "in", "pt", "pc", "px"})
 """Units of pages. A length of one metre, or of one second, is a course's."""
+
+
+_LINES: Final = {"mm": 0.3, "cm": 0.03, "in": 0.01, "pt": 0.75, "pc": 0.06, "px": 1.0}
+"""Width of a new line by the unit of paper: about that of one of 96 to the inch."""
 
 
 def is_for_paper(document: Document) -> bool:
@@ -16,12 +23,29 @@ def is_for_paper(document: Document) -> bool:
     return document.page is not None or document.unit in PAPER_UNITS
 
 
-def begun_for_paper(before: Document, after: Document) -> Document:
-    """Return a document that has become one for paper; as long as nothing is drawn, its curve has handles.
+def line_width(document: Document) -> float | None:
+    """Return the width of new lines of a document, in its unit; None where it is not for paper."""
+    if document.unit in PAPER_UNITS:
+        return _LINES[document.unit]
+    return None if document.page is None else float(f"{document.page.usual_width / 2:.0e}")
 
-    A polynomial through all points, which new documents may begin with, leaves any page.
+
+def drawn_style(document: Document, style: Style) -> Style:
+    """Return a style as new curves of a document have it: on paper a line is as wide as it prints."""
+    return style if style.width is not None else replace(style, width=line_width(document))
+
+
+def begun_for_paper(before: Document, after: Document) -> Document:
+    """Return a document of another unit or page; as long as nothing is drawn, its curve is of that kind.
+
+    On paper it has handles: a polynomial through all points, which new documents may begin with, leaves any
+    page. The width of its line, where nobody has chosen another, is that of new lines.
     """
-    (first, *others), becomes = after.curves, is_for_paper(after) and not is_for_paper(before)
-    if not becomes or others or first.points or first.family.derivatives:
+    first, *others = after.curves
+    if others or first.points:
         return after
-    return after.with_curve(0, first.with_family(HERMITE))
+    becomes = is_for_paper(after) and not is_for_paper(before)
+    curve = first.with_family(HERMITE) if becomes and not first.family.derivatives else first
+    if first.style.width in (None, line_width(before)):
+        curve = replace(curve, style=replace(curve.style, width=line_width(after)))
+    return after.with_curve(0, curve)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection
 from enum import Enum, auto
 
-from ..document.model import Curve
+from msgspec.structs import replace
+
+from ..document.model import Document
+from ..document.paper import drawn_style, line_width
 from ..document.style import Style
 
 
@@ -33,13 +36,30 @@ class NextStyle:
 
     def __init__(self) -> None:
         self.last: Style | None = None
+        self._usual: float | None = None
         self.marked = Marked.OPENED
 
     def is_of_active(self, marked: Collection[int]) -> bool:
         """Whether what is drawn next looks like the active curve: the person edits or has chosen it."""
         return bool(marked) and self.marked is not Marked.LENT
 
-    def note(self, curves: Sequence[Curve], marked: Collection[int], active: int) -> None:
+    def in_document(
+        self, document: Document, marked: Collection[int], active: int, blank: Callable[[], Document]
+    ) -> Style:
+        """Return the style of what is drawn next; `blank` tells that of new documents."""
+        style = document.curves[active].style
+        if document.curves[active].points and not self.is_of_active(marked):
+            style = self.last or blank().curves[0].style
+            if self.last is not None and self._usual != line_width(document):
+                # A width in another unit would be any width here.
+                style = replace(style, width=None)
+        return drawn_style(document, style)
+
+    def note(self, document: Document, marked: Collection[int], active: int) -> None:
         """Take note of the style of what was chosen until now; of several, of the active or front one."""
         if marked and self.marked is Marked.ASKED:
-            self.last = curves[active if active in marked else max(marked)].style
+            self.take(document, document.curves[active if active in marked else max(marked)].style)
+
+    def take(self, document: Document, style: Style) -> None:
+        """Draw with a style of a document from now on."""
+        self.last, self._usual = style, line_width(document)

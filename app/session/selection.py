@@ -249,7 +249,7 @@ class Selection:
         if session.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
-        self._note_style(session.document.curves)
+        self._note_style(session.document)
         before, places = self.choice, range(len(session.document.curves))
         layer = self.layer
         wanted = active if active is not None and active in places else session.active_index
@@ -301,7 +301,7 @@ class Selection:
 
     def begin(self, index: int) -> None:
         """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
-        self._note_style(self._session.document.curves)
+        self._note_style(self._session.document)
         self.enter(index)
         self.is_editing, self._chosen, self.curves = True, frozenset(), frozenset({index})
         # It is not in the document yet.
@@ -324,7 +324,7 @@ class Selection:
             return
         session.active_index = min(session.active_index, len(curves) - 1)
         points = followed_group(self.group, session.active_index, before.curves, curves)
-        has_moved = self._follow_curves(before.curves)
+        has_moved = self._follow_curves(before)
         self._keep_group(self.group)
         self.set_hovered(self.hovered)
         yield
@@ -333,14 +333,14 @@ class Selection:
         if has_moved:
             session.selected_curves_changed.emit(self.curves)
 
-    def _follow_curves(self, before: Sequence[Curve]) -> bool:
+    def _follow_curves(self, begun: Document) -> bool:
         """Select the same curves where they are now; return whether that is another selection.
 
         Where what was edited is gone, and no curve has come in its place, none is edited and none chosen: the
         next key is not about a curve that nobody has asked for.
         """
-        self._note_style(before)
-        session, old = self._session, (self.curves, self._chosen, self.is_editing)
+        self._note_style(begun)
+        before, session, old = begun.curves, self._session, (self.curves, self._chosen, self.is_editing)
         after, active = session.document.curves, session.active_index
         several = self._chosen if not self.is_editing else self.curves if len(self.curves) > 1 else ()
         kept = followed_curves(several, before, after)
@@ -357,8 +357,8 @@ class Selection:
             self.next_style.marked = Marked.ASKED
         return (self.curves, self._chosen, self.is_editing) != old
 
-    def _note_style(self, curves: Sequence[Curve]) -> None:
-        self.next_style.note(curves, self.marked, self._session.active_index)
+    def _note_style(self, document: Document) -> None:
+        self.next_style.note(document, self.marked, self._session.active_index)
 
     def _is_left(self, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
         """Whether all that was edited is gone, and the active curve is another one that was there already."""

@@ -195,9 +195,9 @@ class Session(QObject):
     @property
     def model(self) -> Curve:
         """The curve that what is drawn next is like: in family and rules the active one."""
-        selected, style = self.selected, self.active_curve.style
-        if self.active_curve.points and not selected.next_style.is_of_active(selected.marked):
-            style = selected.next_style.last or self.files.blank().curves[0].style
+        selected = self.selected
+        shown = self._shown, selected.marked, self.active_index
+        style = selected.next_style.in_document(*shown, self.files.blank)
         return replace(self.active_curve, style=style)
 
     @property

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
 from ..document.model import Document, Page, empty_document
+from ..document.paper import begun_for_paper, drawn_style
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
 from ..families import HERMITE
@@ -81,8 +82,11 @@ class DocumentFiles:
 
     def _blank(self) -> Document:
         """Return what a new document is."""
-        preferences = self._preferences
-        return self._as_usual(Document((replace(preferences.new_curve, style=preferences.new_style),)))
+        curve = self._preferences.new_curve
+        document = self._as_usual(Document((curve,)))
+        return document.with_curve(
+            0, replace(curve, style=drawn_style(document, self._preferences.new_style))
+        )
 
     def _prepare_sketch(self) -> None:
         """Give the sketch that a session begins with the unit and the grid of new documents."""
@@ -109,9 +113,9 @@ class DocumentFiles:
         self.remember_rules()
         usual = self._blank()
         curve = usual.curves[0].with_family(HERMITE)
-        document = replace(usual, curves=(curve,))
+        document = usual = replace(usual, curves=(curve,))
         if document.page is None:
-            document = replace(document, unit="mm", page=_A4)
+            document = begun_for_paper(usual, replace(usual, unit="mm", page=_A4))
         self._session.files.begin(document)
         return True
 

@@ -59,7 +59,8 @@ def test_its_page_and_style_are_those_of_new_documents_where_these_have_a_page(u
     usual.session.files.give_up_changes()
     document = draw(usual)
     assert (document.unit, document.page, usual.curve.family) == ("px", page, HERMITE)
-    assert usual.curve.style == red
+    # A line of no width of its own gets one on paper.
+    assert usual.curve.style == replace(red, width=1.0)
 
 
 def test_it_asks_about_changes_first(editor):

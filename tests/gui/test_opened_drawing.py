@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QUndoView
@@ -98,7 +99,7 @@ TOOLS = ["addTool", "rectangleTool", "pencilTool"]
 def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool):
     """It took that of the first object of the file."""
     before = drawing.session.document.curves
-    assert drawn_with(drawing, tool) == PLAIN_STYLE
+    assert drawn_with(drawing, tool) == replace(PLAIN_STYLE, width=0.3)
     drawing.escape()
     drawing.escape()
     # What was chosen last says how the next one looks, also when it is let go, and gone.
@@ -111,7 +112,7 @@ def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool):
     drawing.trigger("deleteSelection")
     assert drawn_with(drawing, tool) == before[1].style
     drawing.session.selected.choose({0})
-    assert drawn_with(drawing, tool) == before[0].style
+    assert drawn_with(drawing, tool) == replace(before[0].style, width=0.3)
 
 
 def test_a_text_takes_the_colour_chosen_last(drawing):

@@ -1,0 +1,100 @@
+"""New lines of documents for paper: as wide on the canvas as they print, and as the panels say."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit
+
+from app.document.style_edits import with_style
+
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
+
+
+def text_of(editor, name):
+    return editor.window.findChild(QLineEdit, name).text()
+
+
+def draw_rectangle(editor, start=(50, 200), to=(90, 240)):
+    editor.trigger("rectangleTool")
+    editor.drag(start, to)
+    editor.trigger("selectTool")
+    editor.escape()
+    editor.escape()
+    return editor.curve
+
+
+@pytest.fixture
+def page(editor):
+    """A new drawing."""
+    editor.session.new()
+    editor.key(Qt.Key.Key_N, CTRL | ALT | SHIFT)
+    yield editor
+    editor.session.files.give_up_changes()
+    editor.new()
+
+
+def test_a_new_line_on_a_page_is_drawn_as_wide_as_its_number_says(page):
+    curve = draw_rectangle(page)
+    assert curve.style.width == 0.3
+    (left, low), canvas = curve.points[0].position, page.window.canvas
+    canvas.camera.show_box((left - 0.5, left + 0.5), (low + 5, low + 6))
+    page.settle()
+    assert not page.session.selected.marked
+    image = canvas.viewport().grab().toImage()
+
+    def is_ink(x):
+        place = canvas.to_pixel(x, low + 5.53)
+        return image.pixelColor(round(place.x()), round(place.y())).lightness() < 100
+
+    assert [is_ink(left + off) for off in (-0.2, -0.12, 0, 0.12, 0.2)] == [False, True, True, True, False]
+    page.session.selected.choose({page.session.active_index})
+    page.show_dock("styleDock")
+    assert text_of(page, "strokeWidth") == "0.3 mm"
+
+
+def test_what_is_chosen_shows_its_own_colour_beside_the_mark(page):
+    curve = draw_rectangle(page)
+    (left, low), canvas = curve.points[0].position, page.window.canvas
+    canvas.camera.show_box((left - 10, left + 30), (low, low + 30))
+
+    def seen_with(width):
+        """Return the colours across the left side, and those while the rectangle is not chosen."""
+        page.session.change(
+            "Style", lambda document: with_style(document, {0}, stroke="#d00000", width=width)
+        )
+        found = []
+        for chosen in ({0}, ()):
+            page.session.selected.choose(chosen)
+            page.settle()
+            image, place = canvas.viewport().grab().toImage(), canvas.to_pixel(left, low + 14.3)
+            found.append(
+                [image.pixelColor(round(place.x()) + off, round(place.y())) for off in range(-12, 13)]
+            )
+        return found
+
+    def count(colours, *, red):
+        return sum((each.red() if red else each.blue()) > 150 > each.green() for each in colours)
+
+    wide, bare = seen_with(0.8)
+    assert count(bare, red=True) > 8
+    assert count(wide, red=True) >= count(bare, red=True) - 5
+    assert count(wide, red=False) in (1, 2)
+    fine, bare = seen_with(0.15)
+    assert count(fine, red=True) == count(bare, red=True) > 0
+    assert fine != bare
+
+
+def test_a_width_is_a_clean_one_of_each_unit_and_none_without_paper(editor):
+    editor.session.new()
+    for unit, width in (("px", 1.0), ("cm", 0.03), ("", None), ("mm", 0.3)):
+        editor.set_unit(unit)
+        assert editor.curve.style.width == width
+    draw_rectangle(editor, (0, 0), (1, 1))
+    editor.new()
+    editor.set_unit("")
+    assert editor.curve.style.width is None
+    # Neither does a line that was drawn on paper say how wide one is elsewhere.
+    draw_rectangle(editor, (0, 0), (1, 1))
+    assert draw_rectangle(editor, (2, 0), (3, 1)).style.width is None
