@@ -166,3 +166,11 @@ def with_stop_at(stops: tuple[Stop, ...], index: int, offset: float) -> tuple[St
     most = stops[index + 1].offset if index + 1 < len(stops) else 1.0
     new = replace(stops[index], offset=min(max(offset, least), most))
     return (*stops[:index], new, *stops[index + 1 :])
+
+
+def with_stop_between(stops: tuple[Stop, ...], offset: float) -> tuple[tuple[Stop, ...], int]:
+    """Return stops with one more that changes nothing, and its place; the same where they are full."""
+    at = sum(stop.offset <= offset for stop in stops)
+    if len(stops) >= MOST_STOPS:
+        return stops, at
+    return (*stops[:at], Gradient(stops).at(offset), *stops[at:]), at

@@ -116,8 +116,8 @@ def returned_points(before: Sequence[Point], after: Sequence[Point]) -> frozense
 
 
 def returned_curves(before: Sequence[Curve], after: Sequence[Curve]) -> frozenset[int]:
-    """Return which curves of `after` are not among `before`; none unless there are more of them."""
-    if len(after) <= len(before):
-        return frozenset()
-    known = {id(curve) for curve in before}
-    return frozenset(place for place, curve in enumerate(after) if id(curve) not in known)
+    """Return which curves of `after` are not among `before`; none where they are the same ones, changed."""
+    known, kept = set(map(id, before)), set(map(id, after))
+    new = {place for place, curve in enumerate(after) if id(curve) not in known}
+    gone = {place for place, curve in enumerate(before) if id(curve) not in kept}
+    return frozenset() if new == gone else frozenset(new)

@@ -104,6 +104,13 @@ def _with_focus_of(before: Gradient, after: Gradient) -> Gradient:
     return replace(after, focus=(x + u * a + v * c, y + u * b + v * d))
 
 
+def offset_on_line(gradient: Gradient, pointer: Vector, reach: float) -> float | None:
+    """Return the offset of the place on the line within reach of the pointer; None where it is too far."""
+    offset, (start, along) = _offset_at(gradient, pointer), (gradient.start, gradient.axes[0])
+    place = (start[0] + offset * along[0], start[1] + offset * along[1])
+    return offset if math.dist(place, pointer) <= reach else None
+
+
 def _offset_at(gradient: Gradient, place: Vector) -> float:
     """Return the offset of the nearest place on the line from the start to the end."""
     (x, y), (a, b) = gradient.start, gradient.axes[0]

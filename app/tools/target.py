@@ -147,6 +147,21 @@ class TransformTarget:
         return anchored(host.views, self.for_keys, self._strokes(), live=host.is_previewing)
 
     def keep_pivot(self) -> None:
-        """Take the pivot along: the document has changed, and it belongs to what is there now."""
-        if (pivot := self._pivot()) is not None and not self._host.is_previewing:
-            self._host.box.set_pivot(pivot)
+        """Take the pivot along: the document has changed, and it belongs to what it was chosen for.
+
+        It goes with the last of that, so that what is drawn in its place has none; copies have it, too.
+        """
+        host, chosen = self._host, self._host.box.pivot
+        if chosen is None or host.is_previewing:
+            return
+        now = None if self.is_nothing else self.anchored()
+        own = chosen.anchor.group_in(host.document.curves)
+        if now is not None and (own is not None or chosen.anchor.has_same_points(now)):
+            found = chosen.at(now)
+            if found is not None:
+                host.box.set_pivot(found)
+                return
+        if own is None:
+            host.box.set_pivot(None)
+        else:
+            host.box.set_pivot(chosen.at(anchored(host.views, own, self._strokes())) or chosen)

@@ -11,10 +11,11 @@ from collections.abc import Sequence
 
 import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.model import Vector
+from ..document.model import Curve, Vector
 from ..document.point_group import PointGroup
 from ..document.transforms import IDENTITY, Affine
 from .bounds import Bounds, Strokes, bounds_of
@@ -34,11 +35,33 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         Which points.
     points, bounds
         Where they were, (k, 2), and the bounds of the group; None of no points.
+    curves, count
+        The curves that they were of, and how many the document had.
     """
 
     group: PointGroup
     points: FloatArray
     bounds: Bounds | None
+    curves: tuple[Curve, ...]
+    count: int
+
+    def has_same_points(self, now: Anchor) -> bool:
+        """Whether the points are where they were, or are copies at the same places."""
+        return self.points.shape == now.points.shape and np.array_equal(self.points, now.points)
+
+    def group_in(self, curves: Sequence[Curve]) -> PointGroup | None:
+        """Return the group where it is now; None where a curve of it is gone.
+
+        A curve that was changed is in its place, where there are as many as before.
+        """
+        places = {id(curve): place for place, curve in enumerate(curves)}
+        is_same_number, parts = len(curves) == self.count, list[tuple[int, frozenset[int]]]()
+        for (before, indices), curve in zip(self.group.parts, self.curves, strict=True):
+            place = places.get(id(curve), before if is_same_number else None)
+            if place is None or any(index >= len(curves[place].points) for index in indices):
+                return None
+            parts.append((place, indices))
+        return replace(self.group, parts=tuple(sorted(parts, key=lambda part: part[0])))
 
     def since(self, now: Anchor) -> Affine | None:
         """Return the map that a transform has done since; None where other points are meant by now.
@@ -46,7 +69,7 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         Points of other curves at the same places are their copies, and count as the same.
         """
         before, after = self.points, now.points
-        if before.shape == after.shape and np.array_equal(before, after):
+        if self.has_same_points(now):
             return IDENTITY
         if self.group.parts != now.group.parts or before.shape != after.shape:
             return None
@@ -69,7 +92,8 @@ def anchored(
     """Return a group as it is now; `live` while it is dragged, with its bounds as they are drawn."""
     parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts]
     points = np.concatenate(parts) if parts else np.empty((0, 2))
-    return Anchor(group, points, bounds_of(views, group, strokes, as_drawn=live))
+    curves = tuple(views[curve].source for curve, _ in group.parts)
+    return Anchor(group, points, bounds_of(views, group, strokes, as_drawn=live), curves, len(views))
 
 
 class Pivot(msgspec.Struct, frozen=True, eq=False):

@@ -1,4 +1,4 @@
-"""Digits of families: at once in a course, by a second press where they reshape a drawing for paper."""
+"""Keys that reshape: at once in a course, by a second press where they mean a drawing for paper."""
 
 from __future__ import annotations
 
@@ -71,3 +71,23 @@ def test_a_shape_that_stays_is_not_asked_about(editor):
     editor.session.change("Estimate", lambda document: edits.set_velocity(document, 0, 1, None))
     editor.key(Key.Key_3)
     assert editor.curve.family is QUINTIC_HERMITE
+
+
+def test_c_says_first_that_it_would_open_what_is_chosen_and_then_that_it_did(editor):
+    """The key alone took a side from a rectangle that was chosen, and nothing was said."""
+    letter(editor).trigger("closeCurve")
+    before = editor.session.document
+    assert editor.curve.is_closed
+    assert editor.status == "Closed “Letter” · Ctrl+Z: undo"
+    editor.session.selected.choose([0])
+    editor.key(Key.Key_C)
+    assert editor.session.document is before
+    assert editor.status == "Press it again to open “Letter”. Enter edits it."
+    editor.key(Key.Key_C)
+    assert not editor.curve.is_closed
+    assert editor.status == "Opened “Letter” · Ctrl+Z: undo"
+    editor.trigger("undo")
+    assert editor.session.document == before
+    editor.key(Key.Key_Return)
+    editor.key(Key.Key_C)
+    assert not editor.curve.is_closed, "who edits a curve means it"

@@ -247,6 +247,43 @@ def test_it_is_forgotten_with_the_selection_and_comes_back_with_it(two):
     assert two.session.box.pivot is None
 
 
+def test_what_is_drawn_or_chosen_in_its_place_has_none(two):
+    """A width that was typed for another rectangle grew away from somewhere odd."""
+
+    def draw(low, high):
+        two.trigger("rectangleTool")
+        two.drag(low, high)
+        two.trigger("selectTool")
+        two.trigger("selectAll")
+        return sampled_bounds(two, two.session.active_index).mean(axis=0)
+
+    draw((5.0, 0.0), (8.0, 2.0))
+    place, first = two.session.active_index, two.curve.name
+    drag_pivot(two, (4.0, -4.0))
+    own = pivot(two)
+    # Another one comes into its place in the order, while nothing is chosen of either.
+    draw((-4.0, 0.0), (-2.0, 4.0))
+    two.session.change(
+        "Order",
+        lambda document: replace(
+            document, curves=(*document.curves[:place], *document.curves[: place - 1 : -1])
+        ),
+    )
+    two.session.selected.activate(place)
+    two.trigger("selectAll")
+    assert two.curve.name != first
+    assert pivot(two) == pytest.approx(sampled_bounds(two, place).mean(axis=0), abs=CLOSE)
+    two.session.selected.activate(place + 1)
+    two.trigger("selectAll")
+    assert pivot(two) == own, "it is still that of the first"
+    two.session.selected.choose([place + 1])
+    two.trigger("deleteCurve")
+    middle = draw((-3.0, -4.0), (0.0, 3.0))
+    assert two.session.active_index == place + 1
+    assert pivot(two) == pytest.approx(middle, abs=CLOSE)
+    assert two.session.box.pivot is None
+
+
 def test_copies_have_it_too(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))

@@ -201,6 +201,32 @@ def test_a_radial_one_has_two_axes_stops_between_and_a_focus(squares):
     assert gradient(squares).focus == pytest.approx((2.0, 2.5), abs=near)
 
 
+def test_a_double_click_on_the_line_adds_a_stop_of_the_colour_that_is_there(squares):
+    """It edited the curve, and the gradient was as before."""
+    squares.trigger("gradientTool")
+    squares.drag((0.5, 2.0), (3.5, 2.0))
+    before, chosen = steps(squares), squares.session.selected.choice
+    laid = gradient(squares)
+    squares.hover((1.25, 2.0))
+    assert squares.window.status_line.hint.startswith("Double-click the line to add a stop")
+    squares.click((1.25, 2.0))
+    assert squares.status == "Double-click the line to add a stop."
+    assert (gradient(squares), squares.session.box.turns) == (laid, False)
+    squares.double_click((1.25, 2.0))
+    one, new, other = stops(squares)
+    assert (one, other) == tuple((stop.offset, stop.colour, stop.opacity) for stop in laid.stops)
+    assert new == (pytest.approx(0.25, abs=squares.pixel), BLUE, pytest.approx(0.75, abs=squares.pixel))
+    assert steps(squares) == before + 1
+    assert squares.session.undo_stack.undoText() == "Add stop of Leaf"
+    assert squares.session.selected.choice == chosen
+    # It is one to drag from now on.
+    squares.drag((1.25, 2.0), (2.0, 2.3))
+    assert [stop[0] for stop in stops(squares)] == [0.0, pytest.approx(0.5, abs=squares.pixel), 1.0]
+    squares.trigger("undo")
+    squares.trigger("undo")
+    assert gradient(squares) == laid
+
+
 def test_a_shape_that_is_dragged_takes_its_gradient_along(squares):
     squares.trigger("gradientTool")
     squares.drag((0.0, 2.0), (4.0, 2.0))

@@ -82,7 +82,7 @@ INSIDE = {
 @pytest.mark.parametrize("operation", PATH_OPERATIONS, ids=lambda each: each.name)
 def test_its_key_puts_the_outcome_in_the_place_of_the_hindmost_with_its_style(drawing, operation):
     """What is seen is what the operation says; one step takes it back."""
-    before = drawing.session.document
+    before, operands = drawing.session.document, chosen(drawing)
     press(drawing, operation)
     assert drawing.session.undo_stack.undoText() == f"{operation.title} of Disc and Frame"
     # The whole frame is one shape: its hole is none of the outcome, but where the disc is.
@@ -94,6 +94,7 @@ def test_its_key_puts_the_outcome_in_the_place_of_the_hindmost_with_its_style(dr
     assert drawing.status.startswith(f"{operation.title} of Disc and Frame: ")
     drawing.trigger("undo")
     assert drawing.session.document == before
+    assert chosen(drawing) == operands
 
 
 # "o" has a hole by its own rule, and "l" crosses "i"; the disc covers a part of "o" and of "i".
@@ -335,6 +336,11 @@ def test_each_dash_becomes_a_contour(drawing):
     drawing.trigger("strokeToPath")
     drawing.wait_for_work()
     assert drawing.status.startswith("Stroke to path of Disc: 1 shape, 8 outlines")
+    dashes = chosen(drawing)
+    drawing.trigger("undo")
+    assert chosen(drawing) == {"Disc"}, "one came back for eight"
+    drawing.trigger("redo")
+    assert chosen(drawing) == dashes
     drawing.click(OUTSIDE)
     assert is_painted(drawing, *places, colour=BROWN) == before
 

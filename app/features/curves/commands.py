@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 from ...actions.declaration import PlaceAction, action, also
+from ...actions.keymap import keys_text
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
 from ...actions.situation import Situation
@@ -12,6 +13,7 @@ from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, 
 from ...document import curve_edits
 from ...document.layers import front_of, in_front
 from ...document.model import Document, Parametrization
+from ...document.paper import is_for_paper
 from ...document.point_group import some_points
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import at_end, stepped
@@ -32,6 +34,17 @@ Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
 
 _CURVE_IN_FRONT = Need("a curve in front of this one", lambda now: _has_curve_beside(now, 1))
 _CURVE_BEHIND = Need("a curve behind this one", lambda now: _has_curve_beside(now, -1))
+
+
+def _closing(now: Situation) -> str:
+    """Return what the key would do to a curve that is chosen as a whole in a drawing for paper, else nothing.
+
+    Nobody draws it then, and a slip of the finger takes a side from a rectangle.
+    """
+    source = now.view.source
+    if now.session.selected.is_editing or now.is_blank or not is_for_paper(now.session.document):
+        return ""
+    return f"Press it again to {'open' if source.is_closed else 'close'} “{source.name}”. Enter edits it."
 
 
 class CurveCommands:
@@ -278,6 +291,7 @@ class CurveCommands:
         "C",
         "closed",
         full_name="Closed Curve",
+        key_asks=_closing,
         checked=lambda now: now.view.source.is_closed,
     )
     @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16))
@@ -285,10 +299,12 @@ class CurveCommands:
         """Let the curve return smoothly to its first point, or open it."""
         session, view = self._session, self._session.active_view
         closed = not view.source.is_closed
-        session.change(
+        if session.change(
             f"{'Close' if closed else 'Open'} {view.source.name}",
             lambda document: with_closed(document, session.active_index, view, closed),
-        )
+        ):
+            undo = keys_text(self._context.actions["undo"].shortcuts()[:1])
+            session.say(f"{'Closed' if closed else 'Opened'} “{view.source.name}” · {undo}: undo")
 
     def _reshape(
         self,

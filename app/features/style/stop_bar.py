@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from ...appearance.colours import fill_colour
 from ...appearance.theme import Theme, rim
 from ...appearance.themed import FollowsTheme
-from ...document.gradient import MOST_STOPS, Gradient, Stop, with_stop_at
+from ...document.gradient import Gradient, Stop, with_stop_at, with_stop_between
 from ...qt.gradients import brush_of
 from ...qt.keys import DELETE, ClaimsKeys
 from ...widgets.controls import named
@@ -142,11 +142,9 @@ class StopBar(FollowsTheme, ClaimsKeys, QWidget):
             self.picked.emit(at)
 
     def _add(self, offset: float) -> None:
-        if len(self._stops) >= MOST_STOPS:
-            return
-        at = sum(stop.offset <= offset for stop in self._stops)
-        new = Gradient(self._stops).at(offset)
-        self.wanted.emit((*self._stops[:at], new, *self._stops[at:]), at)
+        stops, at = with_stop_between(self._stops, offset)
+        if stops != self._stops:
+            self.wanted.emit(stops, at)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._held is None:

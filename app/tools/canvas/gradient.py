@@ -9,8 +9,8 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from ...document import words
-from ...document.gradient import Gradient, GradientKind
-from ...document.gradient_edits import fading, gradient_of, with_gradient, with_shape_styles
+from ...document.gradient import Gradient, GradientKind, with_stop_between
+from ...document.gradient_edits import fading, gradient_of, with_gradient, with_shape_styles, with_stops
 from ...document.model import Document, Vector
 from ...document.several_curves import named
 from ...document.shapes import shape_of, whole_shapes
@@ -18,7 +18,7 @@ from ...document.style import GRADIENTS, NO_PAINT, Style
 from ..curve_picker import click_curve, meant_shapes
 from ..drag import Drag
 from ..drags import stepped_from
-from ..gradient_places import GradientPlace, Grip, laid, place_at, with_place
+from ..gradient_places import GradientPlace, Grip, laid, offset_on_line, place_at, with_place
 from ..marks import GestureMarks
 from ..pointer import STEP_KEYS, Cursor, Hint, Part, Pointer
 from ..snapping import Snapper
@@ -27,6 +27,10 @@ from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 _REACH = 8.0
 """Pixels from a place of a gradient within which a press means it."""
 
+_LINE_REACH = 5.0
+"""The same for its line, where there is no place."""
+
+_ADD = "Double-click the line to add a stop"
 _HOW = "Drag to lay a gradient across"
 _NOTHING = "Choose a curve first: click one."
 _KEYS = {Grip.END: "Shift: both axes", Grip.SIDE: "Shift: both axes", Grip.FOCUS: "in the middle: none"}
@@ -40,6 +44,15 @@ class _Held(NamedTuple):
     paint: str
     gradient: Gradient
     at: GradientPlace
+
+
+class _OnLine(NamedTuple):
+    """An offset on the line of a gradient, and the shape and the paint that it is of."""
+
+    shape: range
+    paint: str
+    gradient: Gradient
+    offset: float
 
 
 class MovePlace(Drag, frozen=True):
@@ -150,6 +163,10 @@ class GradientTool(Tool):
             snapper = context.snappers.for_new(-1)
             context.drags.press(pointer, MovePlace(host.document, *held, snapper))
             return
+        line = _line_at(context)
+        if line is not None and pointer.is_double:
+            _add_stop(context, line)
+            return
         hit, curves = context.hit, meant_shapes(context.host)
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if not curves and hit is not None and is_other:
@@ -158,7 +175,9 @@ class GradientTool(Tool):
         drag = LayGradient(host.document, curves, snapper.at(pointer), snapper) if curves else None
 
         def click() -> None:
-            if hit is not None and is_other:
+            if line is not None:
+                host.say(f"{_ADD}.")
+            elif hit is not None and is_other:
                 click_curve(context, hit)
             elif curves:
                 host.say(f"{_HOW}.")
@@ -175,6 +194,8 @@ class GradientTool(Tool):
             more = " · Shift: pull the focus out" if pulls else ""
             return Hint(f"Drag the {held.at.grip.words} of the gradient{more}", cursor=Cursor.MOVE)
         hit, curves = context.hit, meant_shapes(context.host)
+        if _line_at(context) is not None:
+            return Hint(f"{_ADD} · {_HOW} · {STEP_KEYS}")
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
         if not curves and not is_other:
             return Hint(_NOTHING)
@@ -214,6 +235,25 @@ def _held_at(context: ToolContext) -> _Held | None:
     return None
 
 
+def _line_at(context: ToolContext) -> _OnLine | None:
+    """Return where the pointer is on the line of a gradient; None where it is on none."""
+    pointer = context.pointer
+    for shape, paint, gradient in _gradients(context):
+        offset = offset_on_line(gradient, pointer.position, _LINE_REACH / pointer.scale)
+        if offset is not None:
+            return _OnLine(shape, paint, gradient, offset)
+    return None
+
+
+def _add_stop(context: ToolContext, line: _OnLine) -> None:
+    """Add a stop of the colour that the gradient has there: to drag, or to colour in the Style panel."""
+    host, (shape, paint, gradient, offset) = context.host, line
+    stops, _ = with_stop_between(gradient.stops, offset)
+    what = f"stop of {named(host.document, shape)}"
+    if host.change(f"Add {what}", lambda document: with_stops(document, shape, paint, stops)):
+        host.say(f"A stop at {words.number(100 * offset)} %; drag it, or colour it in the Style panel.")
+
+
 GRADIENT = ToolRecord(
     name="gradient",
     make=GradientTool,
@@ -222,6 +262,7 @@ GRADIENT = ToolRecord(
     gestures=(
         GestureRow("Drag", "lay a gradient across what is chosen; Ctrl or Shift: steps of 15°"),
         GestureRow("Drag a mark", "move the start, the end or a stop of a gradient"),
+        GestureRow("Double-click the line", "add a stop of the colour that is there"),
         GestureRow("Shift+drag the middle", "pull the focus of a radial gradient out"),
         GestureRow("Click a curve", "choose it"),
     ),
