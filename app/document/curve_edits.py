@@ -12,7 +12,7 @@ from itertools import chain, count
 from msgspec.structs import replace
 
 from .derivatives import DERIVATIVES
-from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
+from .edits import EditError, delete_points, freeze_parameters, interval, refuse_equal_parameters, set_points
 from .model import Curve, Document, Parametrization, Point, Vector
 from .style import PLAIN_STYLE
 from .words import enumerated
@@ -42,6 +42,14 @@ def remove_curve(document: Document, curve: int) -> Document:
     """Remove a curve; the last one leaves an empty curve of its family behind."""
     rest = (*document.curves[:curve], *document.curves[curve + 1 :])
     return replace(document, curves=rest or (unstyled_model(document.curves[curve]),))
+
+
+def without_last_point(document: Document, curve: int) -> Document:
+    """Delete the last point of a curve; a curve that has no other goes with it, unless it is the only one."""
+    last = len(document.curves[curve].points) - 1
+    if last > 0 or len(document.curves) == 1:
+        return delete_points(document, curve, [last])
+    return remove_curve(document, curve)
 
 
 def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:

@@ -7,10 +7,10 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import fresh_curve
+from ...document.curve_edits import fresh_curve, without_last_point
 from ...document.layers import begun, layer_of
 from ...document.model import Curve, Parametrization, Vector
-from ...document.point_group import points_of
+from ...document.point_group import NO_POINTS, points_of
 from ...families import HERMITE
 from ...view_model.appending import Appending, closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
@@ -22,8 +22,12 @@ from ..drag_machine import EditingHost
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
+from ..pen_session import PenSession, key_of
 from ..pointer import Hint, Hit
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+
+_TAKING_BACK = ("backspace", "delete")
+"""Keys that take back the last point."""
 
 
 class AddTool(Tool):
@@ -36,8 +40,7 @@ class AddTool(Tool):
     shows_new_handle = True
 
     def __init__(self) -> None:
-        # The finished curves, by their places and names.
-        self._finished: set[tuple[int, str]] = set()
+        self._pen = PenSession()
         # What a press would make of the curve that `_seen` shows.
         self._seen: CurveView | None = None
         self._preview: CurveView | None = None
@@ -45,7 +48,11 @@ class AddTool(Tool):
 
     def reset(self) -> None:
         """Forget which curves are finished; another document is open."""
-        self._finished.clear()
+        self._pen.reset()
+
+    def pick_up(self) -> None:
+        """Draw nothing yet."""
+        self._pen.begin()
 
     def end(self) -> None:
         """Show nothing of what a press would do."""
@@ -54,17 +61,23 @@ class AddTool(Tool):
     def take_over(self, context: ToolContext) -> None:
         """Leave the active curve as it is: nobody was editing it."""
         if hints.can_finish(context.view):
-            self._finished.add(_key(context.host))
+            self._pen.finish(context.host)
 
     # Finished curves
 
-    def _is_finished(self, host: EditingHost) -> bool:
-        """Whether the person has finished the curve that is edited, so that the next press begins another."""
-        return _key(host) in self._finished and hints.can_finish(host.active_view)
+    def claims(self, context: ToolContext, key: str) -> bool:
+        """Whether a key takes back what the pen has drawn: unless the person has selected something else."""
+        if key not in _TAKING_BACK or context.drags.is_pressed or not self._pen.has_drawn:
+            return False
+        last = len(context.view.source.points) - 1
+        return context.host.selected.group in (NO_POINTS, points_of(context.host.active_index, [last]))
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Finish the curve that is edited with Enter, or say why not."""
+        """Finish the curve that is edited with Enter, or say why not; take back its last point."""
         host = context.host
+        if self.claims(context, key):
+            self._take_back(host)
+            return True
         if key != "enter" or context.drags.is_pressed or context.view.source.is_closed:
             return False
         if not hints.can_finish(context.view):
@@ -75,24 +88,34 @@ class AddTool(Tool):
 
     def _finish(self, host: EditingHost) -> None:
         """Finish the curve that is edited: the next press begins another one."""
-        self._finished.add(_key(host))
+        self._pen.finish(host)
         host.selected.set_points([])
         host.say(f"“{host.active_view.source.name}” is finished; the next press begins another curve.")
+
+    def _take_back(self, host: EditingHost) -> None:
+        """Take back the last point that was drawn, and with the first of all the curve."""
+        place, last = host.active_index, len(host.active_view.source.points) - 1
+        if not self._pen.own_points(host):
+            host.say("There is nothing to take back; a click draws, V selects.")
+        elif host.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
+            if last:
+                host.selected.set_points([last - 1])
+            host.say(f"Took back point {last}." if last else "Took back the curve; a click begins another.")
 
     def _goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
         """Whether a click on what is hit goes on with a finished curve."""
         view = host.active_view
-        return self._is_finished(host) and hints.is_end(hit, view) and not view.source.locked
+        return self._pen.is_finished(host) and hints.is_end(hit, view) and not view.source.locked
 
     def _ends_at(self, hit: Hit, host: EditingHost) -> bool:
         """Whether a double click on what is hit finishes the curve: on the point that it has added."""
         view = host.active_view
-        return hints.is_end(hit, view) and hints.can_finish(view) and not self._is_finished(host)
+        return hints.is_end(hit, view) and hints.can_finish(view) and not self._pen.is_finished(host)
 
     def _go_on(self, host: EditingHost) -> None:
         """Go on with the finished curve."""
-        self._finished.discard(_key(host))
         count = len(host.active_view.source.points)
+        self._pen.draw(key_of(host), count)
         host.selected.set_points([count - 1])
         host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
 
@@ -127,7 +150,7 @@ class AddTool(Tool):
     def _act(self, context: ToolContext) -> PenAct:
         if _begins_anew(context.host):
             return PenAct.BEGIN
-        finished = self._is_finished(context.host)
+        finished = self._pen.is_finished(context.host)
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
 
     def _append(self, context: ToolContext) -> None:
@@ -135,7 +158,7 @@ class AddTool(Tool):
         if not context.view.source.points and layer != layer_of(host.document, host.active_index):
             self._begin(context)
             return
-        index, key = len(context.view.source.points), _key(host)
+        index, key = len(context.view.source.points), key_of(host)
         snapper = context.snappers.for_new(index)
         append = AppendPoint(
             host.document,
@@ -147,7 +170,7 @@ class AddTool(Tool):
             _makes_corners(context),
         )
         # Only when it is done: Escape leaves a finished curve finished.
-        done = partial(self._finished.discard, key)
+        done = partial(self._pen.draw, key, index)
         context.drags.press_at_once(context.pointer, append, on_done=done, makes=index)
 
     def _begin(self, context: ToolContext) -> None:
@@ -157,11 +180,11 @@ class AddTool(Tool):
             host.document, host.active_index, host.selected.layer, lambda: _fresh(context)
         )
         fresh = document.curves[place]
-        self._finished.discard((place, fresh.name))
+        done = partial(self._pen.draw, (place, fresh.name), 0)
         view, snapper = view_of(fresh), context.snappers.for_new(-1)
         how = _appending(context), _makes_corners(context)
         begin = BeginCurve(document, place, view, context.pointer, snapper, *how)
-        context.drags.press_at_once(context.pointer, begin, active=place, makes=0)
+        context.drags.press_at_once(context.pointer, begin, on_done=done, active=place, makes=0)
 
     # What a press would do
 
@@ -174,7 +197,7 @@ class AddTool(Tool):
         if place is not None and not in_steps:
             context.preview_snap(place)
         self._update_preview(context, act)
-        snaps, finished = context.settings.snapping.on, self._is_finished(context.host)
+        snaps, finished = context.settings.snapping.on, self._pen.is_finished(context.host)
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.name))
         corners = _makes_corners(context)
@@ -215,10 +238,6 @@ class AddTool(Tool):
 def _begins_anew(host: EditingHost) -> bool:
     """Whether no curve is edited that a press could go on with: the one that was is gone."""
     return not host.selected.is_editing and bool(host.active_view.source.points)
-
-
-def _key(host: EditingHost) -> tuple[int, str]:
-    return host.active_index, host.active_view.source.name
 
 
 def _insert(context: ToolContext, hit: Hit) -> None:
@@ -289,6 +308,7 @@ ADD = ToolRecord(
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
         GestureRow("Enter, double click", "finish the curve; a click on its last point goes on with it"),
+        GestureRow("Backspace, Delete", "take back the last point"),
         GestureRow("Click the first point", "close the curve"),
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
         *GESTURES,

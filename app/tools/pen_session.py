@@ -1,0 +1,64 @@
+"""What the pen knows of the curves that it draws: neither in the document nor in its history."""
+
+from __future__ import annotations
+
+from . import hints
+from .drag_machine import EditingHost
+
+_Key = tuple[int, str]
+
+
+class PenSession:
+    """Curves that are finished, and those that have been drawn since the pen was taken in hand.
+
+    Curves are known by their places and names.
+    """
+
+    def __init__(self) -> None:
+        self._finished: set[_Key] = set()
+        # How many points each had when the pen began to draw it.
+        self._drawn: dict[_Key, int] = {}
+
+    def reset(self) -> None:
+        """Forget everything; another document is open."""
+        self._finished.clear()
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget which curves are drawn: the pen is taken in hand."""
+        self._drawn.clear()
+
+    @property
+    def has_drawn(self) -> bool:
+        """Whether anything has been drawn since the pen was taken in hand."""
+        return bool(self._drawn)
+
+    def is_finished(self, host: EditingHost) -> bool:
+        """Whether the person has finished the curve that is edited, so that the next press begins another."""
+        return key_of(host) in self._finished and hints.can_finish(host.active_view)
+
+    def is_drawn(self, host: EditingHost) -> bool:
+        """Whether the pen is drawing the curve that is edited."""
+        return host.selected.is_editing and key_of(host) in self._drawn and not self.is_finished(host)
+
+    def finish(self, host: EditingHost) -> None:
+        """Take note that the curve that is edited is finished."""
+        self._finished.add(key_of(host))
+
+    def draw(self, key: _Key, count: int) -> None:
+        """Take note that a curve is drawn, which has had so many points before."""
+        if key in self._finished:
+            self._drawn.pop(key, None)
+        self._finished.discard(key)
+        self._drawn.setdefault(key, count)
+
+    def own_points(self, host: EditingHost) -> int:
+        """Return how many points at the end of the curve that is edited the pen has drawn."""
+        if not self.is_drawn(host) or host.active_view.source.is_closed:
+            return 0
+        return max(0, len(host.active_view.source.points) - self._drawn[key_of(host)])
+
+
+def key_of(host: EditingHost) -> tuple[int, str]:
+    """Return the place and the name of the curve that is edited."""
+    return host.active_index, host.active_view.source.name
