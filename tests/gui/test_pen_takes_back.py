@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document.model import Document, Page
+from app.document.lines import is_line
+from app.document.model import Document, Page, Point
 from app.document.plane_edits import set_page
 
 BACKSPACE, DELETE = Qt.Key.Key_Backspace, Qt.Key.Key_Delete
@@ -81,3 +83,47 @@ def test_a_point_that_was_selected_is_deleted_as_ever(paper):
     assert sizes(paper) == [4, 4, 2]
     paper.key(DELETE)
     assert sizes(paper) == [4, 4, 1]
+
+
+def shape(editor, segment):
+    """Places along a segment."""
+    view = editor.session.active_view
+    return view.curve.evaluate(np.linspace(*view.parameters[segment : segment + 2], 9))
+
+
+@pytest.mark.parametrize("by_nodes", [False, True])
+def test_a_click_goes_on_straight_from_the_end_that_is_left(paper, by_nodes):
+    """The handle of the end for the segment that went bent the next one, which was called a corner."""
+    paper.click((20, 20))
+    paper.drag((80, 30), (110, 60))
+    paper.drag((140, 20), (160, 0))
+    drawn = shape(paper, 0)
+    if by_nodes:
+        paper.trigger("selectTool")
+        paper.select_point(2)
+        paper.key(DELETE)
+        paper.trigger("addTool")
+    else:
+        paper.key(BACKSPACE)
+    paper.hover((140, 100))
+    assert "point 2, a corner" in paper.window.status_line.hint
+    assert is_line(paper.window.canvas.marks.preview_curve.source, 1)
+    paper.click((140, 100))
+    assert is_line(paper.curve, 1)
+    assert shape(paper, 0) == pytest.approx(drawn, abs=1e-9)
+    # A drag bends, and a handle drawn out then bends what a click makes, as ever.
+    paper.drag((180, 60), (190, 30))
+    paper.click((120, 40))
+    assert [is_line(paper.curve, segment) for segment in range(4)] == [False, True, False, False]
+
+
+def test_a_smooth_curve_that_was_there_keeps_its_shape_beside_the_line_that_goes_on(paper):
+    places = ((20, 20), (60, 60), (100, 20))
+    smooth = replace(paper.session.document.curves[1], points=tuple(Point(*place) for place in places))
+    paper.session.change("Draw", lambda document: document.with_curve(1, smooth), active=1)
+    paper.session.selected.activate(1)
+    drawn = np.vstack([shape(paper, segment) for segment in range(2)])
+    paper.click((160, 90), keys=Qt.KeyboardModifier.ShiftModifier)
+    assert is_line(paper.curve, 2)
+    now = np.vstack([shape(paper, segment) for segment in range(2)])
+    assert now == pytest.approx(drawn, abs=1e-9)

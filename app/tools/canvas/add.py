@@ -9,12 +9,12 @@ from msgspec.structs import replace
 
 from ...document.curve_edits import fresh_curve, without_last_point
 from ...document.layers import begun, layer_of
-from ...document.model import Curve, Parametrization, Vector
+from ...document.model import Curve, Document, Parametrization, Vector
 from ...document.point_group import NO_POINTS, points_of
 from ...families import HERMITE
 from ...view_model.appending import Appending, closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
-from ...view_model.pen_corners import closed_by_handles, with_corner_appended
+from ...view_model.pen_corners import closed_by_handles, with_corner_appended, with_free_end
 from ...view_model.reshape import inserted_index
 from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
@@ -100,6 +100,7 @@ class AddTool(Tool):
         elif host.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
             if last:
                 host.selected.set_points([last - 1])
+                self._pen.find_end(host, anew=True)
             host.say(f"Took back point {last}." if last else "Took back the curve; a click begins another.")
 
     def _goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
@@ -124,6 +125,7 @@ class AddTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin what a press here does."""
         host, hit = context.host, context.hit
+        self._pen.find_end(host)
         if hit is not None and not hints.is_no_part(hit) and not _begins_anew(host):
             self._press_on_part(context, hit)
             return
@@ -139,7 +141,7 @@ class AddTool(Tool):
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
         if hints.can_end_at(hit, context.view):
-            press_on_part(context, hit, partial(_close, context))
+            press_on_part(context, hit, partial(self._close, context))
         elif context.pointer.is_double and self._ends_at(hit, context.host):
             press_on_part(context, hit, partial(self._finish, context.host))
         elif self._goes_on_at(hit, context.host):
@@ -159,11 +161,11 @@ class AddTool(Tool):
             self._begin(context)
             return
         index, key = len(context.view.source.points), key_of(host)
-        snapper = context.snappers.for_new(index)
+        snapper, (document, view) = context.snappers.for_new(index), self._start(context)
         append = AppendPoint(
-            host.document,
+            document,
             host.active_index,
-            context.view,
+            view,
             context.pointer,
             snapper,
             _appending(context),
@@ -172,6 +174,28 @@ class AddTool(Tool):
         # Only when it is done: Escape leaves a finished curve finished.
         done = partial(self._pen.draw, key, index)
         context.drags.press_at_once(context.pointer, append, on_done=done, makes=index)
+
+    def _close(self, context: ToolContext) -> None:
+        """Close the curve that is edited, or say why it cannot be closed."""
+        host, by_line = context.host, context.pointer.alt
+        active, (start, view) = host.active_index, self._start(context)
+        if _makes_corners(context):
+            close = closed_by_pen if by_line else closed_by_handles
+        else:
+            close = closed_by_line if by_line else closed_by_pen
+        host.change(f"Close {view.source.name}", lambda _document: close(start, active, view))
+
+    def _start(self, context: ToolContext) -> tuple[Document, CurveView]:
+        """Return the document, and the view of the curve that is edited, that a press goes on from.
+
+        A click that makes a corner goes on straight from where no handle was drawn out for what comes.
+        """
+        host = context.host
+        is_free = _makes_corners(context) and not context.pointer.alt and self._pen.has_bare_end(host)
+        document = with_free_end(host.document, host.active_index) if is_free else host.document
+        if document is host.document:
+            return document, context.view
+        return document, view_of(document.curves[host.active_index], context.view)
 
     def _begin(self, context: ToolContext) -> None:
         """Begin another curve, or the empty one in another layer; it is edited from the press on."""
@@ -191,6 +215,7 @@ class AddTool(Tool):
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
         hit, view = context.hit, context.view
+        self._pen.find_end(context.host)
         act = self._act(context) if hints.is_no_part(hit) or _begins_anew(context.host) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         in_steps = act is PenAct.APPEND and place_in_steps(view, context.pointer) is not None
@@ -221,8 +246,9 @@ class AddTool(Tool):
         pointer = context.pointer
         free = caught.position if caught is not None else pointer.position
         place = place_in_steps(view, pointer) or free
+        document, start = self._start(context)
         self._preview = view_with_point(
-            host.document, host.active_index, view, place, self._preview, append=_appending(context)
+            document, host.active_index, start, place, self._preview, append=_appending(context)
         )
 
     def marks(self, context: ToolContext) -> GestureMarks:
@@ -268,17 +294,6 @@ def _fresh(context: ToolContext) -> Curve:
     if model.family.derivatives or not _makes_corners(context):
         return fresh_curve(document, model, model.parametrization)
     return fresh_curve(document, model, Parametrization()).with_family(HERMITE)
-
-
-def _close(context: ToolContext) -> None:
-    """Close the curve that is edited, or say why it cannot be closed."""
-    host, by_line = context.host, context.pointer.alt
-    active, view = host.active_index, host.active_view
-    if _makes_corners(context):
-        close = closed_by_pen if by_line else closed_by_handles
-    else:
-        close = closed_by_line if by_line else closed_by_pen
-    host.change(f"Close {view.source.name}", lambda document: close(document, active, view))
 
 
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
