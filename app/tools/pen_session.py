@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..document.model import Point
 from . import hints
 from .drag_machine import EditingHost
+from .pointer import Hit
 
 _Key = tuple[int, str]
 
@@ -51,6 +52,12 @@ class PenSession:
     def is_finished(self, host: EditingHost) -> bool:
         """Whether the person has finished the curve that is edited, so that the next press begins another."""
         return key_of(host) in self._finished and hints.can_finish(host.active_view)
+
+    def goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
+        """Whether a click on what is hit goes on with the curve: on either end of one that is not drawn."""
+        view = host.active_view
+        is_either = hints.is_end(hit, view) or hints.is_beginning(hit, view)
+        return is_either and not self.is_drawn(host) and not view.source.locked
 
     def is_drawn(self, host: EditingHost) -> bool:
         """Whether the pen is drawing the curve that is edited."""

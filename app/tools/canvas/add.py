@@ -7,7 +7,7 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import fresh_curve, without_last_point
+from ...document.curve_edits import fresh_curve, reverse_curve, without_last_point
 from ...document.layers import begun, layer_of
 from ...document.model import Curve, Document, Parametrization, Vector
 from ...document.point_group import NO_POINTS, points_of
@@ -103,22 +103,24 @@ class AddTool(Tool):
                 self._pen.find_end(host, anew=True)
             host.say(f"Took back point {last}." if last else "Took back the curve; a click begins another.")
 
-    def _goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
-        """Whether a click on what is hit goes on with a finished curve."""
-        view = host.active_view
-        return self._pen.is_finished(host) and hints.is_end(hit, view) and not view.source.locked
-
     def _ends_at(self, hit: Hit, host: EditingHost) -> bool:
         """Whether a double click on what is hit finishes the curve: on the point that it has added."""
         view = host.active_view
         return hints.is_end(hit, view) and hints.can_finish(view) and not self._pen.is_finished(host)
 
-    def _go_on(self, host: EditingHost) -> None:
-        """Go on with the finished curve."""
-        count = len(host.active_view.source.points)
-        self._pen.draw(key_of(host), count)
-        host.selected.set_points([count - 1])
-        host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
+    def _go_on(self, host: EditingHost, index: int) -> None:
+        """Go on with a curve from its end at point `index`; from the first it runs the other way."""
+        curve, view = host.active_index, host.active_view
+        last = len(view.source.points) - 1
+        if index != last:
+            way = f"Go on from point {index}"
+            parameters = view.parameters.tolist()
+            if not host.change(way, lambda document: reverse_curve(document, curve, parameters)):
+                return
+        self._pen.draw(key_of(host), last + 1)
+        host.selected.set_points([last])
+        self._pen.find_end(host, anew=True)
+        host.say(f"Going on with “{view.source.name}”; the next press adds point {last + 1}.")
 
     # Presses
 
@@ -140,12 +142,12 @@ class AddTool(Tool):
             self._append(context)
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
-        if hints.can_end_at(hit, context.view):
+        if self._pen.goes_on_at(hit, context.host):
+            press_on_part(context, hit, partial(self._go_on, context.host, hit.index))
+        elif hints.can_end_at(hit, context.view):
             press_on_part(context, hit, partial(self._close, context))
         elif context.pointer.is_double and self._ends_at(hit, context.host):
             press_on_part(context, hit, partial(self._finish, context.host))
-        elif self._goes_on_at(hit, context.host):
-            press_on_part(context, hit, partial(self._go_on, context.host))
         else:
             press_on_part(context, hit)
 
@@ -222,16 +224,16 @@ class AddTool(Tool):
         if place is not None and not in_steps:
             context.preview_snap(place)
         self._update_preview(context, act)
-        snaps, finished = context.settings.snapping.on, self._pen.is_finished(context.host)
+        snaps = context.settings.snapping.on
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.name))
         corners = _makes_corners(context)
         if act is not None or hit is None:
             return hints.to_add(act or PenAct.APPEND, view, _fresh(context), snaps=snaps, corners=corners)
         pointer = context.pointer
-        dragged = dragged_with(context, hit)
+        dragged, goes_on = dragged_with(context, hit), self._pen.goes_on_at(hit, context.host)
         return hints.to_add_on_part(
-            hit, view, dragged, pointer, snaps=snaps, finished=finished, corners=corners
+            hit, view, dragged, pointer, snaps=snaps, goes_on=goes_on, corners=corners
         )
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
@@ -322,7 +324,7 @@ ADD = ToolRecord(
         ),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
-        GestureRow("Enter, double click", "finish the curve; a click on its last point goes on with it"),
+        GestureRow("Enter, double click", "finish the curve; a click on either end goes on from there"),
         GestureRow("Backspace, Delete", "take back the last point"),
         GestureRow("Click the first point", "close the curve"),
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
