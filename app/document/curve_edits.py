@@ -12,7 +12,7 @@ from itertools import chain, count
 from msgspec.structs import replace
 
 from .derivatives import DERIVATIVES
-from .edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_points
+from .edits import EditError, delete_points, freeze_parameters, interval, refuse_equal_parameters, set_points
 from .model import Curve, Document, Parametrization, Point, Vector
 from .paper import drawn_style
 from .style import PLAIN_STYLE
@@ -46,6 +46,14 @@ def remove_curve(document: Document, curve: int) -> Document:
         left = unstyled_model(document.curves[curve])
         rest = (replace(left, style=drawn_style(document, left.style)),)
     return replace(document, curves=rest)
+
+
+def without_last_point(document: Document, curve: int) -> Document:
+    """Delete the last point of a curve; a curve that has no other goes with it, unless it is the only one."""
+    last = len(document.curves[curve].points) - 1
+    if last > 0 or len(document.curves) == 1:
+        return delete_points(document, curve, [last])
+    return remove_curve(document, curve)
 
 
 def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:

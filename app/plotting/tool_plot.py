@@ -199,7 +199,7 @@ class ToolPlot(PlotWidget):
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             # While a transform is in flight, digits and letters are its own and no shortcuts.
             key = key_name(event)
-            if key is not None and self.tools.tool.claims(key):
+            if key is not None and self.tools.claims(key):
                 event.accept()
                 return True
         return bool(super().event(event))
@@ -217,7 +217,7 @@ class ToolPlot(PlotWidget):
 
     def give_key(self, key: str) -> bool:
         """Give the tool a key by name; return whether it is the tool's, also where it means nothing now."""
-        claimed, was_dragging = self.tools.tool.claims(key), self.is_dragging
+        claimed, was_dragging = self.tools.claims(key), self.is_dragging
         taken = self.tools.key(key)
         if taken and was_dragging:
             self._show_progress()

@@ -97,12 +97,13 @@ def to_add_on_part(
     pointer: Pointer,
     *,
     snaps: bool,
-    finished: bool,
+    goes_on: bool,
     corners: bool = False,
 ) -> Hint:
-    """Return the hint of the Add tool over a point or a handle."""
-    if finished and is_end(hit, view):
-        return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
+    """Return the hint of the Add tool over a point or a handle; `goes_on`: what a click on an end does."""
+    if goes_on:
+        end = "" if is_end(hit, view) else " from its first point"
+        return Hint(f"Click to go on with this curve{end} · Drag to move point {hit.index}", grab=True)
     if can_end_at(hit, view):
         if not view.source.family.curve_class.can_close:
             # A click says why, and which families can.
@@ -143,8 +144,13 @@ def can_finish(view: CurveView) -> bool:
 def can_end_at(hit: Hit | None, view: CurveView) -> bool:
     """Whether the curve might end at what is hit: its first point, and there are others to go around."""
     curve = view.source
-    is_first = hit is not None and hit.part is Part.POINT and hit.index == 0
-    return is_first and not curve.is_closed and len(curve.points) >= curve.family.least_to_close
+    is_first = hit is not None and is_beginning(hit, view)
+    return is_first and len(curve.points) >= curve.family.least_to_close
+
+
+def is_beginning(hit: Hit, view: CurveView) -> bool:
+    """Whether the first point of an open curve is hit."""
+    return hit.part is Part.POINT and hit.index == 0 and not view.source.is_closed
 
 
 def is_end(hit: Hit, view: CurveView) -> bool:

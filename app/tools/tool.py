@@ -214,7 +214,7 @@ class Tool:
         """Take a key, such as "enter" or "x"; return whether it meant something."""
         return False
 
-    def claims(self, key: str) -> bool:
+    def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for the tool that would be a shortcut otherwise."""
         return False
 
@@ -257,6 +257,9 @@ class Tool:
         if self.gesture is not None:
             self.gesture.cancel(context)
         context.drags.cancel()
+
+    def pick_up(self) -> None:
+        """Begin to be used, in place of another tool."""
 
     def take_over(self, context: ToolContext) -> None:
         """Begin to be used while no curve was edited: what is drawn from now on is another one."""

@@ -119,6 +119,7 @@ class Toolbox:
         self._chosen.dismiss()
         self.record = record
         self._chosen = self._of(record)
+        self._chosen.pick_up()
         if not self._chosen.finds_other_curves and not self._host.selected.is_editing:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
             selected = self._host.selected
@@ -192,6 +193,10 @@ class Toolbox:
         self._host.selected.set_hovered(-1)
         self._snappers.reset()
         self.tool.hover(self._at(ELSEWHERE))
+
+    def claims(self, key: str) -> bool:
+        """Whether a key is for the tool that would be a shortcut otherwise."""
+        return self.tool.claims(self.context, key)
 
     def key(self, key: str) -> bool:
         """Give the tool a key; return whether it meant something."""

@@ -38,7 +38,7 @@ class TransformTool(Tool):
         self.move(context)
         return Hint()
 
-    def claims(self, key: str) -> bool:
+    def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for the transform: a digit, ".", "-", "x", "y" …."""
         return key in _KEYS
 

@@ -41,6 +41,15 @@ def with_corner_appended(document: Document, curve: int, view: CurveView, positi
     return document.with_curve(curve, replace(made, points=points))
 
 
+def with_free_end(document: Document, curve: int) -> Document:
+    """Return the document with the last point of a curve as one that leaves open how the curve goes on."""
+    made = document.curves[curve]
+    if not made.points or made.is_closed or why_not_straight(made.family):
+        return document
+    free = _with_free_side(made.points[-1])
+    return document.with_curve(curve, replace(made, points=(*made.points[:-1], free)))
+
+
 def closed_by_handles(document: Document, curve: int, view: CurveView) -> Document:
     """Return the document with its curve `curve`, which `view` shows, closed by such a segment.
 
@@ -102,4 +111,4 @@ def _leads_along(handle: Vector, chord: Vector) -> bool:
 
 def _with_free_side(point: Point) -> Point:
     """Return an end of a curve as a corner that leaves open how the curve goes on."""
-    return replace(point.as_corner(), **{each.after: None for each in DERIVATIVES})
+    return replace(point.as_corner(), tied=False, **{each.after: None for each in DERIVATIVES})

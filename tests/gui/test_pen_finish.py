@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.document import edits
-from app.document.model import Point
+from app.document.model import ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -81,6 +82,29 @@ def test_a_click_on_the_last_point_goes_on(pen):
     assert pen.status == "Going on with “Curve 1”; the next press adds point 3."
     pen.click(at(pen, 300, 150))
     assert sizes(pen) == [4]
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
+def test_a_click_on_the_first_point_of_a_curve_that_is_not_drawn_goes_on_from_there(pen, kind):
+    """It closed a curve that had been finished long ago."""
+    document = edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.3, 1.0])
+    pen.session.commit(edits.set_velocity(document, 0, 1, (400.0, -90.0)), "Begin")
+    drawn, first = pen.session.active_view.curve.evaluate(np.linspace(0, 1, 33)), pen.point(0)
+    pen.hover(first)
+    assert hint(pen) == "Click to go on with this curve from its first point · Drag to move point 0"
+    pen.click(first)
+    assert pen.status == "Going on with “Curve 1”; the next press adds point 3."
+    assert (pen.curve.is_closed, pen.point(2), pen.session.selection) == (False, first, {2})
+    assert pen.curve.points[1].velocity == pytest.approx((-400, 90))
+    now = pen.session.active_view.curve.evaluate(np.linspace(0, 1, 33))
+    assert now == pytest.approx(drawn[::-1], abs=1e-9)
+    pen.click(at(pen, 40, 200))
+    assert (sizes(pen), pen.point(2)) == ([4], first)
+    # It is drawn now, and its other end closes it.
+    pen.hover(pen.point(0))
+    assert hint(pen).startswith("Click to close the curve")
+    pen.click(pen.point(0))
+    assert pen.curve.is_closed
 
 
 def test_a_drag_of_the_last_point_moves_it_and_the_curve_stays_finished(pen):
@@ -297,8 +321,9 @@ def test_a_curve_of_double_clicks_alone_needs_two_points(editor):
 
 
 def test_a_double_click_on_the_first_point_closes(pen):
+    pen.click(at(pen, 300, 150))
     pen.double_click(pen.point(0))
-    assert sizes(pen) == [3]
+    assert sizes(pen) == [4]
     assert pen.curve.is_closed
     assert pen.session.undo_stack.undoText() == "Close Curve 1"
 
@@ -317,6 +342,7 @@ def test_the_second_press_of_a_double_click_drags_the_point_as_any_press_does(pe
 
 def test_a_click_on_the_first_point_closes_a_curve_without_handles_too_and_it_is_said(pen):
     pen.choose_family("cubic_spline")
+    pen.click(at(pen, 300, 150))
     pen.hover(pen.point(0))
     assert hint(pen) == "Click to close the curve · Drag to move point 0"
 

@@ -7,14 +7,14 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import fresh_curve
+from ...document.curve_edits import fresh_curve, reverse_curve, without_last_point
 from ...document.layers import begun, layer_of
-from ...document.model import Curve, Parametrization, Vector
-from ...document.point_group import points_of
+from ...document.model import Curve, Document, Parametrization, Vector
+from ...document.point_group import NO_POINTS, points_of
 from ...families import HERMITE
 from ...view_model.appending import Appending, closed_by_pen, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
-from ...view_model.pen_corners import closed_by_handles, with_corner_appended
+from ...view_model.pen_corners import closed_by_handles, with_corner_appended, with_free_end
 from ...view_model.reshape import inserted_index
 from ...view_model.straight import closed_by_line, with_line_appended
 from .. import hints
@@ -22,8 +22,12 @@ from ..drag_machine import EditingHost
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
+from ..pen_session import PenSession, key_of
 from ..pointer import Hint, Hit
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+
+_TAKING_BACK = ("backspace", "delete")
+"""Keys that take back the last point."""
 
 
 class AddTool(Tool):
@@ -36,8 +40,7 @@ class AddTool(Tool):
     shows_new_handle = True
 
     def __init__(self) -> None:
-        # The finished curves, by their places and names.
-        self._finished: set[tuple[int, str]] = set()
+        self._pen = PenSession()
         # What a press would make of the curve that `_seen` shows.
         self._seen: CurveView | None = None
         self._preview: CurveView | None = None
@@ -45,7 +48,11 @@ class AddTool(Tool):
 
     def reset(self) -> None:
         """Forget which curves are finished; another document is open."""
-        self._finished.clear()
+        self._pen.reset()
+
+    def pick_up(self) -> None:
+        """Draw nothing yet."""
+        self._pen.begin()
 
     def end(self) -> None:
         """Show nothing of what a press would do."""
@@ -54,17 +61,23 @@ class AddTool(Tool):
     def take_over(self, context: ToolContext) -> None:
         """Leave the active curve as it is: nobody was editing it."""
         if hints.can_finish(context.view):
-            self._finished.add(_key(context.host))
+            self._pen.finish(context.host)
 
     # Finished curves
 
-    def _is_finished(self, host: EditingHost) -> bool:
-        """Whether the person has finished the curve that is edited, so that the next press begins another."""
-        return _key(host) in self._finished and hints.can_finish(host.active_view)
+    def claims(self, context: ToolContext, key: str) -> bool:
+        """Whether a key takes back what the pen has drawn: unless the person has selected something else."""
+        if key not in _TAKING_BACK or context.drags.is_pressed or not self._pen.has_drawn:
+            return False
+        last = len(context.view.source.points) - 1
+        return context.host.selected.group in (NO_POINTS, points_of(context.host.active_index, [last]))
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Finish the curve that is edited with Enter, or say why not."""
+        """Finish the curve that is edited with Enter, or say why not; take back its last point."""
         host = context.host
+        if self.claims(context, key):
+            self._take_back(host)
+            return True
         if key != "enter" or context.drags.is_pressed or context.view.source.is_closed:
             return False
         if not hints.can_finish(context.view):
@@ -75,32 +88,46 @@ class AddTool(Tool):
 
     def _finish(self, host: EditingHost) -> None:
         """Finish the curve that is edited: the next press begins another one."""
-        self._finished.add(_key(host))
+        self._pen.finish(host)
         host.selected.set_points([])
         host.say(f"“{host.active_view.source.name}” is finished; the next press begins another curve.")
 
-    def _goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
-        """Whether a click on what is hit goes on with a finished curve."""
-        view = host.active_view
-        return self._is_finished(host) and hints.is_end(hit, view) and not view.source.locked
+    def _take_back(self, host: EditingHost) -> None:
+        """Take back the last point that was drawn, and with the first of all the curve."""
+        place, last = host.active_index, len(host.active_view.source.points) - 1
+        if not self._pen.own_points(host):
+            host.say("There is nothing to take back; a click draws, V selects.")
+        elif host.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
+            if last:
+                host.selected.set_points([last - 1])
+                self._pen.find_end(host, anew=True)
+            host.say(f"Took back point {last}." if last else "Took back the curve; a click begins another.")
 
     def _ends_at(self, hit: Hit, host: EditingHost) -> bool:
         """Whether a double click on what is hit finishes the curve: on the point that it has added."""
         view = host.active_view
-        return hints.is_end(hit, view) and hints.can_finish(view) and not self._is_finished(host)
+        return hints.is_end(hit, view) and hints.can_finish(view) and not self._pen.is_finished(host)
 
-    def _go_on(self, host: EditingHost) -> None:
-        """Go on with the finished curve."""
-        self._finished.discard(_key(host))
-        count = len(host.active_view.source.points)
-        host.selected.set_points([count - 1])
-        host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
+    def _go_on(self, host: EditingHost, index: int) -> None:
+        """Go on with a curve from its end at point `index`; from the first it runs the other way."""
+        curve, view = host.active_index, host.active_view
+        last = len(view.source.points) - 1
+        if index != last:
+            way = f"Go on from point {index}"
+            parameters = view.parameters.tolist()
+            if not host.change(way, lambda document: reverse_curve(document, curve, parameters)):
+                return
+        self._pen.draw(key_of(host), last + 1)
+        host.selected.set_points([last])
+        self._pen.find_end(host, anew=True)
+        host.say(f"Going on with “{view.source.name}”; the next press adds point {last + 1}.")
 
     # Presses
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here does."""
         host, hit = context.host, context.hit
+        self._pen.find_end(host)
         if hit is not None and not hints.is_no_part(hit) and not _begins_anew(host):
             self._press_on_part(context, hit)
             return
@@ -115,19 +142,19 @@ class AddTool(Tool):
             self._append(context)
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
-        if hints.can_end_at(hit, context.view):
-            press_on_part(context, hit, partial(_close, context))
+        if self._pen.goes_on_at(hit, context.host):
+            press_on_part(context, hit, partial(self._go_on, context.host, hit.index))
+        elif hints.can_end_at(hit, context.view):
+            press_on_part(context, hit, partial(self._close, context))
         elif context.pointer.is_double and self._ends_at(hit, context.host):
             press_on_part(context, hit, partial(self._finish, context.host))
-        elif self._goes_on_at(hit, context.host):
-            press_on_part(context, hit, partial(self._go_on, context.host))
         else:
             press_on_part(context, hit)
 
     def _act(self, context: ToolContext) -> PenAct:
         if _begins_anew(context.host):
             return PenAct.BEGIN
-        finished = self._is_finished(context.host)
+        finished = self._pen.is_finished(context.host)
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
 
     def _append(self, context: ToolContext) -> None:
@@ -135,20 +162,42 @@ class AddTool(Tool):
         if not context.view.source.points and layer != layer_of(host.document, host.active_index):
             self._begin(context)
             return
-        index, key = len(context.view.source.points), _key(host)
-        snapper = context.snappers.for_new(index)
+        index, key = len(context.view.source.points), key_of(host)
+        snapper, (document, view) = context.snappers.for_new(index), self._start(context)
         append = AppendPoint(
-            host.document,
+            document,
             host.active_index,
-            context.view,
+            view,
             context.pointer,
             snapper,
             _appending(context),
             _makes_corners(context),
         )
         # Only when it is done: Escape leaves a finished curve finished.
-        done = partial(self._finished.discard, key)
+        done = partial(self._pen.draw, key, index)
         context.drags.press_at_once(context.pointer, append, on_done=done, makes=index)
+
+    def _close(self, context: ToolContext) -> None:
+        """Close the curve that is edited, or say why it cannot be closed."""
+        host, by_line = context.host, context.pointer.alt
+        active, (start, view) = host.active_index, self._start(context)
+        if _makes_corners(context):
+            close = closed_by_pen if by_line else closed_by_handles
+        else:
+            close = closed_by_line if by_line else closed_by_pen
+        host.change(f"Close {view.source.name}", lambda _document: close(start, active, view))
+
+    def _start(self, context: ToolContext) -> tuple[Document, CurveView]:
+        """Return the document, and the view of the curve that is edited, that a press goes on from.
+
+        A click that makes a corner goes on straight from where no handle was drawn out for what comes.
+        """
+        host = context.host
+        is_free = _makes_corners(context) and not context.pointer.alt and self._pen.has_bare_end(host)
+        document = with_free_end(host.document, host.active_index) if is_free else host.document
+        if document is host.document:
+            return document, context.view
+        return document, view_of(document.curves[host.active_index], context.view)
 
     def _begin(self, context: ToolContext) -> None:
         """Begin another curve, or the empty one in another layer; it is edited from the press on."""
@@ -157,33 +206,34 @@ class AddTool(Tool):
             host.document, host.active_index, host.selected.layer, lambda: _fresh(context)
         )
         fresh = document.curves[place]
-        self._finished.discard((place, fresh.name))
+        done = partial(self._pen.draw, (place, fresh.name), 0)
         view, snapper = view_of(fresh), context.snappers.for_new(-1)
         how = _appending(context), _makes_corners(context)
         begin = BeginCurve(document, place, view, context.pointer, snapper, *how)
-        context.drags.press_at_once(context.pointer, begin, active=place, makes=0)
+        context.drags.press_at_once(context.pointer, begin, on_done=done, active=place, makes=0)
 
     # What a press would do
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
         hit, view = context.hit, context.view
+        self._pen.find_end(context.host)
         act = self._act(context) if hints.is_no_part(hit) or _begins_anew(context.host) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         in_steps = act is PenAct.APPEND and place_in_steps(view, context.pointer) is not None
         if place is not None and not in_steps:
             context.preview_snap(place)
         self._update_preview(context, act)
-        snaps, finished = context.settings.snapping.on, self._is_finished(context.host)
+        snaps = context.settings.snapping.on
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.name))
         corners = _makes_corners(context)
         if act is not None or hit is None:
             return hints.to_add(act or PenAct.APPEND, view, _fresh(context), snaps=snaps, corners=corners)
         pointer = context.pointer
-        dragged = dragged_with(context, hit)
+        dragged, goes_on = dragged_with(context, hit), self._pen.goes_on_at(hit, context.host)
         return hints.to_add_on_part(
-            hit, view, dragged, pointer, snaps=snaps, finished=finished, corners=corners
+            hit, view, dragged, pointer, snaps=snaps, goes_on=goes_on, corners=corners
         )
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
@@ -198,8 +248,9 @@ class AddTool(Tool):
         pointer = context.pointer
         free = caught.position if caught is not None else pointer.position
         place = place_in_steps(view, pointer) or free
+        document, start = self._start(context)
         self._preview = view_with_point(
-            host.document, host.active_index, view, place, self._preview, append=_appending(context)
+            document, host.active_index, start, place, self._preview, append=_appending(context)
         )
 
     def marks(self, context: ToolContext) -> GestureMarks:
@@ -215,10 +266,6 @@ class AddTool(Tool):
 def _begins_anew(host: EditingHost) -> bool:
     """Whether no curve is edited that a press could go on with: the one that was is gone."""
     return not host.selected.is_editing and bool(host.active_view.source.points)
-
-
-def _key(host: EditingHost) -> tuple[int, str]:
-    return host.active_index, host.active_view.source.name
 
 
 def _insert(context: ToolContext, hit: Hit) -> None:
@@ -251,17 +298,6 @@ def _fresh(context: ToolContext) -> Curve:
     return fresh_curve(document, model, Parametrization()).with_family(HERMITE)
 
 
-def _close(context: ToolContext) -> None:
-    """Close the curve that is edited, or say why it cannot be closed."""
-    host, by_line = context.host, context.pointer.alt
-    active, view = host.active_index, host.active_view
-    if _makes_corners(context):
-        close = closed_by_pen if by_line else closed_by_handles
-    else:
-        close = closed_by_line if by_line else closed_by_pen
-    host.change(f"Close {view.source.name}", lambda document: close(document, active, view))
-
-
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
     made = insert.on_curve
     # Dragged off the curve: the change is what was wanted.
@@ -288,7 +324,8 @@ ADD = ToolRecord(
         ),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
-        GestureRow("Enter, double click", "finish the curve; a click on its last point goes on with it"),
+        GestureRow("Enter, double click", "finish the curve; a click on either end goes on from there"),
+        GestureRow("Backspace, Delete", "take back the last point"),
         GestureRow("Click the first point", "close the curve"),
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
         *GESTURES,

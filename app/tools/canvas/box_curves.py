@@ -181,7 +181,7 @@ class BoxCurveTool(Tool):
         super().end()
         self._drag = None
 
-    def claims(self, key: str) -> bool:
+    def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for width and height: a digit also after the drag, when it would be a shortcut."""
         return key.isdigit() or (self._drag is not None and key in _TYPED)
 

@@ -157,7 +157,7 @@ class SelectTool(Tool):
         click = partial(insert_at, host, hit.t) if inserts else partial(_tell_place, host, hit)
         context.drags.press(pointer, unless_locked(context, bend), on_click=click)
 
-    def claims(self, key: str) -> bool:
+    def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for a guide."""
         return self._guides.claims(key)
 

@@ -1,0 +1,88 @@
+"""What the pen knows of the curves that it draws: neither in the document nor in its history."""
+
+from __future__ import annotations
+
+from ..document.model import Point
+from . import hints
+from .drag_machine import EditingHost
+from .pointer import Hit
+
+_Key = tuple[int, str]
+
+
+class PenSession:
+    """Curves that are finished, and those that have been drawn since the pen was taken in hand.
+
+    Curves are known by their places and names.
+    """
+
+    def __init__(self) -> None:
+        self._finished: set[_Key] = set()
+        # How many points each had when the pen began to draw it.
+        self._drawn: dict[_Key, int] = {}
+        # The last point of each as the pen found it: what handle it has was not meant for what comes next.
+        self._ends: dict[_Key, Point | None] = {}
+
+    def reset(self) -> None:
+        """Forget everything; another document is open."""
+        self._finished.clear()
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget which curves are drawn: the pen is taken in hand."""
+        self._drawn.clear()
+        self._ends.clear()
+
+    def find_end(self, host: EditingHost, *, anew: bool = False) -> None:
+        """Take note of the end of the curve that is edited, where that is not known, or `anew`."""
+        if anew or key_of(host) not in self._ends:
+            points = host.active_view.source.points
+            self._ends[key_of(host)] = points[-1] if points else None
+
+    def has_bare_end(self, host: EditingHost) -> bool:
+        """Whether the pen has drawn no handle out of the end of the curve that is edited."""
+        end = self._ends.get(key_of(host))
+        return end is not None and end in host.active_view.source.points[-1:]
+
+    @property
+    def has_drawn(self) -> bool:
+        """Whether anything has been drawn since the pen was taken in hand."""
+        return bool(self._drawn)
+
+    def is_finished(self, host: EditingHost) -> bool:
+        """Whether the person has finished the curve that is edited, so that the next press begins another."""
+        return key_of(host) in self._finished and hints.can_finish(host.active_view)
+
+    def goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
+        """Whether a click on what is hit goes on with the curve: on either end of one that is not drawn."""
+        view = host.active_view
+        is_either = hints.is_end(hit, view) or hints.is_beginning(hit, view)
+        return is_either and not self.is_drawn(host) and not view.source.locked
+
+    def is_drawn(self, host: EditingHost) -> bool:
+        """Whether the pen is drawing the curve that is edited."""
+        return host.selected.is_editing and key_of(host) in self._drawn and not self.is_finished(host)
+
+    def finish(self, host: EditingHost) -> None:
+        """Take note that the curve that is edited is finished."""
+        self._finished.add(key_of(host))
+
+    def draw(self, key: _Key, count: int) -> None:
+        """Take note that a curve is drawn, which has had so many points before."""
+        if key in self._finished:
+            self._drawn.pop(key, None)
+        self._finished.discard(key)
+        self._drawn.setdefault(key, count)
+        if not count:
+            self._ends[key] = None
+
+    def own_points(self, host: EditingHost) -> int:
+        """Return how many points at the end of the curve that is edited the pen has drawn."""
+        if not self.is_drawn(host) or host.active_view.source.is_closed:
+            return 0
+        return max(0, len(host.active_view.source.points) - self._drawn[key_of(host)])
+
+
+def key_of(host: EditingHost) -> tuple[int, str]:
+    """Return the place and the name of the curve that is edited."""
+    return host.active_index, host.active_view.source.name
