@@ -51,7 +51,7 @@ def _empty(
     known = {each.name: each for each in document.empty_layers}
     left = [name for name in names if name not in around and name not in known]
     was = _parents(before.curves, before.layers) if left and before is not None else {}
-    known |= {name: EmptyLayer(name, was.get(name, "")) for name in left}
+    known |= {name: _left_empty(name, was.get(name, ""), before) for name in left}
     found = dict[str, EmptyLayer]()
     for name in names:
         if name not in around:
@@ -59,6 +59,13 @@ def _empty(
             is_there = each.inside in names and not _is_in_itself(name, known)
             found[name] = each if is_there or not each.inside else replace(each, inside="")
     return found
+
+
+def _left_empty(name: str, inside: str, before: Document | None) -> EmptyLayer:
+    """Return what is known of a layer whose last curve has gone: it is seen and locked as that was."""
+    curves = [curve for curve in before.curves if name in curve.groups] if before is not None else []
+    visible = not curves or any(curve.visible for curve in curves)
+    return EmptyLayer(name, inside, visible, bool(curves) and all(curve.locked for curve in curves))
 
 
 def _is_in_itself(name: str, known: Mapping[str, EmptyLayer]) -> bool:

@@ -53,10 +53,17 @@ def gathered(document: Document, curves: Mapping[int, Curve], at: int) -> Gather
 
 
 def moved_into(
-    document: Document, curves: Collection[int], at: int, container: Container = OUTSIDE
+    document: Document,
+    curves: Collection[int],
+    at: int,
+    container: Container = OUTSIDE,
+    left: Collection[str] = (),
 ) -> Gathered:
-    """Bring curves together before place `at`, in a shape or group; shapes and groups of them stay whole."""
-    return gathered(document, contained(document.curves, curves, container), at)
+    """Bring curves together before place `at`, in a shape or group; shapes and groups of them stay whole.
+
+    Of the groups that are `left` comes what is in them.
+    """
+    return gathered(document, contained(document.curves, curves, container, left), at)
 
 
 def contained(

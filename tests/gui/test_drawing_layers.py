@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QLineEdit
 
 from app.document.layers import layer_of, with_layer_looks
 from app.exchange.options import Options
+from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.features.curve_list.commands import CurveListCommands
@@ -64,6 +65,15 @@ def layer_now(editor):
 def click_row(editor, name, spot=Spot.NAME):
     view, row = view_of(editor), [each.strip() for each in rows(editor)].index(name)
     QTest.mouseClick(view.viewport(), LEFT, pos=spot_rect(view.entry_rect(row), spot).center())
+    editor.settle()
+
+
+def drag_row(editor, row, end):
+    view = view_of(editor)
+    QTest.mousePress(view.viewport(), LEFT, pos=view.entry_rect(row).center())
+    QTest.mouseMove(view.viewport(), end + QPoint(0, 8))
+    QTest.mouseMove(view.viewport(), end)
+    QTest.mouseRelease(view.viewport(), LEFT, pos=end)
     editor.settle()
 
 
@@ -183,6 +193,29 @@ def test_empty_layers_stay_in_the_list_and_in_files(layered):
     assert [each.name for each in session.document.empty_layers] == ["Sketch", "Inner", "Notes"]
 
 
+def test_an_emptied_layer_is_seen_and_locked_as_it_was(layered):
+    """The eye opened with the last curve gone, and the file was told to show the layer."""
+    editor, session, view = layered, layered.session, view_of(layered)
+    begun = read_svg(SVG.encode()).document
+    click_row(editor, "Back", Spot.EYE)
+    click_row(editor, "Back")
+    editor.trigger("deleteSelection")
+    row = view.curves.row(rows(editor).index("Back"))
+    assert (row.visible, row.locked) == (False, False)
+    document = replace(session.document, unit=begun.unit, page=begun.page)
+    text = rewritten(SVG.encode(), document, begun).data.decode()
+    assert text.count("display:none") == 2
+    assert "display:inline" not in text
+    editor.trigger("undo")
+    # The same where the curve goes into another layer.
+    view.curves.open(rows(editor).index("Back"), True)
+    editor.settle()
+    drag_row(editor, rows(editor).index("  ground"), view.entry_rect(0).center())
+    assert layers(editor)["ground"] == "Notes"
+    row = view.curves.row(rows(editor).index("Back"))
+    assert (row.visible, row.locked) == (False, False)
+
+
 def test_layers_are_made_named_stepped_and_deleted(layered):
     editor, session = layered, layered.session
     editor.key(Qt.Key.Key_L, CTRL | SHIFT)
@@ -247,11 +280,7 @@ def test_a_curve_is_dragged_into_an_empty_layer(layered):
     view.curves.open(1, True)
     editor.settle()
     assert rows(editor) == ["Notes", "Art", "  Inner", "  right", "  left", "Sketch", "Back"]
-    start, end = (view.entry_rect(row).center() for row in (3, 0))
-    QTest.mousePress(view.viewport(), LEFT, pos=start)
-    QTest.mouseMove(view.viewport(), end + QPoint(0, 8))
-    QTest.mouseMove(view.viewport(), end)
-    QTest.mouseRelease(view.viewport(), LEFT, pos=end)
+    drag_row(editor, 3, view.entry_rect(0).center())
     assert layers(editor) == {"ground": "Back", "left": "Art", "right": "Notes"}
 
 

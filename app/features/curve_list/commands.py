@@ -301,10 +301,14 @@ class CurveListCommands:
         curves = whole_shapes(session.committed, self._meant(places))
         session.change(f"{verb} {named(session.committed, curves)}", lambda document: edit(document, curves))
 
-    def _move(self, places: frozenset[int], drop: Drop) -> None:
-        session, curves = self._session, self._meant(places)
+    def _move(self, node: Node, drop: Drop) -> None:
+        session, curves = self._session, self._meant(frozenset(node.places))
+        # All that is in a layer may go from it, and the layer stays.
+        left = () if node.kind is NodeKind.LAYER else session.committed.layers
         try:
-            moved = moved_into(session.committed, curves, drop.at, drop.container)
+            moved = moved_into(
+                session.committed, curves, drop.at, drop.container, {*left, *node.around.groups}
+            )
         except EditError as reason:
             session.refuse(str(reason))
             return

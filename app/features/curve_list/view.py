@@ -49,7 +49,7 @@ class CurveListView(ClaimsKeys, QListView):
     spot_clicked
         The swatch, the lock or the eye of a row was clicked (Node, Spot).
     moved
-        The row about these curves was dragged to another place (set, Drop).
+        A row was dragged to another place (Node, Drop).
     deletion_wanted
         These curves shall be deleted (a set), or the layer of this name with them.
     """
@@ -290,7 +290,7 @@ class CurveListView(ClaimsKeys, QListView):
                 # Not at the press: a drag takes all of them along.
                 self._go(row)
         elif not stays(drop, self.curves.entries[row].node, row):
-            self.moved.emit(self._places(row), drop)
+            self.moved.emit(self.curves.entries[row].node, drop)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
