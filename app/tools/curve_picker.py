@@ -42,11 +42,16 @@ class CurvePicker:
         return context
 
     def press(self, context: ToolContext, hit: Hit) -> None:
-        """Begin to drag what is hit, with all that is chosen together with it; or a click."""
-        group = _dragged(context, hit)
+        """Begin to drag what is hit, with all that is chosen together with it; or a click.
+
+        While no curve is edited, what is dragged is chosen from then on.
+        """
+        group, selected = _dragged(context, hit), context.host.selected
         refusal = context.target.refusal_of(group)
         drag = Refuse(context.host.document, refusal) if refusal else moving(context, group)
-        context.drags.press(context.pointer, drag, lambda: click_curve(context, hit))
+        is_chosen = selected.is_editing or hit.index in selected.chosen
+        chooses = frozenset[int]() if is_chosen else group.curves
+        context.drags.press(context.pointer, drag, lambda: click_curve(context, hit), chooses=chooses)
 
     def unpick(self, context: ToolContext) -> None:
         """Choose the active curve alone; while none is edited, none at all."""

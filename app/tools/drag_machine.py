@@ -193,6 +193,8 @@ class _Press(msgspec.Struct):
     active: int | None = None
     makes: int | None = None
     followed: Pointer | None = None
+    chooses: frozenset[int] = frozenset()
+    shows_choice: bool = False
 
 
 class DragMachine:
@@ -223,12 +225,14 @@ class DragMachine:
         on_click: Callable[[], None] | None = None,
         *,
         active: int | None = None,
+        chooses: frozenset[int] = frozenset(),
     ) -> None:
         """Begin: past the threshold `drag`, if any, takes over; a release before that is `on_click`.
 
-        `active` is the curve to edit once it has taken over, where it makes another one.
+        `active` is the curve to edit once it has taken over, where it makes another one; the curves that it
+        `chooses` are chosen with it, and no longer where it is taken back.
         """
-        self._press = _Press(pointer.pixel, drag, on_click, moving=False, active=active)
+        self._press = _Press(pointer.pixel, drag, on_click, moving=False, active=active, chooses=chooses)
 
     def mean_by_click(self, on_click: Callable[[], None]) -> None:
         """Let a release before the threshold be something else than the press has said."""
@@ -278,6 +282,10 @@ class DragMachine:
         if self._host.preview(document, active=press.active) and press.makes is not None:
             self._host.selected.set_points([press.makes])
             press.makes = None
+        if press.chooses and not press.shows_choice and self._host.is_previewing:
+            # Not before: what was chosen comes back with the document that a preview replaces.
+            press.shows_choice = True
+            self._host.selected.show_choice(press.chooses)
 
     def nudge(self, drag: Drag, run: Hashable) -> None:
         """Do a drag at once, with the pointer at the origin; quick nudges of the same run are one step."""
@@ -323,6 +331,8 @@ class DragMachine:
             is_done = self._host.commit(press.last, press.drag.name_at(pointer), active=press.active)
             if is_done and press.on_done is not None:
                 press.on_done()
+            if is_done and press.chooses:
+                self._host.selected.choose(press.chooses)
         elif not press.moving and press.on_click is not None:
             press.on_click()
 

@@ -240,13 +240,13 @@ def test_what_is_chosen_is_dragged_and_nudged_and_stays_chosen(whole, letters):
     assert state(whole)[:2] == (False, letters)
 
 
-def test_a_drag_of_one_that_is_not_chosen_moves_that_one(whole):
+def test_a_drag_of_one_that_is_not_chosen_chooses_and_moves_that_one(whole):
     before = whole.session.document
     whole.click(on_curve(whole, 0))
     x, y = on_curve(whole, 2)
     whole.drag((x, y), (x + 0.5, y))
     assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
-    assert state(whole) == (False, "A", "A")
+    assert state(whole) == (False, "C", "C")
 
 
 def test_one_that_is_chosen_has_a_box_and_is_moved_scaled_and_deleted(whole):

@@ -303,7 +303,9 @@ SELECT = ToolRecord(
         ),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
         GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
-        GestureRow("Drag another curve", "move it whole; Ctrl or Shift keeps to one axis"),
+        GestureRow(
+            "Drag another curve", "move it whole; with none edited choose it, too; Ctrl, Shift: one axis"
+        ),
         GestureRow("Click another curve", "edit it"),
         GestureRow("Alt+click", "the curve below the topmost one there; again: the next below"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),

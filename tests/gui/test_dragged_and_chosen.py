@@ -1,0 +1,74 @@
+"""While no curve is edited, what a drag moves is chosen from then on; real events."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def whole(waves):
+    """Three waves one above the other, A below, C on top; none is edited, B is chosen."""
+    three = waves("ABC")
+    three.escape()
+    return three
+
+
+def on_curve(editor, row):
+    x, y = editor.session.views[row].curve.evaluate(0.45)
+    return float(x), float(y)
+
+
+def chosen(editor):
+    document, selected = editor.session.document, editor.session.selected
+    assert not selected.is_editing
+    return "".join(document.curves[place].name for place in sorted(selected.chosen))
+
+
+def test_a_drag_chooses_what_it_moves_and_keys_go_on_with_it(whole):
+    before, steps = whole.session.document, whole.session.undo_stack.count()
+    x, y = on_curve(whole, 2)
+    whole.press((x, y))
+    whole.move((x + 0.2, y + 0.4))
+    assert chosen(whole) == "C"
+    whole.release((x + 0.2, y + 0.4))
+    assert (chosen(whole), whole.curve.name) == ("C", "C")
+    assert whole.session.undo_stack.undoText() == "Move C"
+    assert whole.session.undo_stack.count() == steps + 1
+    moved = whole.session.document
+    whole.key(Qt.Key.Key_Right)
+    assert whole.session.document.curves[2] != moved.curves[2]
+    assert whole.session.document.curves[:2] == before.curves[:2]
+    whole.trigger("undo")
+    whole.trigger("undo")
+    # As it is chosen now, undo leaves it so.
+    assert (whole.session.document, chosen(whole), whole.curve.name) == (before, "C", "C")
+    whole.trigger("redo")
+    assert (whole.session.document, chosen(whole)) == (moved, "C")
+    whole.key(Qt.Key.Key_Delete)
+    assert [curve.name for curve in whole.session.document.curves] == ["A", "B"]
+
+
+def test_escape_takes_back_the_move_and_the_choice(whole):
+    before, steps = whole.session.document, whole.session.undo_stack.count()
+    x, y = on_curve(whole, 0)
+    whole.press((x, y))
+    whole.move((x + 0.2, y + 0.4))
+    assert chosen(whole) == "A"
+    whole.escape()
+    assert (chosen(whole), whole.curve.name) == ("B", "B")
+    whole.release((x + 0.2, y + 0.4))
+    assert (whole.session.document, chosen(whole)) == (before, "B")
+    assert whole.session.undo_stack.count() == steps
+
+
+def test_a_drag_of_one_of_a_group_chooses_the_group(whole):
+    whole.key(Qt.Key.Key_A, CTRL)
+    whole.trigger("groupCurves")
+    whole.escape()
+    assert chosen(whole) == ""
+    x, y = on_curve(whole, 1)
+    whole.drag((x, y), (x + 0.3, y))
+    assert chosen(whole) == "ABC"
