@@ -42,6 +42,8 @@ class Canvas(ToolPlot):
         A guide, by its place in the document, shall be given a place; or a new one, by its axis.
     text_placed
         A text shall begin at a place.
+    text_opened
+        The text that a curve is a letter of shall be edited.
     colour_picked
         The "fill" or the "stroke" of what is chosen shall have a colour, "#rrggbb".
     """
@@ -50,6 +52,7 @@ class Canvas(ToolPlot):
     guide_drawn = Signal()
     guide_opened = Signal(object)
     text_placed = Signal(object)
+    text_opened = Signal(int)
     colour_picked = Signal(str, str)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
@@ -64,7 +67,7 @@ class Canvas(ToolPlot):
         self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self.move_again)
         tools.curves_at = self.drawing.curves_at
-        tools.write_at = self.text_placed.emit
+        tools.write_at, tools.open_text = self.text_placed.emit, self.text_opened.emit
         tools.colour_at, tools.give_colour = self.drawing.colour_at, self.colour_picked.emit
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)

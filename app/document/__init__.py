@@ -4,6 +4,7 @@
   rules that estimate them.  ``limits``: the numbers that they may hold.
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
 - ``shapes``: neighbouring curves that are drawn as one.
+- ``text``: what letters were written as.  ``texts``: the letters of a text.
 - ``export``: the last export of a document.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
 - ``steps``: what has changed from one value to the next.

@@ -172,4 +172,6 @@ def locked_sentence(names: Sequence[str]) -> str:
 
 def without_looks(curve: Curve) -> Curve:
     """Return a curve without what does not shape it."""
-    return replace(curve, name="", style=PLAIN_STYLE, shape="", groups=(), visible=True, locked=False)
+    return replace(
+        curve, name="", style=PLAIN_STYLE, shape="", groups=(), visible=True, locked=False, text=None
+    )

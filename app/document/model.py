@@ -18,6 +18,7 @@ from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
 from .style import PLAIN_STYLE, USUAL_WIDTH, Style
+from .text import Text
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
@@ -199,6 +200,8 @@ class Curve(Value, frozen=True, dict=True):
         Those of the family's settings that are not at their defaults.
     other_settings
         The same of other families, which the curve had before and may have again.
+    text
+        The text that it is a letter of, or a part of one; None for curves that were not written.
     """
 
     name: str
@@ -216,6 +219,7 @@ class Curve(Value, frozen=True, dict=True):
     locked: bool = False
     settings: ChosenSettings = NO_SETTINGS
     other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
+    text: Text | None = None
 
     def with_family(self, family: Family) -> Curve:
         """Return this curve with another family, and the settings that it had when it was of that one."""

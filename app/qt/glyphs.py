@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import (
     QFont,
+    QFontDatabase,
     QFontInfo,
     QFontMetricsF,
     QGlyphRun,
@@ -113,6 +114,11 @@ def has_fonts() -> bool:
     """Whether there is any font: a computer without a screen may have none, and Qt then draws boxes."""
     # Of the font of boxes QRawFont.familyName ends the process (Qt 6.11).
     return bool(QFontInfo(QFont()).family())
+
+
+def has_family(family: str) -> bool:
+    """Whether there is a font of a name."""
+    return QFontDatabase.hasFamily(family)
 
 
 def outlines_of(text: str, face: Face) -> Outlines:

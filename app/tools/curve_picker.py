@@ -8,6 +8,7 @@ from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import name_of, named, whole_curves
 from ..document.shape_edits import pressed
 from ..document.shapes import shape_of, whole_shapes
+from ..document.texts import text_around
 from . import hints
 from .drag_machine import EditingHost
 from .drags import Refuse
@@ -108,6 +109,8 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
             return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
         grips = "scale" if context.host.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
+        if host.document.curves[hit.index].text is not None:
+            return f"{click}Double-click to edit the text, with Ctrl the points of a letter"
         return f"{click}Double-click to edit “{name}” · Shift: one axis, a click takes it out"
     later = "" if is_editing else ", double-click to edit it"
     return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
@@ -162,6 +165,9 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
         selected.set_curves(_toggled(selected.curves, _meant(context, hit)))
     elif context.pointer.shift:
         selected.choose(_toggled(selected.chosen, _meant(context, hit)))
+    elif _opens_text(context, hit):
+        context.open_text(hit.index)
+        return
     elif selected.is_editing or context.pointer.is_double:
         edit_curve(context, hit.index)
         return
@@ -172,6 +178,15 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
     else:
         selected.choose(_meant(context, hit))
     host.say(f"{chosen_curves(host)}.")
+
+
+def _opens_text(context: ToolContext, hit: Hit) -> bool:
+    """Whether a double click edits a text: on letters of one that are chosen with all the others of it."""
+    host, pointer = context.host, context.pointer
+    if host.selected.is_editing or not pointer.is_double or pointer.ctrl:
+        return False
+    letters = frozenset(text_around(host.document, hit.index))
+    return bool(letters) and letters <= _meant(context, hit)
 
 
 def _turns_grips(context: ToolContext, hit: Hit) -> bool:

@@ -80,8 +80,9 @@ class ToolContext(msgspec.Struct, frozen=True):
         Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
     background
         Does what takes longer than a moment.
-    write_at
-        Asks for the words of a text whose baseline begins at a place.
+    write_at, open_text
+        Asks for the words of a text whose baseline begins at a place; for other words of the text that a
+        curve is a letter of.
     colour_at, give_colour
         Finds the colour under a pointer; gives one to the "fill" or the "stroke" of what is chosen.
     """
@@ -97,6 +98,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     curves_at: Callable[[Pointer], Sequence[int]]
     background: Background
     write_at: Callable[[Vector], object]
+    open_text: Callable[[int], object]
     colour_at: Callable[[Pointer], str]
     give_colour: Callable[[str, str], object]
 

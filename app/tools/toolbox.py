@@ -42,8 +42,9 @@ class Toolbox:
         Subject of the transforms, and their pivot.
     background
         Does what takes longer than a moment, whichever tool is in use by then.
-    write_at
-        Asks for the words of a text that begins at a place; whoever shows the plot sets it.
+    write_at, open_text
+        Asks for the words of a text that begins at a place, for other words of the text that a curve is a
+        letter of; whoever shows the plot sets it.
     colour_at, give_colour
         Finds the colour under a pointer; gives it to the "fill" or the "stroke" of what is chosen. Likewise.
     """
@@ -55,6 +56,7 @@ class Toolbox:
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
         self.write_at: Callable[[Vector], object] = lambda _place: None
+        self.open_text: Callable[[int], object] = lambda _curve: None
         self.colour_at: Callable[[Pointer], str] = lambda _pointer: ""
         self.give_colour: Callable[[str, str], object] = lambda _paint, _colour: None
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
@@ -87,6 +89,7 @@ class Toolbox:
             self.curves_at,
             self.background,
             self.write_at,
+            self.open_text,
             self.colour_at,
             self.give_colour,
         )

@@ -14,6 +14,7 @@ from app.document.gradient import Gradient, Stop
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import GRADIENTS, Style
+from app.document.text import Text
 from app.document.value import Value
 from app.exchange.rescaled import enlarged
 from app.families import HERMITE
@@ -32,6 +33,7 @@ FULL = Document(
                 Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
             ),
             style=Style(width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT),
+            text=Text("I", "Sans", 1.0, 2.0, 3.0),
         ),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),

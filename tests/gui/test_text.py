@@ -15,9 +15,12 @@ from PySide6.QtGui import QFontDatabase
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
+from app.document.edits import move_points
 from app.document.lines import is_line
 from app.document.model import Document, make_curve
+from app.document.several_curves import mapped, remove_curves, whole_curves
 from app.document.style import NO_PAINT, PLAIN_STYLE, FillRule
+from app.document.transforms import Affine
 from app.families import HERMITE
 from app.features.text.commands import TextCommands
 from app.view_model.curve_view import view_of
@@ -277,3 +280,120 @@ def test_a_text_comes_into_the_present_layer_behind_those_in_front(drawing):
         ("Above",),
     ]
     assert letters(drawing)
+
+
+def shown_places(editor):
+    return {curve.name: [point.position for point in curve.points] for curve in letters(editor)}
+
+
+def open_again(editor, place):
+    """Double-click a letter with the arrow while no curve is edited."""
+    editor.trigger("selectTool")
+    editor.session.selected.choose(())
+    editor.double_click(place)
+    assert field(editor).isVisible()
+
+
+def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
+    session, steps = drawing.session, drawing.session.undo_stack.count()
+    begin(drawing)
+    write(drawing, "IV")
+    press(drawing, Qt.Key.Key_Return)
+    # Turned, sheared and moved, in another colour and behind the line.
+    places = [place for place, curve in enumerate(session.document.curves) if curve.style.has_fill]
+    by = Affine(-1.0, -1.5, 1.0, -1.0, AT, (2.0, -1.0))
+    session.change("Turn", lambda document: mapped(document, whole_curves(document, places), by))
+    blue = replace(letters(drawing)[0].style, fill="#0000aa")
+    session.change("Paint", lambda document: Document(
+        (*(replace(document.curves[place], style=blue) for place in places), document.curves[0]), unit="mm"
+    ))  # fmt: skip
+    before, upright = session.document, shown_places(drawing)["I"]
+    inside = tuple(np.mean(upright, axis=0))
+    open_again(drawing, inside)
+    shown = field(drawing)
+    assert (shown.text, shown.face.family) == ("IV", FAMILY)
+    assert shown.text_size == pytest.approx(2 * np.sqrt(1.5))
+    assert not shown.findChild(QLabel, "textRemark").isVisible()
+    # As it was: nothing is done.
+    press(drawing, Qt.Key.Key_Return)
+    assert (session.document, session.undo_stack.count()) == (before, steps + 3)
+    assert session.selected.chosen == {0, 1}
+    drawing.trigger("textTool")
+    drawing.click(inside)
+    press(drawing, Qt.Key.Key_End)
+    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    write(drawing, "I")
+    assert len(letters(drawing)) == 3  # live
+    press(drawing, Qt.Key.Key_Escape)
+    assert (session.document, session.undo_stack.count()) == (before, steps + 3)
+    drawing.click(inside)
+    press(drawing, Qt.Key.Key_End)
+    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    write(drawing, "I")
+    press(drawing, Qt.Key.Key_Return)
+    assert (session.undo_stack.undoText(), session.undo_stack.count()) == ("Edit Text “IV I”", steps + 4)
+    made = session.document.curves
+    assert [curve.name for curve in made] == ["I", "V", "I", before.curves[2].name]
+    assert {(curve.groups, curve.style) for curve in made[:3]} == {(("IV I",), blue)}
+    for new, old in zip(made[0].points, upright, strict=True):
+        assert new.position == pytest.approx(old, abs=1e-9)
+    # The second line is 1200 units down, where that leads now.
+    down = by.vector((0.0, -1.2 * 2.0))
+    for new, old in zip(made[2].points, upright, strict=True):
+        assert new.position == pytest.approx(np.add(old, down), abs=1e-9)
+    assert session.selected.chosen == {0, 1, 2}
+    drawing.trigger("undo")
+    assert session.document == before
+
+
+def test_letters_changed_by_hand_are_told_of_and_written_anew_where_the_others_are(drawing):
+    session = drawing.session
+    begin(drawing)
+    write(drawing, "IVI")
+    press(drawing, Qt.Key.Key_Return)
+    first, _, last = letters(drawing)
+    session.change("Delete", lambda document: remove_curves(document, [2]))
+    session.change("Shift", lambda document: mapped(
+        document, whole_curves(document, [1, 2]), Affine(0.0, 0.0, 0.0, 0.0, AT, (0.0, -2.0))
+    ))  # fmt: skip
+    session.change("Pull", lambda document: move_points(document, 1, [0], (-0.3, 0.1)))
+    drawing.trigger("selectTool")
+    session.selected.choose({1, 2})
+    drawing.window.canvas.setFocus()
+    press(drawing, Qt.Key.Key_Return)
+    remark = field(drawing).findChild(QLabel, "textRemark")
+    assert remark.text() == "⚠ The letters were changed by hand; Enter writes them anew at this place."
+    press(drawing, Qt.Key.Key_Return)
+    assert session.undo_stack.undoText() == "Edit Text “IVI”"
+    made = letters(drawing)
+    assert [curve.name for curve in made] == ["I", "V", "I"]
+    for old, new in ((first, made[0]), (last, made[2])):
+        for here, there in zip(old.points, new.points, strict=True):
+            assert there.position == pytest.approx((here.x, here.y - 2.0), abs=1e-9)
+
+
+def test_a_file_tells_what_letters_were_written_as_and_copies_of_them_are_texts_of_their_own(
+    drawing, tmp_path
+):
+    session = drawing.session
+    begin(drawing)
+    write(drawing, "I")
+    press(drawing, Qt.Key.Key_Return)
+    session.save(tmp_path / "text.curve.json")
+    assert (
+        b'"text": {"words": "I", "font": "Curvebench Blocks"' in (tmp_path / "text.curve.json").read_bytes()
+    )
+    assert (tmp_path / "text.curve.json").read_bytes().count(b'"text"') == 1
+    session.new()
+    session.open(tmp_path / "text.curve.json")
+    session.selected.choose({1})
+    drawing.trigger("duplicateCurve")
+    assert len(letters(drawing)) == 2
+    session.selected.choose({2})
+    drawing.trigger("selectTool")
+    drawing.window.canvas.setFocus()
+    press(drawing, Qt.Key.Key_Return)
+    write(drawing, "VV")
+    press(drawing, Qt.Key.Key_Return)
+    assert [curve.name for curve in letters(drawing)] == ["I", "V", "V"]
+    assert [curve.groups for curve in letters(drawing)] == [(), ("VV",), ("VV",)]

@@ -1,7 +1,7 @@
 """Text as curves: words are typed on the canvas, and the outlines of their letters become shapes.
 
 - ``commands``: the field, the preview and the step of the history.  ``field``: what is typed into.
-- ``letters``: outlines as curves of the document.
+- ``letters``: outlines as curves of the document.  ``rewriting``: those of a text that is edited again.
 """
 
 import lazy_loader as lazy

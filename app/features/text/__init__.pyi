@@ -1,3 +1,4 @@
 # Modules that are imported when they are first used.
 from . import field as field
 from . import letters as letters
+from . import rewriting as rewriting

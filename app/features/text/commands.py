@@ -7,8 +7,11 @@ from itertools import chain, repeat
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QRect, Qt
 
+from ...document.curve_edits import locked_sentence
 from ...document.edits import EditError
 from ...document.model import Document, Vector
+from ...document.text import LONGEST_TEXT, Text
+from ...document.texts import with_text_known
 from ...document.transforms import clean_step_within
 from ...document.words import enumerated
 from ...exchange.errors import ExchangeError
@@ -17,7 +20,6 @@ from ...qt.glyphs import Face, Outlines
 from ...workbench.context import WindowContext
 from .. import text
 
-_LONGEST = 300
 _SHARE = 1 / 8
 """Of the height of the view, for the size of the first text."""
 _ASCENT, _DESCENT, _LINE = 0.8, 0.3, 1.2
@@ -32,12 +34,17 @@ class TextCommands:
         self._canvas = context.central.canvas
         self._made: text.field.TextField | None = None
         self._place: Vector = (0.0, 0.0)
+        # The text that is edited; None for one that is new.
+        self._edited: text.rewriting.Written | None = None
         self._before = self._session.selected.choice
         self._model = self._session.model
+        # Left, bottom and top of its letters.
+        self._box = (0.0, 0.0, 0.0)
         # The size that was used last in this document; None before.
         self._size: float | None = None
         self._outlines = glyphs.NO_OUTLINES
-        self._canvas.text_placed.connect(self._open)
+        self._canvas.text_placed.connect(self._begin)
+        self._canvas.text_opened.connect(self._begin_again)
         self._session.opened.connect(self._forget_size)
 
     def _forget_size(self) -> None:
@@ -63,15 +70,36 @@ class TextCommands:
     def _is_open(self) -> bool:
         return self._made is not None and not self._made.isHidden()
 
-    def _open(self, place: Vector) -> None:
-        if not glyphs.has_fonts():
-            self._session.refuse("There are no fonts on this computer, and so no letters.")
+    def _begin(self, place: Vector) -> None:
+        """Ask for the words of a text at a place."""
+        if self._has_fonts():
+            self._edited = None
+            self._open(place, self._size or clean_step_within(self._view_height * _SHARE))
+
+    def _begin_again(self, curve: int) -> None:
+        """Ask for other words of the text that a curve is a letter of."""
+        session = self._session
+        written = text.rewriting.written_at(session.committed, curve) if self._has_fonts() else None
+        if written is None:
             return
+        if locked := [each.name for each in session.committed.curves[_slice(written.places)] if each.locked]:
+            session.refuse(locked_sentence(locked))
+            return
+        self._edited = written
+        self.field.begin_with(written.text.words, written.face)
+        self._open((written.text.x, written.text.y), written.text.size)
+
+    def _has_fonts(self) -> bool:
+        if glyphs.has_fonts():
+            return True
+        self._session.refuse("There are no fonts on this computer, and so no letters.")
+        return False
+
+    def _open(self, place: Vector, size: float) -> None:
         self._place = place
         self._before, self._model = self._session.selected.choice, self._session.model
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
-        size = self._size or clean_step_within(self._view_height * _SHARE)
         self.field.open_beside(self._area, size, self._session.document.unit)
         self._show()
 
@@ -84,6 +112,10 @@ class TextCommands:
         """Return what the text takes of the canvas, about."""
         (x, y), size = self._place, self.field.text_size
         lines = self.field.text.count("\n")
+        if self._edited is not None:
+            # They may be turned.
+            left, bottom, top = self._box
+            return QRect(self._canvas.to_pixel(left, top), self._canvas.to_pixel(left, bottom))
         top = self._canvas.to_pixel(x, y + _ASCENT * size)
         bottom = self._canvas.to_pixel(x, y - (_DESCENT + lines * _LINE) * size)
         return QRect(top, QPoint(top.x() + 1, bottom.y()))
@@ -97,31 +129,46 @@ class TextCommands:
     def _show(self) -> None:
         """Show the text as it is typed."""
         field, session = self.field, self._session
-        self._size, self._outlines = field.text_size, glyphs.outlines_of(field.text[:_LONGEST], field.face)
-        field.remark(_remark(field, self._outlines))
+        self._outlines = glyphs.outlines_of(field.text[:LONGEST_TEXT], field.face)
+        if self._edited is None:
+            self._size = field.text_size
+        field.remark(_remark(field, self._outlines) or _remark_of(self._edited))
         try:
             # Under one name all the while, so that the letters before the one that is typed stay the same.
-            shown, _ = self._written("Text") if self._outlines.glyphs else (None, range(0))
+            has_any = self._outlines.glyphs and not self._is_as_it_was
+            shown, places = self._written("Text") if has_any else (None, range(0))
         except (ExchangeError, EditError) as reason:
-            self._outlines, shown = glyphs.NO_OUTLINES, None
+            self._outlines, shown, places = glyphs.NO_OUTLINES, None, range(0)
             field.remark(str(reason))
+        if self._edited is not None:
+            self._note_box(shown or session.committed, places or self._edited.places)
         if shown is None:
             session.cancel()
         else:
             session.preview(_with_curves_of(shown, session.document))
             session.selected.show_choice(())
 
+    def _note_box(self, document: Document, places: range) -> None:
+        points = [point for curve in document.curves[_slice(places)] for point in curve.points]
+        if points:
+            heights = [point.y for point in points]
+            self._box = (min(point.x for point in points), min(heights), max(heights))
+            self.field.place()
+
+    @property
+    def _text(self) -> Text:
+        """What is typed, and where."""
+        field, face, (x, y) = self.field, self.field.face, self._place
+        words = field.text[:LONGEST_TEXT]
+        return Text(words, face.family, x, y, field.text_size, face.bold, face.italic)
+
     def _written(self, name: str) -> tuple[Document, range]:
         """Return the document with the text, and the places of its curves."""
-        session, size = self._session, self.field.text_size
+        session = self._session
+        if self._edited is not None:
+            return text.rewriting.rewritten(session.committed, self._edited, self._text, self._outlines)
         return text.letters.with_text(
-            session.committed,
-            self._model,
-            name,
-            self._outlines,
-            self._place,
-            size,
-            session.selected.layer,
+            session.committed, self._model, name, self._outlines, self._text, session.selected.layer
         )
 
     # The end
@@ -132,21 +179,34 @@ class TextCommands:
         self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _make(self) -> None:
-        """Make the text, if there is any."""
-        name, face = text.letters.name_of_text(self.field.text), self.field.face
-        made = self._written(name) if self._outlines.glyphs else None
+        """Make the text, if there is any and it is another one."""
+        name, face, edited, known = (
+            text.letters.name_of_text(self.field.text), self.field.face, self._edited, self._text
+        )  # fmt: skip
+        made = self._written(name) if self._outlines.glyphs and not self._is_as_it_was else None
         self._close()
         if made is None:
+            self._session.cancel()
             self._session.selected.restore(self._before)
             return
         document, places = made
-        if not self._session.change(f"Add Text “{name}”", lambda _: document, active=places.start):
+        document = with_text_known(document, places, known)
+        verb = "Add" if edited is None else "Edit"
+        if not self._session.change(f"{verb} Text “{name}”", lambda _: document, active=places.start):
             return
         self._session.selected.choose(places)
         self._session.say(
-            "The letters are chosen, and curves from now on; V takes the arrow to move and edit them."
+            "The letters are chosen, and curves now; a double click with the arrow (V) edits the text again."
         )
         self._remember(face)
+
+    @property
+    def _is_as_it_was(self) -> bool:
+        """Whether the text that is edited is the same still, and tells what its letters are."""
+        edited = self._edited
+        if edited is None or edited.is_changed:
+            return False
+        return self._text == edited.text
 
     def _remember(self, face: Face) -> None:
         preferences = self._context.preferences
@@ -162,7 +222,7 @@ class TextCommands:
     def _break_off(self) -> None:
         """Something else changes the document: the next click goes on with the words."""
         if self._is_open:
-            self._close(keeps_words=True)
+            self._close(keeps_words=self._edited is None)
 
     def _close(self, *, keeps_words: bool = False) -> None:
         self.field.close_field(keeps_words=keeps_words)
@@ -170,11 +230,24 @@ class TextCommands:
 
 
 def _remark(field: text.field.TextField, outlines: Outlines) -> str:
-    if len(field.text) > _LONGEST:
-        return f"A text has at most {_LONGEST} letters; the rest is left out."
+    if len(field.text) > LONGEST_TEXT:
+        return f"A text has at most {LONGEST_TEXT} letters; the rest is left out."
     if outlines.missing:
         return f"No font here has {enumerated([f'“{each}”' for each in outlines.missing[:5]])}."
     return f"“{field.face.family}” has no bold letters." if outlines.lacks_bold else ""
+
+
+def _remark_of(edited: text.rewriting.Written | None) -> str:
+    """Say what of a text that is edited is not as it was written."""
+    if edited is None or not edited.is_changed:
+        return ""
+    if not glyphs.has_family(edited.text.font):
+        return f"“{edited.text.font}” is not on this computer; Enter writes the text in another font."
+    return "The letters were changed by hand; Enter writes them anew at this place."
+
+
+def _slice(places: range) -> slice:
+    return slice(places.start, places.stop)
 
 
 def _with_curves_of(document: Document, shown: Document) -> Document:

@@ -31,7 +31,7 @@ _GAP = 10
 
 
 class WordsEdit(Guarded, QPlainTextEdit):
-    """Lines to type into, as high as they are many; Shift+Enter begins another."""
+    """Lines to type into, as high as they are many; Shift+Enter or Ctrl+Enter begins another."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -45,7 +45,7 @@ class WordsEdit(Guarded, QPlainTextEdit):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() not in ENTER:
             super().keyPressEvent(event)
-        elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+        elif event.modifiers() & (Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier):
             self.insertPlainText("\n")
         else:
             # It belongs to the frame.
@@ -80,11 +80,8 @@ class FontBox(Guarded, QFontComboBox):
         named(self, "textFont", "Font", tip)
         # Those made of pixels have none.
         self.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
-        self.setCurrentFont(QFont(family))
-        if (line := self.lineEdit()) is not None:
-            # Of a long name the beginning is seen.
-            line.home(False)
         self._pointed_at = ""
+        self.take(family)
         self.textHighlighted.connect(self._point_at)
         self.activated.connect(lambda: self._point_at(""))
         # Not told of in other ways: Escape puts the list away.
@@ -94,6 +91,13 @@ class FontBox(Guarded, QFontComboBox):
     def family(self) -> str:
         """Family of the font that counts."""
         return self._pointed_at or self.currentFont().family()
+
+    def take(self, family: str) -> None:
+        """Have another one count."""
+        self.setCurrentFont(QFont(family))
+        if (line := self.lineEdit()) is not None:
+            # Of a long name the beginning is seen.
+            line.home(False)
 
     def _point_at(self, family: str) -> None:
         self._pointed_at = family
@@ -194,6 +198,13 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.place()
 
     # Opened and closed
+
+    def begin_with(self, text: str, face: Face) -> None:
+        """Have a text and a font to begin with."""
+        self.words.setPlainText(text)
+        self.font_box.take(face.family)
+        self.bold.setChecked(face.bold)
+        self.italic.setChecked(face.italic)
 
     def open_beside(self, area: Callable[[], QRect], size: float, unit: str) -> None:
         """Ask for a text of a size, beside the area on the canvas that it takes."""

@@ -13,6 +13,7 @@ from ...document.model import Curve, Document, Vector
 from ...document.several_curves import add_imported
 from ...document.shape_edits import names_of
 from ...document.style import NO_PAINT, FillRule, Style
+from ...document.text import Text
 from ...exchange.cubics_in import ImportedPath, Look, imported
 from ...exchange.naming import Names, numbered
 from ...qt.glyphs import Outlines
@@ -44,8 +45,7 @@ def with_text(
     model: Curve,
     name: str,
     outlines: Outlines,
-    place: Vector,
-    size: float,
+    text: Text,
     layer: str = "",
 ) -> tuple[Document, range]:
     """Return the document with a text in front in a layer, and the places of its curves; there must be some.
@@ -56,10 +56,8 @@ def with_text(
         The curve whose style the letters take.
     name
         Of the group that they are in, where there are several.
-    place
-        Where the baseline begins.
-    size
-        What an em is long.
+    text
+        What they are written as.
 
     Raises
     ------
@@ -67,15 +65,23 @@ def with_text(
         If the numbers are beyond what a document may hold.
     """
     names = Names(names_of(document.curves))
-    is_one = len(outlines.glyphs) == 1
-    groups, style = () if is_one else (names.different(name),), filled(model.style)
-    curves = list[Curve]()
+    groups = () if len(outlines.glyphs) == 1 else (names.different(name),)
+    curves = lettered(outlines, text, filled(model.style), groups, names)
+    new, first = add_imported(document, Document(curves), layer)
+    return new, range(first, first + len(curves))
+
+
+def lettered(
+    outlines: Outlines, text: Text, style: Style, groups: tuple[str, ...] = (), names: Names | None = None
+) -> tuple[Curve, ...]:
+    """Return the curves of the letters of a text where it was written, a shape for each of several curves."""
+    names, curves = names or Names(), list[Curve]()
     for glyph in outlines.glyphs:
         shape = names.different(glyph.letters) if len(glyph.contours) > 1 else ""
         contours = tuple(each.tobytes() for each in glyph.contours)
-        curves += _letter(glyph.letters, contours, Look(style, shape, groups), place, size / outlines.em)
-    new, first = add_imported(document, Document(tuple(curves)), layer)
-    return new, range(first, first + len(curves))
+        look = Look(style, shape, groups)
+        curves += _letter(glyph.letters, contours, look, (text.x, text.y), text.size / outlines.em)
+    return tuple(curves)
 
 
 @lru_cache(maxsize=1000)

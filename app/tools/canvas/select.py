@@ -10,6 +10,7 @@ from ...document import words
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
+from ...document.texts import text_chosen
 from .. import hints
 from ..below import click_below, find_below, words_below
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, select_hit
@@ -103,12 +104,15 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove a guide with Delete; edit all curves that are chosen with Enter."""
+        """Remove a guide with Delete; edit all curves that are chosen, or the text, with Enter."""
         if self._guides.key(context, key):
             return True
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
+        if (letter := text_chosen(context.host.document, selected.chosen)) >= 0:
+            context.open_text(letter)
+            return True
         selected.edit_chosen()
         select_hit(context)
         return True
