@@ -127,3 +127,27 @@ def test_a_smooth_curve_that_was_there_keeps_its_shape_beside_the_line_that_goes
     assert is_line(paper.curve, 2)
     now = np.vstack([shape(paper, segment) for segment in range(2)])
     assert now == pytest.approx(drawn, abs=1e-9)
+
+
+@pytest.mark.parametrize("leave", [lambda paper: paper.escape(), lambda paper: paper.key(Qt.Key.Key_V)])
+def test_a_lone_point_goes_when_the_pen_is_put_down(paper, leave):
+    """Nobody saw it, and it was counted: 3 curves chosen."""
+    letters = paper.session.document.curves
+    paper.click((100, 90))
+    paper.key(Qt.Key.Key_Return)
+    assert sizes(paper) == [4, 4, 1]
+    leave(paper)
+    assert paper.action("selectTool").isChecked()
+    assert paper.session.document.curves == letters
+    assert not paper.session.selected.marked
+    paper.trigger("undo")
+    assert sizes(paper) == [4, 4, 1]
+    paper.trigger("undo")
+    assert paper.session.document.curves == letters
+
+
+def test_a_curve_of_two_points_stays_when_the_pen_is_put_down(paper):
+    paper.click((100, 90))
+    paper.click((150, 90))
+    paper.escape()
+    assert sizes(paper) == [4, 4, 2]

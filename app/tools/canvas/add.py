@@ -58,6 +58,14 @@ class AddTool(Tool):
         """Show nothing of what a press would do."""
         self._seen = self._preview = self._spot = None
 
+    def put_down(self, context: ToolContext) -> None:
+        """Remove a curve that is left with one point: on paper nobody sees it."""
+        host = context.host
+        is_lone = len(host.active_view.source.points) == 1 == self._pen.own_points(host)
+        if is_lone and _makes_corners(context):
+            place = host.active_index
+            host.change("Remove a lone point", lambda document: without_last_point(document, place))
+
     def take_over(self, context: ToolContext) -> None:
         """Leave the active curve as it is: nobody was editing it."""
         if hints.can_finish(context.view):
