@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from app.document.lines import is_line
 from app.document.model import Document, Page, Point
 from app.document.plane_edits import set_page
+from app.view_model.handles import handles_of
 
 BACKSPACE, DELETE = Qt.Key.Key_Backspace, Qt.Key.Key_Delete
 PLACES = ((20, 20), (120, 20), (120, 90))
@@ -105,6 +106,7 @@ def test_a_click_goes_on_straight_from_the_end_that_is_left(paper, by_nodes):
         paper.trigger("addTool")
     else:
         paper.key(BACKSPACE)
+        assert [each.ahead for each in handles_of(paper.session.active_view, 1)] == [False]
     paper.hover((140, 100))
     assert "point 2, a corner" in paper.window.status_line.hint
     assert is_line(paper.window.canvas.marks.preview_curve.source, 1)
