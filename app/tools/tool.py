@@ -263,6 +263,9 @@ class Tool:
     def pick_up(self) -> None:
         """Begin to be used, in place of another tool."""
 
+    def put_down(self, context: ToolContext) -> None:
+        """End to be used: another tool is chosen."""
+
     def take_over(self, context: ToolContext) -> None:
         """Begin to be used while no curve was edited: what is drawn from now on is another one."""
 

@@ -120,6 +120,7 @@ class Toolbox:
         """Use another tool from now on."""
         self.cancel()
         self._chosen.dismiss()
+        self._chosen.put_down(self.context)
         self.record = record
         self._chosen = self._of(record)
         self._chosen.pick_up()

@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from app.document.lines import is_line
 from app.document.model import Document, Page, Point
 from app.document.plane_edits import set_page
+from app.view_model.handles import handles_of
 
 BACKSPACE, DELETE = Qt.Key.Key_Backspace, Qt.Key.Key_Delete
 PLACES = ((20, 20), (120, 20), (120, 90))
@@ -105,6 +106,7 @@ def test_a_click_goes_on_straight_from_the_end_that_is_left(paper, by_nodes):
         paper.trigger("addTool")
     else:
         paper.key(BACKSPACE)
+        assert [each.ahead for each in handles_of(paper.session.active_view, 1)] == [False]
     paper.hover((140, 100))
     assert "point 2, a corner" in paper.window.status_line.hint
     assert is_line(paper.window.canvas.marks.preview_curve.source, 1)
@@ -127,3 +129,27 @@ def test_a_smooth_curve_that_was_there_keeps_its_shape_beside_the_line_that_goes
     assert is_line(paper.curve, 2)
     now = np.vstack([shape(paper, segment) for segment in range(2)])
     assert now == pytest.approx(drawn, abs=1e-9)
+
+
+@pytest.mark.parametrize("leave", [lambda paper: paper.escape(), lambda paper: paper.key(Qt.Key.Key_V)])
+def test_a_lone_point_goes_when_the_pen_is_put_down(paper, leave):
+    """Nobody saw it, and it was counted: 3 curves chosen."""
+    letters = paper.session.document.curves
+    paper.click((100, 90))
+    paper.key(Qt.Key.Key_Return)
+    assert sizes(paper) == [4, 4, 1]
+    leave(paper)
+    assert paper.action("selectTool").isChecked()
+    assert paper.session.document.curves == letters
+    assert not paper.session.selected.marked
+    paper.trigger("undo")
+    assert sizes(paper) == [4, 4, 1]
+    paper.trigger("undo")
+    assert paper.session.document.curves == letters
+
+
+def test_a_curve_of_two_points_stays_when_the_pen_is_put_down(paper):
+    paper.click((100, 90))
+    paper.click((150, 90))
+    paper.escape()
+    assert sizes(paper) == [4, 4, 2]

@@ -58,6 +58,14 @@ class AddTool(Tool):
         """Show nothing of what a press would do."""
         self._seen = self._preview = self._spot = None
 
+    def put_down(self, context: ToolContext) -> None:
+        """Remove a curve that is left with one point: on paper nobody sees it."""
+        host = context.host
+        is_lone = len(host.active_view.source.points) == 1 == self._pen.own_points(host)
+        if is_lone and _makes_corners(context):
+            place = host.active_index
+            host.change("Remove a lone point", lambda document: without_last_point(document, place))
+
     def take_over(self, context: ToolContext) -> None:
         """Leave the active curve as it is: nobody was editing it."""
         if hints.can_finish(context.view):
@@ -76,7 +84,7 @@ class AddTool(Tool):
         """Finish the curve that is edited with Enter, or say why not; take back its last point."""
         host = context.host
         if self.claims(context, key):
-            self._take_back(host)
+            self._take_back(context)
             return True
         if key != "enter" or context.drags.is_pressed or context.view.source.is_closed:
             return False
@@ -92,12 +100,19 @@ class AddTool(Tool):
         host.selected.set_points([])
         host.say(f"“{host.active_view.source.name}” is finished; the next press begins another curve.")
 
-    def _take_back(self, host: EditingHost) -> None:
+    def _take_back(self, context: ToolContext) -> None:
         """Take back the last point that was drawn, and with the first of all the curve."""
+        host = context.host
         place, last = host.active_index, len(host.active_view.source.points) - 1
+
+        def edit(document: Document) -> Document:
+            document = without_last_point(document, place)
+            # The handle for the segment that has gone would be shown, and what comes next is straight.
+            return with_free_end(document, place) if last and _makes_corners(context) else document
+
         if not self._pen.own_points(host):
             host.say("There is nothing to take back; a click draws, V selects.")
-        elif host.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
+        elif host.change(f"Take back point {last}", edit):
             if last:
                 host.selected.set_points([last - 1])
                 self._pen.find_end(host, anew=True)
