@@ -8,7 +8,15 @@ from msgspec.structs import replace
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QSlider, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QSlider,
+    QToolButton,
+    QWidget,
+)
 
 from app.appearance.theme import LIGHT, ThemeMode
 from app.document.model import Document, make_curve
@@ -607,22 +615,37 @@ def test_the_last_good_curve_is_faint_and_does_not_print(editor):
     assert seen(editor, 2, 2.5) == LIGHT.paper.name()
 
 
-def test_with_nothing_chosen_the_panel_says_so_and_acts_on_nothing(editor, panel):
+def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor, panel):
     editor.escape()
     assert editor.session.selected.chosen == {1}
     assert child(panel, QLabel, "styleSubject").text() == "Stem"
     editor.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in editor.session.document.curves] == ["Leaf", "Root"]
-    before = editor.session.document
-    assert child(panel, QLabel, "styleSubject").text() == "Nothing is chosen"
-    assert child(panel, QLabel, "styleNote").text() == "Click a curve, or press Ctrl+A for all."
-    entries = [*panel.findChildren(QLineEdit), *panel.findChildren(QSlider), *panel.findChildren(QComboBox)]
-    assert len(entries) > 5
-    assert not [entry.objectName() for entry in entries if entry.isEnabled()]
-    assert not [button.objectName() for button in panel.findChildren(QToolButton) if button.isEnabled()]
+    before, steps = editor.session.document, editor.session.undo_stack.count()
+    assert child(panel, QLabel, "styleSubject").text() == "What is drawn next"
+    note = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
+    assert child(panel, QLabel, "styleNote").text() == note
     assert not editor.action("copyStyle").isEnabled()
     assert not editor.action("pasteStyle").isEnabled()
+    enter(editor, panel, "strokeWidth", "0.25")
+    enter(editor, panel, "fillPaintHex", BLUE)
+    QTest.keyClick(child(panel, QSlider, "styleOpacitySlider"), Qt.Key.Key_Home)
+    enter(editor, panel, "fillOpacity", "50 %")
+    click(panel, "fillKind_linear")
+    assert editor.status == "A gradient is laid over a shape; draw or choose one first."
     assert editor.session.document is before
+    assert editor.session.undo_stack.count() == steps
+    editor.trigger("rectangleTool")
+    assert child(panel, QLabel, "styleSubject").text() == "What is drawn next"
+    assert text_of(panel, "strokeWidth") == "0.25 cm"
+    editor.fit()
+    editor.drag((1, 1), (3, 3))
+    drawn = editor.session.document.curves[-1].style
+    assert (drawn.width, drawn.fill, drawn.fill_opacity, drawn.opacity) == (0.25, BLUE, 0.5, 0.0)
+    assert child(panel, QLabel, "styleSubject").text() == editor.curve.name
+    assert editor.session.document.curves[:-1] == before.curves
+    editor.session.undo_stack.undo()
+    editor.trigger("selectTool")
     editor.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
     assert child(panel, QLabel, "styleSubject").text() == "2 curves"
     enter(editor, panel, "strokeWidth", "0.5")

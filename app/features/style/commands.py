@@ -28,12 +28,13 @@ from ...document.gradient_edits import (
     with_shape_styles,
     with_stops,
 )
-from ...document.model import Document
+from ...document.model import Document, make_curve
 from ...document.several_curves import named
 from ...document.shapes import shape_of, whole_shapes
 from ...document.style import GRADIENTS, Style
 from ...document.style_edits import STYLE_WORDS, with_style
 from ...features import style
+from ...session.change import why_not_kept
 from ...storage.field_check import check_fields
 from ...storage.format import decode
 from ...storage.format_error import FormatError
@@ -57,7 +58,9 @@ STYLE = "application/x-curvebench-style"
 """MIME type of a style, as JSON."""
 
 _NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there, and so does copied SVG."
-_HOW_TO_CHOOSE = "Click a curve, or press Ctrl+A for all."
+_DRAWN_NEXT = "What is drawn next"
+_HOW_TO_CHOOSE = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
+_NO_SHAPE_YET = "A gradient is laid over a shape; draw or choose one first."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 _MOST_REMEMBERED = 12
 
@@ -99,6 +102,8 @@ class StyleCommands:
         for name, field in panel.opacities.items():
             edit, words = partial(self._with_share, name), partial(self._words_of_share, name)
             self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
+            for moved in (field.slider.dropped, field.slider.chosen):
+                moved.connect(partial(self._take_share, name))
         for name, gradient in panel.gradients.items():
             self._follow_sliders(name, gradient)
             self._session.interrupted.connect(gradient.abandon)
@@ -115,12 +120,23 @@ class StyleCommands:
         for share, stops in edits.items():
 
             def edit(document: Document, position: int, stops: _StopsAt = stops) -> Document:
-                return with_stops(document, self._session.selected.marked, paint, stops(position))
+                return with_stops(document, self._curves, paint, stops(position))
 
             words = partial(self._words_of_share, GRADIENTS[paint])
             self._gestures.append(SliderGesture(self._session, share.slider, edit, words))
 
     # What is shown
+
+    @property
+    def _curves(self) -> frozenset[int]:
+        """The curves whose style is meant; none where it is that of what is drawn next.
+
+        An empty curve is what is drawn next.
+        """
+        session, selected = self._session, self._session.selected
+        if selected.next_style.is_of_active(selected.marked):
+            return selected.marked
+        return frozenset() if session.active_curve.points else frozenset({session.active_index})
 
     def render(self, view: CurveView) -> None:
         """Show how the selected curves look."""
@@ -136,9 +152,11 @@ class StyleCommands:
         if panel is None or not panel.isVisibleTo(self._context.window):
             return
         session = self._session
-        curves = sorted(whole_shapes(session.document, session.selected.marked))
-        styles = [session.document.curves[place].style for place in curves]
-        subject = named(session.document, curves) if curves else "Nothing is chosen"
+        curves = sorted(whole_shapes(session.document, self._curves))
+        # A gradient is laid over a shape, and there is none yet.
+        styles = [session.document.curves[place].style for place in curves] or [session.model.style.flat]
+        is_next = not any(session.document.curves[place].points for place in curves)
+        subject = _DRAWN_NEXT if is_next else named(session.document, curves)
         note = self._note(styles) if curves else _HOW_TO_CHOOSE
         panel.show_recent(self._recent())
         panel.render_styles(subject, styles, session.document.unit, note)
@@ -173,6 +191,10 @@ class StyleCommands:
             self._change({paint: colour})
 
     def _choose_kind(self, paint: str, kind: PaintKind) -> None:
+        if not self._curves and kind not in (PaintKind.NONE, PaintKind.FLAT):
+            self._session.refuse(_NO_SHAPE_YET)
+            self._render()
+            return
         views = self._session.views
         box_of = partial(box_of_shape, views)
         self._edit([paint], lambda document, curves: with_paint_kind(document, curves, paint, kind, box_of))
@@ -182,7 +204,7 @@ class StyleCommands:
 
     def _look_at_stops(self, paint: str, stops: tuple[Stop, ...]) -> None:
         session = self._session
-        session.preview(with_stops(session.committed, session.selected.marked, paint, stops))
+        session.preview(with_stops(session.committed, self._curves, paint, stops))
 
     def _choose_spread(self, paint: str, spread: Spread) -> None:
         self._edit(
@@ -200,24 +222,39 @@ class StyleCommands:
         is_step: bool = False,
     ) -> None:
         """Change the selected curves; the step is named by the fields of the styles."""
-        session, curves, fields = self._session, self._session.selected.marked, list(fields)
-        words = self._words(fields)
+        session, curves, fields = self._session, self._curves, list(fields)
+        if not curves:
+            self._set_next(edit)
+            return
         if session.is_previewing:
             # The document before what was looked at, which locked curves may have refused.
             session.cancel()
         run = ("style", curves, *fields) if is_step else None
-        change = session.change(words, lambda document: edit(document, curves), run=run)
+        change = session.change(self._words(fields), lambda document: edit(document, curves), run=run)
         if change.refusal and self._panel is not None:
             self._panel.refuse(change.refusal)
         self._render()
 
+    def _set_next(self, edit: Callable[[Document, frozenset[int]], Document]) -> None:
+        """Draw in another style from now on: nothing of the document, and no step of its history."""
+        session = self._session
+        session.cancel()
+        model = msgspec.structs.replace(make_curve(()), style=session.model.style.flat)
+        before = Document((model,))
+        after = edit(before, frozenset({0}))
+        if not (refusal := why_not_kept(before, after)):
+            session.selected.next_style.take(session.document, after.curves[0].style)
+        elif self._panel is not None:
+            self._panel.refuse(refusal)
+        self._render()
+
     def _words(self, fields: Iterable[str]) -> str:
         what = " and ".join(STYLE_WORDS[name] for name in fields)
-        return f"{what} of {named(self._session.committed, self._session.selected.marked)}"
+        return f"{what} of {named(self._session.committed, self._curves) if self._curves else _DRAWN_NEXT}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
         session = self._session
-        session.preview(with_style(session.committed, session.selected.marked, **fields))
+        session.preview(with_style(session.committed, self._curves, **fields))
 
     def _give_up(self) -> None:
         if self._session.is_previewing:
@@ -225,7 +262,11 @@ class StyleCommands:
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
-        return with_style(document, self._session.selected.marked, **{name: position / 100})
+        return with_style(document, self._curves, **{name: position / 100})
+
+    def _take_share(self, name: str, position: int) -> None:
+        if not self._curves:
+            self._change({name: position / STEPS})
 
     def _words_of_share(self, name: str, _position: int) -> str:
         return self._words([name])
