@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -284,6 +285,14 @@ def test_a_line_becomes_a_shape_in_front_of_the_fill(drawing):
     assert {curve.style.fill for curve in frames[2:]} == {BROWN}
     drawing.click(OUTSIDE)
     assert is_painted(drawing, *places, colour=BROWN) == before
+
+
+def test_how_near_an_outline_was_followed_is_told_in_the_unit_of_the_document(drawing):
+    drawing.session.change("Unit", lambda document: replace(document, unit="mm"))
+    drawing.session.selected.choose([0])
+    drawing.trigger("pathOutset")
+    drawing.wait_for_work()
+    assert re.search(r"; followed within 0\.0*[1-9] mm\.$", drawing.status), drawing.status
 
 
 def restyled(document, shape, style):
