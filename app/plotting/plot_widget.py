@@ -122,6 +122,8 @@ class PlotWidget(PaintedPlot):
                 event.accept()
                 return
         self.setFocus(Qt.FocusReason.MouseFocusReason)
+        # It may have had it: whoever goes on by mouse sees the pointer.
+        self._show_focus(False)
         if self._is_held and event.button() == Qt.MouseButton.LeftButton:
             self._release()  # the release was never heard of
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:

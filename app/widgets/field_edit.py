@@ -12,7 +12,7 @@ from ..document.expression import ExpressionError, parse_number
 from ..document.words import number, with_minus
 from ..qt.keys import PASSING, ClaimsKeys
 from .controls import named
-from .number_text import decimal_mark, field_text, typed_text
+from .number_text import angle_text, decimal_mark, field_text, typed_text
 
 _OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
@@ -197,6 +197,10 @@ class NumberEdit(FieldEdit):
     def show_length(self, value: float, unit: str = "") -> None:
         """Show a number with its unit, while nobody has the cursor in the field in few decimals."""
         self.show_text(*(f"{text} {unit}".rstrip() for text in (typed_text(value), field_text(value))))
+
+    def show_angle(self, degrees: float) -> None:
+        """Show an angle, while nobody has the cursor in the field to a thousandth of a degree."""
+        self.show_text(typed_text(degrees), angle_text(degrees))
 
     def _enter(self, text: str) -> None:
         try:

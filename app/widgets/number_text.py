@@ -20,6 +20,8 @@ _WHOLE_DIGITS = 4
 _FIELD_DIGITS, _FIELD_DECIMALS = 7, 4
 """Digits, and decimals among them, of a number in a field where nobody types."""
 
+_ANGLE_DECIMALS = 3
+
 _ROUNDED_UP = 2e-4
 """In powers of ten: 9.996 may be written 10.00."""
 
@@ -48,6 +50,11 @@ def field_text(value: float) -> str:
     """Return a number short enough for a field, in the person's locale: 80.6367, 1234.568, 0.001235."""
     whole = _whole_digits(abs(value)) if 1 <= abs(value) < math.inf else 0
     return number(value, min(whole + _FIELD_DECIMALS, _FIELD_DIGITS), decimal_mark())
+
+
+def angle_text(degrees: float) -> str:
+    """Return an angle to a thousandth of a degree, as a person may type it."""
+    return typed_text(round(degrees, _ANGLE_DECIMALS) + 0.0)
 
 
 class Extent(msgspec.Struct, frozen=True):

@@ -96,6 +96,22 @@ def test_a_fill_becomes_a_gradient_across_each_shape_and_a_colour_again(squares,
     assert squares.session.document.curves[0].style == Style(stroke=NO_PAINT, fill=BLUE)
 
 
+def test_one_that_is_flat_and_one_that_is_a_gradient_of_that_colour_are_mixed(squares, panel):
+    """The panel showed the colour of the flat one, as if both were."""
+    click(panel, "fillKind_linear")
+    squares.session.selected.choose([0, 1])
+    squares.settle()
+    hex_field = panel.findChild(QLineEdit, "fillPaintHex")
+    assert hex_field.text() == "mixed"
+    squares.trigger("groupCurves")
+    squares.settle()
+    assert hex_field.text() == "mixed"
+    squares.trigger("undo")
+    squares.session.selected.choose([1])
+    squares.settle()
+    assert hex_field.text() == BLUE
+
+
 def test_stops_are_added_coloured_moved_and_removed(squares, panel):
     click(panel, "fillKind_linear")
     bar = panel.findChild(StopBar, "fillStops")

@@ -681,3 +681,17 @@ def test_messages_stand_below_the_ruler(drawing):
     drawing.settle()
     assert bar.geometry().top() >= canvas.camera.origin.y()
     bar.close_button.click()
+
+
+def test_a_long_angle_is_shown_short_and_stays_whole_where_another_place_is_typed(drawing):
+    drawing.session.change("Guide", lambda now: add_guide(now, Axis.X, 2.0, 0.3692597, 1.0))
+    drawing.settle()
+    double_click(drawing, drawing.window.canvas.to_pixel(2.0, 1.0))
+    assert field(drawing).angle.text() == "90.369"
+    field(drawing).edit.selectAll()
+    drawing.type_text(field(drawing).edit, "3")
+    QTest.keyClick(field(drawing).edit, Qt.Key.Key_Return)
+    drawing.settle()
+    (guide,) = drawing.session.document.guides
+    assert guide.angle == pytest.approx(90.3692597, abs=1e-9)
+    assert guide.position == 3.0

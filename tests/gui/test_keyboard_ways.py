@@ -100,6 +100,7 @@ def test_f6_walks_every_panel_in_sight_and_back(editor):
     corner = window.canvas.viewport().grab().toImage().pixelColor(1, 40)
     assert corner == accent
     editor.click(editor.point(0))
+    assert accent_around(window.canvas.viewport()) == 0, "and who goes on by mouse sees the pointer"
     QTest.keyClick(window.canvas, Qt.Key.Key_F6)
     assert QColor(window.canvas.viewport().grab().toImage().pixel(1, 40)) != accent
 

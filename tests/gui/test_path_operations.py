@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -179,10 +180,10 @@ def extent(editor, name):
 
 
 @pytest.mark.parametrize(("key", "way"), [("Ctrl+)", 1.0), ("Ctrl+(", -1.0)])
-def test_shapes_grow_and_shrink_by_two_pixels_in_the_unit_of_the_document(drawing, key, way):
-    """2 px are 25.4 / 48 mm; the disc stays a disc of four smooth points, the frame one of straight lines."""
+def test_shapes_grow_and_shrink_by_a_clean_length_of_the_unit_of_the_document(drawing, key, way):
+    """At first by 1 mm; the disc stays a disc of four smooth points, the frame one of straight lines."""
     drawing.set_unit("mm")
-    step = way * 25.4 / 48.0
+    step = way
     QTest.keySequence(drawing.window, QKeySequence(key))
     drawing.wait_for_work()
     assert extent(drawing, "Disc") == pytest.approx(np.array([[-4, -4], [4, 4]]) * (1 + step / 4), abs=4e-3)
@@ -194,7 +195,7 @@ def test_shapes_grow_and_shrink_by_two_pixels_in_the_unit_of_the_document(drawin
     assert (counts["Disc"], counts["Frame (1)"], counts["Frame (2)"]) == (4, 4, 4)
     assert chosen(drawing) == {"Disc", "Frame (1)", "Frame (2)"}
     name = "Outset" if way > 0 else "Inset"
-    assert drawing.session.undo_stack.undoText() == f"{name} by 2 px of Disc and Frame"
+    assert drawing.session.undo_stack.undoText() == f"{name} by 1 mm of Disc and Frame"
 
 
 def test_a_short_edge_is_no_reason_for_a_warning(drawing):
@@ -234,9 +235,11 @@ def test_a_distance_is_typed_and_used_again(drawing):
     drawing.set_unit("mm")
     drawing.click(OUTSIDE)
     drawing.click(DISC)
-    drawing.trigger("pathOffsetBy")
-    field = field_of(drawing)
-    assert (field.isVisible(), field.edit.text(), field.edit.selectedText()) == (True, "2 px", "2 px")
+    for unit, first in {"px": "2 px", "in": "0.05 in", "mm": "1 mm"}.items():
+        drawing.set_unit(unit)
+        drawing.trigger("pathOffsetBy")
+        field = field_of(drawing)
+        assert (field.isVisible(), field.edit.text(), field.edit.selectedText()) == (True, first, first)
     enter(drawing, "0.1 cm")
     assert (field.isVisible(), drawing.window.canvas.hasFocus()) == (False, True)
     assert drawing.session.undo_stack.undoText() == "Outset by 0.1 cm of Disc"
@@ -284,6 +287,14 @@ def test_a_line_becomes_a_shape_in_front_of_the_fill(drawing):
     assert {curve.style.fill for curve in frames[2:]} == {BROWN}
     drawing.click(OUTSIDE)
     assert is_painted(drawing, *places, colour=BROWN) == before
+
+
+def test_how_near_an_outline_was_followed_is_told_in_the_unit_of_the_document(drawing):
+    drawing.session.change("Unit", lambda document: replace(document, unit="mm"))
+    drawing.session.selected.choose([0])
+    drawing.trigger("pathOutset")
+    drawing.wait_for_work()
+    assert re.search(r"; followed within 0\.0*[1-9] mm\.$", drawing.status), drawing.status
 
 
 def restyled(document, shape, style):

@@ -341,6 +341,17 @@ def test_rotate_by_turns_with_every_enter(leaf):
     assert field(leaf, "Angle").text() == "90"
 
 
+def test_angles_are_shown_to_a_thousandth_and_kept_whole(leaf):
+    enter(leaf, "Turn", "22.3692597")
+    leaf.window.canvas.setFocus()
+    assert field(leaf, "Turn").text() == field(leaf, "Angle").text() == "22.369"
+    field(leaf, "Turn").setFocus()
+    assert field(leaf, "Turn").text() == "22.3692597"
+    click(leaf, "transformTurnButton")
+    leaf.window.canvas.setFocus()
+    assert field(leaf, "Angle").text() == "44.739"
+
+
 def test_the_angle_is_that_since_the_selection_and_goes_back_to_zero(leaf):
     leaf.trigger("selectAll")
     enter(leaf, "Angle", "30°")

@@ -13,7 +13,7 @@ from ...document.value import Vector
 from ...qt.labels import Label
 from ...widgets.controls import named
 from ...widgets.entry_field import EntryEdit, EntryField
-from ...widgets.number_text import decimal_mark, field_text, typed_text
+from ...widgets.number_text import angle_text, decimal_mark, field_text, typed_text
 from ...widgets.tool_buttons import tool_button
 from .places import read_place
 
@@ -36,6 +36,7 @@ class GuideField(EntryField):
     def __init__(self, below: QWidget) -> None:
         self._axis, self._unit = Axis.X, ""
         self._guide: Guide | None = None
+        self._degrees = 0.0
         self._middle: Vector = (0.0, 0.0)
         turn = tool_button("guideAxis", "Coordinate of the guide", "Upright (x) or level (y)", text="x =")
         edit = named(EntryEdit(), "guidePlace", "Place of the guide", _TIP)
@@ -58,7 +59,7 @@ class GuideField(EntryField):
         self._guide, self._axis, self._unit, self._middle = guide, axis, unit, middle
         self._turn.setEnabled(guide is None)
         about = f"at {guide.axis.other.value} = {field_text(guide.across)}" if guide and guide.lean else ""
-        self.angle.setText(typed_text(guide.angle if guide is not None else _angle_of(axis)))
+        self._show_angle(guide.angle if guide is not None else _angle_of(axis))
         place = typed_text(guide.position) if guide is not None else ""
         self.ask(place, f"{unit} {about}".strip(), lambda: corner(self._axis))
 
@@ -67,7 +68,11 @@ class GuideField(EntryField):
 
     def _other_kind(self) -> None:
         self._axis = self._axis.other
-        self.angle.setText(typed_text(_angle_of(self._axis)))
+        self._show_angle(_angle_of(self._axis))
+
+    def _show_angle(self, degrees: float) -> None:
+        self._degrees = degrees
+        self.angle.setText(angle_text(degrees))
 
     def _take(self, text: str) -> Callable[[], object]:
         now = self._guide.position if self._guide is not None else 0.0
@@ -77,10 +82,17 @@ class GuideField(EntryField):
         guide = self._typed_guide(typed.axis or self._axis, typed.position)
         return lambda: self.entered.emit(guide)
 
+    def _read_angle(self, plain: float) -> float:
+        """Return the angle that was typed, `plain` for none; the one that is shown short is meant whole."""
+        text = self.angle.text().strip()
+        if text == angle_text(self._degrees):
+            return self._degrees
+        return parse_number(text, decimal_mark()) if text else plain
+
     def _typed_guide(self, axis: Axis, position: float) -> Guide:
         """Return the guide at the place that was typed, at the angle beside it."""
         plain = _angle_of(self._axis)
-        angle = parse_number(self.angle.text(), decimal_mark()) if self.angle.text().strip() else plain
+        angle = self._read_angle(plain)
         if angle % 180.0 == plain:
             return Guide(axis, position)
         across = self._middle[axis.other.coordinate]

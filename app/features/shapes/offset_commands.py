@@ -22,10 +22,9 @@ from .shape_work import ShapeWork
 if TYPE_CHECKING:
     from .distances import Distance
 
-_USUAL = "2 px"
-"""The distance before one was typed: in pixels of CSS, or of the screen without a unit of length."""
-
 _USUAL_PX = 2.0
+"""The distance before one was typed, at least: pixels of CSS, or of the screen without a unit of length."""
+
 _BESIDE = 6
 """Pixels between the field and the shapes."""
 
@@ -59,7 +58,7 @@ class OffsetCommands:
         keywords="offset path grow expand bolder larger",
     )
     def _outset(self) -> None:
-        """Make the chosen shapes larger by the distance used last, 2 px at first."""
+        """Make the chosen shapes larger by the distance used last."""
         self._offset(grows=True)
 
     @action(
@@ -73,7 +72,7 @@ class OffsetCommands:
         keywords="offset path shrink contract thinner smaller",
     )
     def _inset(self) -> None:
-        """Make the chosen shapes smaller by the distance used last, 2 px at first."""
+        """Make the chosen shapes smaller by the distance used last."""
         self._offset(grows=False)
 
     @action(
@@ -104,13 +103,19 @@ class OffsetCommands:
         self._work.compute(f"{title} by {distance.words}", partial(offset_by, distance=way))
 
     def _last(self) -> Distance:
-        """Return the distance used last; where the document has no such unit, some pixels of the screen."""
-        unit = self._session.document.unit
+        """Return the distance used last; at first, or where the document has no such unit, a clean one."""
+        unit, distances = self._session.document.unit, shapes.distances
         try:
-            return shapes.distances.read_distance(self._context.preferences.offset_distance or _USUAL, unit)
+            return distances.read_distance(self._context.preferences.offset_distance, unit)
         except ExpressionError:
-            step = clean_step(_USUAL_PX * self._canvas.camera.pixel_size)
-            return shapes.distances.Distance(step, f"{number(step, 3)} {unit}".rstrip())
+            step = clean_step(self._usual(unit))
+            return distances.Distance(step, f"{number(step, 3)} {unit}".rstrip())
+
+    def _usual(self, unit: str) -> float:
+        try:
+            return shapes.distances.read_distance(f"{_USUAL_PX} px", unit).value
+        except ExpressionError:
+            return _USUAL_PX * self._canvas.camera.pixel_size
 
     def _corner(self) -> QPoint:
         """Return where the field stands: beside the chosen shapes."""

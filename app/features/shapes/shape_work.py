@@ -59,5 +59,6 @@ class ShapeWork:
             return
         session.selected.choose(made.places)
         told = f"{count_of(made.shapes, 'shape')}, {count_of(len(made.places), 'outline')}"
-        followed = f"; followed within {number(made.deviation, 2)}" if made.deviation else ""
+        within = f"{number(made.deviation, 1)} {session.document.unit}".rstrip()
+        followed = f"; followed within {within}" if made.deviation else ""
         session.say(f"{what}: {told}{followed}.")

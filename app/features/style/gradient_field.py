@@ -44,6 +44,8 @@ class GradientField(QWidget):
         The field of the opacity of the chosen stop.
     offset
         The field of its place.
+    is_mixed
+        Whether one is a gradient and another is not, or they have different stops: no colour is theirs.
     """
 
     kind_chosen = Signal(object)
@@ -57,6 +59,7 @@ class GradientField(QWidget):
         super().__init__()
         self._paint, self._chosen = paint, 0
         self._stops: tuple[Stop, ...] = ()
+        self.is_mixed = False
         self._kind = ChoiceRow(f"{paint}Kind", label, f"{label}, kind of paint", PaintKind)
         self.bar = StopBar(f"{paint}Stops", label)
         self.offset = PercentField(f"{paint}StopOffset", f"{label}, place of the stop", "Where the stop lies")
@@ -110,6 +113,7 @@ class GradientField(QWidget):
         self.setEnabled(bool(styles))
         gradients = [gradient_of(style, self._paint) for style in styles]
         stops = {None if gradient is None else gradient.stops for gradient in gradients}
+        self.is_mixed = len(stops) > 1
         self._stops = (stops.pop() or ()) if len(stops) == 1 else ()
         spreads = {gradient.spread for gradient in gradients if gradient is not None}
         self._spread.render_value(spreads.pop() if len(spreads) == 1 else None)

@@ -251,8 +251,10 @@ class StylePanel(FieldForm):
 
     def _render_colours(self) -> None:
         for paint, shows in (("fill", self.fill), ("stroke", self.stroke)):
-            stop = self.gradients[paint].stop
-            shows.render_value(self._values.get(paint) if stop is None else stop.colour)
+            stop, is_mixed = self.gradients[paint].stop, self.gradients[paint].is_mixed
+            # A gradient has a colour besides, its mean, which may be just that of what is flat.
+            flat = None if is_mixed else self._values.get(paint)
+            shows.render_value(flat if stop is None else stop.colour)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -228,9 +228,9 @@ class TransformPanel(FieldForm):
             edit.setEnabled(is_there)
         for axis, edit in enumerate((self.width_edit, self.height_edit)):
             edit.setEnabled(is_there and shown.grows[axis])
-        self.angle_edit.show_length(shown.angle)
-        self.turn_edit.show_number(self._turn_by)
-        self.skew_edit.show_number(self._skew_by)
+        self.angle_edit.show_angle(shown.angle)
+        self.turn_edit.show_angle(self._turn_by)
+        self.skew_edit.show_angle(self._skew_by)
         turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons
         for part in (*turns, self.chooser):
             part.setEnabled(is_there)
