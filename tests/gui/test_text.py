@@ -389,10 +389,12 @@ def test_a_file_tells_what_letters_were_written_as_and_copies_of_them_are_texts_
     session.selected.choose({1})
     drawing.trigger("duplicateCurve")
     assert len(letters(drawing)) == 2
-    session.selected.choose({2})
-    drawing.trigger("selectTool")
-    drawing.window.canvas.setFocus()
-    press(drawing, Qt.Key.Key_Return)
+    # Also while the points of a letter are edited.
+    session.selected.activate(0)
+    drawing.settle()
+    assert not drawing.action("editText").isEnabled()
+    session.selected.activate(2)
+    drawing.trigger("editText")
     write(drawing, "VV")
     press(drawing, Qt.Key.Key_Return)
     assert [curve.name for curve in letters(drawing)] == ["I", "V", "V"]
