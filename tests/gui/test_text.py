@@ -294,12 +294,18 @@ def open_again(editor, place):
     assert field(editor).isVisible()
 
 
+def add_line(editor, text):
+    press(editor, Qt.Key.Key_End)
+    press(editor, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    write(editor, text)
+
+
 def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
     session, steps = drawing.session, drawing.session.undo_stack.count()
     begin(drawing)
     write(drawing, "IV")
     press(drawing, Qt.Key.Key_Return)
-    # Turned, sheared and moved, in another colour and behind the line.
+    # Turned, sheared and moved; blue, and behind the line.
     places = [place for place, curve in enumerate(session.document.curves) if curve.style.has_fill]
     by = Affine(-1.0, -1.5, 1.0, -1.0, AT, (2.0, -1.0))
     session.change("Turn", lambda document: mapped(document, whole_curves(document, places), by))
@@ -308,9 +314,8 @@ def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
         (*(replace(document.curves[place], style=blue) for place in places), document.curves[0]), unit="mm"
     ))  # fmt: skip
     before, upright = session.document, shown_places(drawing)["I"]
-    inside = tuple(np.mean(upright, axis=0))
+    inside, shown = tuple(np.mean(upright, axis=0)), field(drawing)
     open_again(drawing, inside)
-    shown = field(drawing)
     assert (shown.text, shown.face.family) == ("IV", FAMILY)
     assert shown.text_size == pytest.approx(2 * np.sqrt(1.5))
     assert not shown.findChild(QLabel, "textRemark").isVisible()
@@ -320,16 +325,12 @@ def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
     assert session.selected.chosen == {0, 1}
     drawing.trigger("textTool")
     drawing.click(inside)
-    press(drawing, Qt.Key.Key_End)
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    write(drawing, "I")
+    add_line(drawing, "I")
     assert len(letters(drawing)) == 3  # live
     press(drawing, Qt.Key.Key_Escape)
     assert (session.document, session.undo_stack.count()) == (before, steps + 3)
     drawing.click(inside)
-    press(drawing, Qt.Key.Key_End)
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    write(drawing, "I")
+    add_line(drawing, "I")
     press(drawing, Qt.Key.Key_Return)
     assert (session.undo_stack.undoText(), session.undo_stack.count()) == ("Edit Text “IV I”", steps + 4)
     made = session.document.curves
@@ -388,7 +389,6 @@ def test_a_file_tells_what_letters_were_written_as_and_copies_of_them_are_texts_
     session.open(tmp_path / "text.curve.json")
     session.selected.choose({1})
     drawing.trigger("duplicateCurve")
-    assert len(letters(drawing)) == 2
     # Also while the points of a letter are edited.
     session.selected.activate(0)
     drawing.settle()

@@ -126,13 +126,11 @@ class TextCommands:
     def _area(self) -> QRect:
         """Return what the text takes of the canvas, about."""
         (x, y), size = self._place, self.field.text_size
-        lines = self.field.text.count("\n")
+        low, high = y - (_DESCENT + self.field.text.count("\n") * _LINE) * size, y + _ASCENT * size
         if self._edited is not None:
-            # They may be turned.
-            left, bottom, top = self._box
-            return QRect(self._canvas.to_pixel(left, top), self._canvas.to_pixel(left, bottom))
-        top = self._canvas.to_pixel(x, y + _ASCENT * size)
-        bottom = self._canvas.to_pixel(x, y - (_DESCENT + lines * _LINE) * size)
+            # It may be turned.
+            x, low, high = self._box
+        top, bottom = self._canvas.to_pixel(x, high), self._canvas.to_pixel(x, low)
         return QRect(top, QPoint(top.x() + 1, bottom.y()))
 
     def _follow_view(self) -> None:
