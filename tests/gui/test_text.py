@@ -373,20 +373,16 @@ def test_letters_changed_by_hand_are_told_of_and_written_anew_where_the_others_a
             assert there.position == pytest.approx((here.x, here.y - 2.0), abs=1e-9)
 
 
-def test_a_file_tells_what_letters_were_written_as_and_copies_of_them_are_texts_of_their_own(
-    drawing, tmp_path
-):
-    session = drawing.session
+def test_a_file_tells_of_a_text_and_copies_are_texts_of_their_own(drawing, tmp_path):
+    session, path = drawing.session, tmp_path / "text.curve.json"
     begin(drawing)
     write(drawing, "I")
     press(drawing, Qt.Key.Key_Return)
-    session.save(tmp_path / "text.curve.json")
-    assert (
-        b'"text": {"words": "I", "font": "Curvebench Blocks"' in (tmp_path / "text.curve.json").read_bytes()
-    )
-    assert (tmp_path / "text.curve.json").read_bytes().count(b'"text"') == 1
+    session.save(path)
+    assert path.read_bytes().count(b'"text": {"words": "I", "font": "Curvebench Blocks"') == 1
+    assert path.read_bytes().count(b'"text"') == 1
     session.new()
-    session.open(tmp_path / "text.curve.json")
+    session.open(path)
     session.selected.choose({1})
     drawing.trigger("duplicateCurve")
     # Also while the points of a letter are edited.
