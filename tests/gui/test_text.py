@@ -294,12 +294,18 @@ def open_again(editor, place):
     assert field(editor).isVisible()
 
 
+def add_line(editor, text):
+    press(editor, Qt.Key.Key_End)
+    press(editor, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    write(editor, text)
+
+
 def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
     session, steps = drawing.session, drawing.session.undo_stack.count()
     begin(drawing)
     write(drawing, "IV")
     press(drawing, Qt.Key.Key_Return)
-    # Turned, sheared and moved, in another colour and behind the line.
+    # Turned, sheared and moved; blue, and behind the line.
     places = [place for place, curve in enumerate(session.document.curves) if curve.style.has_fill]
     by = Affine(-1.0, -1.5, 1.0, -1.0, AT, (2.0, -1.0))
     session.change("Turn", lambda document: mapped(document, whole_curves(document, places), by))
@@ -308,9 +314,8 @@ def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
         (*(replace(document.curves[place], style=blue) for place in places), document.curves[0]), unit="mm"
     ))  # fmt: skip
     before, upright = session.document, shown_places(drawing)["I"]
-    inside = tuple(np.mean(upright, axis=0))
+    inside, shown = tuple(np.mean(upright, axis=0)), field(drawing)
     open_again(drawing, inside)
-    shown = field(drawing)
     assert (shown.text, shown.face.family) == ("IV", FAMILY)
     assert shown.text_size == pytest.approx(2 * np.sqrt(1.5))
     assert not shown.findChild(QLabel, "textRemark").isVisible()
@@ -320,16 +325,12 @@ def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
     assert session.selected.chosen == {0, 1}
     drawing.trigger("textTool")
     drawing.click(inside)
-    press(drawing, Qt.Key.Key_End)
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    write(drawing, "I")
+    add_line(drawing, "I")
     assert len(letters(drawing)) == 3  # live
     press(drawing, Qt.Key.Key_Escape)
     assert (session.document, session.undo_stack.count()) == (before, steps + 3)
     drawing.click(inside)
-    press(drawing, Qt.Key.Key_End)
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    write(drawing, "I")
+    add_line(drawing, "I")
     press(drawing, Qt.Key.Key_Return)
     assert (session.undo_stack.undoText(), session.undo_stack.count()) == ("Edit Text “IV I”", steps + 4)
     made = session.document.curves
@@ -372,27 +373,24 @@ def test_letters_changed_by_hand_are_told_of_and_written_anew_where_the_others_a
             assert there.position == pytest.approx((here.x, here.y - 2.0), abs=1e-9)
 
 
-def test_a_file_tells_what_letters_were_written_as_and_copies_of_them_are_texts_of_their_own(
-    drawing, tmp_path
-):
-    session = drawing.session
+def test_a_file_tells_of_a_text_and_copies_are_texts_of_their_own(drawing, tmp_path):
+    session, path = drawing.session, tmp_path / "text.curve.json"
     begin(drawing)
     write(drawing, "I")
     press(drawing, Qt.Key.Key_Return)
-    session.save(tmp_path / "text.curve.json")
-    assert (
-        b'"text": {"words": "I", "font": "Curvebench Blocks"' in (tmp_path / "text.curve.json").read_bytes()
-    )
-    assert (tmp_path / "text.curve.json").read_bytes().count(b'"text"') == 1
+    session.save(path)
+    assert path.read_bytes().count(b'"text": {"words": "I", "font": "Curvebench Blocks"') == 1
+    assert path.read_bytes().count(b'"text"') == 1
     session.new()
-    session.open(tmp_path / "text.curve.json")
+    session.open(path)
     session.selected.choose({1})
     drawing.trigger("duplicateCurve")
-    assert len(letters(drawing)) == 2
-    session.selected.choose({2})
-    drawing.trigger("selectTool")
-    drawing.window.canvas.setFocus()
-    press(drawing, Qt.Key.Key_Return)
+    # Also while the points of a letter are edited.
+    session.selected.activate(0)
+    drawing.settle()
+    assert not drawing.action("editText").isEnabled()
+    session.selected.activate(2)
+    drawing.trigger("editText")
     write(drawing, "VV")
     press(drawing, Qt.Key.Key_Return)
     assert [curve.name for curve in letters(drawing)] == ["I", "V", "V"]

@@ -7,16 +7,20 @@ from itertools import chain, repeat
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QRect, Qt
 
+from ...actions.declaration import action
+from ...actions.needs import Need
+from ...actions.sections import CURVE_NAME
 from ...document.curve_edits import locked_sentence
 from ...document.edits import EditError
 from ...document.model import Document, Vector
 from ...document.text import LONGEST_TEXT, Text
-from ...document.texts import with_text_known
+from ...document.texts import text_around, with_text_known
 from ...document.transforms import clean_step_within
 from ...document.words import enumerated
 from ...exchange.errors import ExchangeError
 from ...qt import glyphs
 from ...qt.glyphs import Face, Outlines
+from ...session.session import Session
 from ...workbench.context import WindowContext
 from .. import text
 
@@ -76,6 +80,17 @@ class TextCommands:
             self._edited = None
             self._open(place, self._size or clean_step_within(self._view_height * _SHARE))
 
+    @action(
+        "editText",
+        "Edit Text",
+        CURVE_NAME,
+        needs=Need("letters of one text", lambda now: _letter_meant(now.session) >= 0),
+        keywords="words letters font size type typo",
+    )
+    def _edit(self) -> None:
+        """Change words, font or size of the text that the chosen letters are of."""
+        self._begin_again(_letter_meant(self._session))
+
     def _begin_again(self, curve: int) -> None:
         """Ask for other words of the text that a curve is a letter of."""
         session = self._session
@@ -111,13 +126,11 @@ class TextCommands:
     def _area(self) -> QRect:
         """Return what the text takes of the canvas, about."""
         (x, y), size = self._place, self.field.text_size
-        lines = self.field.text.count("\n")
+        low, high = y - (_DESCENT + self.field.text.count("\n") * _LINE) * size, y + _ASCENT * size
         if self._edited is not None:
-            # They may be turned.
-            left, bottom, top = self._box
-            return QRect(self._canvas.to_pixel(left, top), self._canvas.to_pixel(left, bottom))
-        top = self._canvas.to_pixel(x, y + _ASCENT * size)
-        bottom = self._canvas.to_pixel(x, y - (_DESCENT + lines * _LINE) * size)
+            # It may be turned.
+            x, low, high = self._box
+        top, bottom = self._canvas.to_pixel(x, high), self._canvas.to_pixel(x, low)
         return QRect(top, QPoint(top.x() + 1, bottom.y()))
 
     def _follow_view(self) -> None:
@@ -227,6 +240,13 @@ class TextCommands:
     def _close(self, *, keeps_words: bool = False) -> None:
         self.field.close_field(keeps_words=keeps_words)
         self._outlines = glyphs.NO_OUTLINES
+
+
+def _letter_meant(session: Session) -> int:
+    """Return the place of a letter of the text that is meant; −1 for none, or where there is more."""
+    meant = session.selected.highlight(whole_curves=True).curves
+    first = min(meant, default=-1)
+    return first if first >= 0 and meant <= {*text_around(session.document, first)} else -1
 
 
 def _remark(field: text.field.TextField, outlines: Outlines) -> str:
