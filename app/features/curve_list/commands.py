@@ -14,7 +14,7 @@ from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_tree import Node, NodeKind, counted_nodes
 from ...document.edits import EditError, rename_curve
-from ...document.layers import looks_of, with_layer_looks
+from ...document.layers import begun_again, looks_of, with_layer_looks
 from ...document.model import Document
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
@@ -157,9 +157,10 @@ class CurveListCommands:
             delete_layer(session, layer)
             return
         free, stays = changeable(document, curves), what_stays(document, curves)
+        layer = session.selected.layer
         is_done = session.change(
             f"Delete {named(document, free)}",
-            lambda document: remove_curves(document, free),
+            lambda document: begun_again(remove_curves(document, free), document, layer),
             active=active_after_removal(document, free, session.active_index, session.selected.edited),
         )
         if is_done and stays:
