@@ -120,6 +120,17 @@ def begun(document: Document, active: int, layer: str, fresh: Callable[[], Curve
     return Begun(in_front(rest, front, model), front.place)
 
 
+def begun_again(document: Document, before: Document, layer: str) -> Document:
+    """Return a document, with the empty curve that is left where all were removed in front in a layer.
+
+    `before` is what it was, with all its layers in order.
+    """
+    if not document.layers or len(document.curves) > 1 or document.curves[0].points:
+        return document
+    document = with_tidy_layers(document, before)
+    return begun(document, 0, free_layer(document, layer), lambda: document.curves[0]).document
+
+
 def without(document: Document, curve: int) -> Document:
     """Return the document without a curve, be it the last one."""
     curves = document.curves

@@ -29,12 +29,15 @@ class PointGroup(msgspec.Struct, frozen=True):
         The name of the curve, shape or group where it is a single one, whole.
     several
         The words for several whole ones, such as "2 objects"; empty for "3 curves".
+    stays
+        What was meant, too, but cannot be changed: "1 locked object stays"; empty for nothing.
     """
 
     parts: tuple[tuple[int, frozenset[int]], ...] = ()
     is_whole: bool = False
     name: str | None = None
     several: str = ""
+    stays: str = ""
 
     @property
     def words(self) -> str:

@@ -6,11 +6,14 @@ from collections.abc import Collection, Sequence
 
 import msgspec
 
-from .model import Curve, Point, Vector
+from .model import Curve, Document, Point, Vector
 from .point_group import PointGroup, some_points
 
 NONE_CHOSEN = "No curve is chosen; click one, or press Ctrl+A for all."
 """What is said to whoever wants something of a curve while none is edited and none chosen."""
+
+NONE_FREE = "Everything is hidden or locked; the list of curves shows and unlocks it."
+"""What is said where all curves are asked for, and none is seen and free."""
 
 
 class Choice(msgspec.Struct, frozen=True):
@@ -36,6 +39,11 @@ class Choice(msgspec.Struct, frozen=True):
     chosen: frozenset[int]
     is_editing: bool
     layer: str | None = None
+
+
+def free_curves(document: Document) -> frozenset[int]:
+    """Return the curves that all of them are to a person: seen, and not locked."""
+    return frozenset(place for place, curve in enumerate(document.curves) if curve.is_free)
 
 
 def followed_curves(

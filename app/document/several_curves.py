@@ -41,6 +41,27 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
     )
 
 
+def changeable(document: Document, curves: Collection[int]) -> frozenset[int]:
+    """Return those of some curves that are not locked; all where all are locked, for an edit to refuse."""
+    meant = frozenset(curves)
+    return frozenset(place for place in meant if not document.curves[place].locked) or meant
+
+
+def what_stays(document: Document, curves: Collection[int]) -> str:
+    """Return which of some curves are not `changeable`: "1 locked object stays"; empty for none."""
+    left = frozenset(curves) - changeable(document, curves)
+    if not left:
+        return ""
+    count = len(whole_nodes(document.curves, whole_shapes(document, left), document.layers))
+    return f"{count_of(count, 'locked object')} {'stays' if count == 1 else 'stay'}"
+
+
+def changed_whole(document: Document, curves: Collection[int]) -> PointGroup:
+    """Return all points of those of some curves that are `changeable`; the group tells what stays."""
+    free = changeable(document, curves)
+    return replace(whole_curves(document, free), stays=what_stays(document, curves))
+
+
 # Edits
 
 

@@ -6,7 +6,7 @@ import msgspec
 
 from ..document.model import Document
 from ..document.point_group import NO_POINTS, PointGroup, PointsEdit
-from ..document.several_curves import name_of, named, remove_curves
+from ..document.several_curves import changeable, name_of, named, remove_curves, what_stays
 
 
 class Highlight(msgspec.Struct, frozen=True):
@@ -18,10 +18,19 @@ class Highlight(msgspec.Struct, frozen=True):
         The curves, whole; those of the points where there are points.
     points
         The points; none where whole curves are meant.
+    stays
+        What was meant, too, but cannot be changed: "1 locked object stays"; empty for nothing.
     """
 
     curves: frozenset[int]
     points: PointGroup = NO_POINTS
+    stays: str = ""
+
+    def changeable(self, document: Document) -> Highlight:
+        """Return it without the curves that are locked, unless all are; points stay as they are."""
+        if self.points.parts:
+            return self
+        return Highlight(changeable(document, self.curves), stays=what_stays(document, self.curves))
 
     def curves_of(self, document: Document) -> frozenset[int]:
         """Return the curves that are meant as a whole: also those of which all points are.
@@ -49,6 +58,10 @@ class Highlight(msgspec.Struct, frozen=True):
             return self.points.counted
         name = name_of(document, self.curves)
         return named(document, self.curves) if name is None else f"“{name}”"
+
+    def told(self, document: Document) -> str:
+        """Return the same, and what of it stays: "2 curves; 1 locked object stays"."""
+        return "; ".join(filter(None, (self.said(document), self.stays)))
 
     def removed_from(self, document: Document, delete: PointsEdit) -> Document:
         """Return the document without it; `delete` deletes points of one curve."""

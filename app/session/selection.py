@@ -224,6 +224,12 @@ class Selection:
         self.activate(self._session.active_index)
         self.next_style.marked = was_chosen or Marked.LENT
 
+    def begin_opened(self) -> None:
+        """Begin with a document that was opened: nobody chose its curves; none hidden or locked is edited."""
+        if not self._session.active_curve.is_free:
+            self.choose(())
+        self.next_style.marked = Marked.OPENED
+
     def show_choice(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""
         self._chosen = frozenset(indices)
@@ -347,7 +353,6 @@ class Selection:
         if self.is_editing and self._is_left(before, after):
             self.is_editing, kept = False, frozenset()
         elif active not in kept and kept and not self.is_editing and len(after) == len(before):
-            # As by undo: the same ones stay chosen, and what was active before is not.
             active = session.active_index = min(kept, key=lambda curve: abs(curve - active))
         elif active not in kept:
             # A curve that was added is what is worked on now; where one has gone nobody has chosen another.

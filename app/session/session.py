@@ -321,7 +321,7 @@ class Session(QObject):
             self._turn_to(state.beginning)
         self._restore(state)
         if is_other:
-            self.selected.next_style.marked = Marked.OPENED
+            self.selected.begin_opened()
         if self.history.is_pushing:
             return
         if is_other:
@@ -406,7 +406,7 @@ class Session(QObject):
         self._turn_to(state.beginning)
         self.files.path = path
         self._restore(state, views)
-        self.selected.next_style.marked = Marked.OPENED
+        self.selected.begin_opened()
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

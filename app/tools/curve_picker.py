@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from ..document.point_group import PointGroup, points_of
-from ..document.several_curves import name_of, named, whole_curves
+from ..document.several_curves import changed_whole, name_of, named, whole_curves
 from ..document.shape_edits import pressed
 from ..document.shapes import shape_of, whole_shapes
 from ..document.texts import text_around
@@ -51,7 +51,7 @@ class CurvePicker:
         refusal = context.target.refusal_of(group)
         drag = Refuse(context.host.document, refusal) if refusal else moving(context, group)
         is_chosen = selected.is_editing or hit.index in selected.chosen
-        chooses = frozenset[int]() if is_chosen else group.curves
+        chooses = frozenset[int]() if is_chosen else _meant(context, hit)
         context.drags.press(context.pointer, drag, lambda: click_curve(context, hit), chooses=chooses)
 
     def unpick(self, context: ToolContext) -> None:
@@ -147,8 +147,12 @@ def _meant(context: ToolContext, hit: Hit) -> frozenset[int]:
 
 
 def _dragged(context: ToolContext, hit: Hit) -> PointGroup:
-    chosen = context.host.selected.chosen
-    return whole_curves(context.host.document, chosen if hit.index in chosen else _meant(context, hit))
+    document, chosen = context.host.document, context.host.selected.chosen
+    meant = chosen if hit.index in chosen else _meant(context, hit)
+    if document.curves[hit.index].locked:
+        # It cannot be dragged, and says so, whatever else could.
+        return whole_curves(document, [place for place in meant if document.curves[place].locked])
+    return changed_whole(document, meant)
 
 
 def _is_of_edited_shape(context: ToolContext, hit: Hit) -> bool:

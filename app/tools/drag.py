@@ -47,6 +47,11 @@ class Drag(msgspec.Struct, frozen=True):
         """Return the amount, such as "Rotate 30°"; empty where none is told."""
         return ""
 
+    @property
+    def remark(self) -> str:
+        """What was meant, too, and stays as it is; empty for nothing."""
+        return ""
+
     def about(self, pointer: Pointer) -> Vector | None:
         """Return what it rotates or skews about, None where it does neither."""
         return None

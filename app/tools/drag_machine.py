@@ -291,7 +291,7 @@ class DragMachine:
         """Do a drag at once, with the pointer at the origin; quick nudges of the same run are one step."""
         is_done = self._host.change(drag.name, lambda _document: drag.document_at(ORIGIN), run=run)
         if is_done and (text := drag.readout(ORIGIN)):
-            self._host.say(text)
+            self._host.say(" · ".join(filter(None, (text, drag.remark))))
 
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
         """Go on with another drag from the same press: an axis was locked, an amount typed."""
@@ -306,7 +306,9 @@ class DragMachine:
             return ""
         if press.refused or not (text := press.drag.readout(pointer)):
             return press.refused
-        return " · ".join(part for part in (text, press.drag.keys, "Escape cancels") if part)
+        return " · ".join(
+            part for part in (text, press.drag.remark, press.drag.keys, "Escape cancels") if part
+        )
 
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return where the point is that the drag in flight holds, None where it holds none."""
@@ -333,6 +335,8 @@ class DragMachine:
                 press.on_done()
             if is_done and press.chooses:
                 self._host.selected.choose(press.chooses)
+            if is_done and press.drag.remark:
+                self._host.say(f"{press.drag.remark}.")
         elif not press.moving and press.on_click is not None:
             press.on_click()
 

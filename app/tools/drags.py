@@ -49,6 +49,11 @@ class MovePoints(Drag, frozen=True):
         """The name of the step."""
         return f"Move {self.group.words}"
 
+    @property
+    def remark(self) -> str:
+        """What of the group is locked."""
+        return self.group.stays
+
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is and how far it came; of several, how far they came."""
         way, one = words.vector(self.displacement(pointer)), self.group.only_point
@@ -99,6 +104,11 @@ class NudgePoints(Drag, frozen=True):
     def name(self) -> str:
         """The name of the step."""
         return f"Nudge {self.group.words}"
+
+    @property
+    def remark(self) -> str:
+        """What of the group is locked."""
+        return self.group.stays
 
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is now, or how many went, and the step."""

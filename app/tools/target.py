@@ -10,7 +10,7 @@ from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.point_group import PointGroup, points_of
 from ..document.selection import NONE_CHOSEN
-from ..document.several_curves import whole_curves
+from ..document.several_curves import changed_whole
 from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingHost
@@ -57,9 +57,12 @@ class TransformTarget:
 
     @property
     def curves(self) -> PointGroup | None:
-        """The curves that are chosen as wholes, whatever points are selected; None for none."""
+        """The curves that are chosen as wholes, whatever points are selected; None for none.
+
+        Of several, those that are not locked.
+        """
         host = self._host
-        return whole_curves(host.document, host.selected.chosen) if host.selected.chosen else None
+        return changed_whole(host.document, host.selected.chosen) if host.selected.chosen else None
 
     @property
     def for_keys(self) -> PointGroup:

@@ -109,6 +109,11 @@ class Transform(Drag, frozen=True):
         return f"{self.kind.title} {'all ' if self._is_all else ''}{self.group.words}"
 
     @property
+    def remark(self) -> str:
+        """What of the group is locked."""
+        return self.group.stays
+
+    @property
     def _is_all(self) -> bool:
         return self.everything and self.group.only_point is None
 

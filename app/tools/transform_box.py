@@ -158,6 +158,11 @@ class ScaleBox(Drag, frozen=True):
         """The name of the step."""
         return f"Scale {self.group.words}"
 
+    @property
+    def remark(self) -> str:
+        """What of the group is locked."""
+        return self.group.stays
+
     def readout(self, pointer: Pointer) -> str:
         """Return the factors."""
         x, y = self._factors(self._displacement(pointer), pointer)

@@ -9,7 +9,7 @@ import msgspec
 from ..document.edits import EditError
 from ..document.model import Document
 from ..document.point_group import PointGroup
-from ..document.several_curves import moved, whole_curves
+from ..document.several_curves import changeable, moved, whole_curves
 from ..document.shape_edits import objects
 from ..document.transforms import Edge, Reference, Spacing
 from .bounds import Bounds, Strokes, bounds_of
@@ -41,6 +41,8 @@ def align_curves(
 ) -> Document:
     """Move each shape of the chosen curves so that it lies along an edge, or the middle, of the reference.
 
+    What is locked stays where it is, and the others go there.
+
     Parameters
     ----------
     views
@@ -64,7 +66,8 @@ def align_curves(
         of = _items(document, views, range(len(document.curves)), strokes) if is_drawing else items
         bounds = _joined([item.bounds for item in of])
     target = _place(bounds, edge)
-    for item in items:
+    free = changeable(document, chosen)
+    for item in (item for item in items if item.group.curves <= free):
         document = _moved(document, item, edge.axis, target - _place(item.bounds, edge))
     return document
 

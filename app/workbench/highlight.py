@@ -8,7 +8,7 @@ from typing import Protocol, runtime_checkable
 from PySide6.QtWidgets import QApplication
 
 from ..document.edits import delete_points
-from ..document.layers import layer_node, layer_of, without_layer
+from ..document.layers import begun_again, layer_node, layer_of, without_layer
 from ..document.model import Document
 from ..document.several_curves import active_after_removal
 from ..document.words import number
@@ -47,7 +47,7 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
     """
     document, active, edited = session.document, session.active_index, session.selected.edited
-    gone, deleted = what.curves_of(document), list[Deletion]()
+    gone, deleted, layer = what.curves_of(document), list[Deletion](), session.selected.layer
 
     def without(document: Document, curve: int, indices: Collection[int]) -> Document:
         deleted.append(without_points(session.views[curve], indices))
@@ -56,7 +56,7 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
     delete = without if keeps_shape else delete_points
     change = session.change(
         f"{verb} {what.words(document)}",
-        lambda document: what.removed_from(document, delete),
+        lambda document: begun_again(what.removed_from(document, delete), document, layer),
         active=active_after_removal(document, gone, active, edited) if gone else None,
     )
     if change:

@@ -223,14 +223,15 @@ def test_a_group_that_is_alone_is_aligned_as_one(four):
     four.trigger("alignToEachOther")
 
 
-def test_a_locked_curve_refuses(four):
+def test_a_locked_curve_stays_and_the_others_go_along_it(four):
     four.session.selected.set_curves({0})
     four.trigger("curveLocked")
     four.session.selected.set_curves(range(4), 1)
     document = four.session.document
     four.trigger("alignRight")
-    assert four.session.document is document
-    assert "locked" in four.window.status_line.text
+    after = four.session.document
+    assert (after.curves[0], after == document) == (document.curves[0], False)
+    assert four.status == "1 locked object stays."
 
 
 def test_selected_points_come_first_as_ever(four):

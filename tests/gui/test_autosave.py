@@ -9,6 +9,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
@@ -381,6 +382,15 @@ def test_what_never_had_a_file_keeps_its_name(kept):
     assert kept.window.windowTitle() == "icon (from icon.svg)[*] – Curvebench"
     assert kept.session.files.foreign == opened_from
     assert (kept.session.files.path, file_stem(kept.session)) == (None, "icon")
+
+
+@pytest.mark.parametrize("looks", [{"locked": True}, {"visible": False}])
+def test_what_is_locked_or_hidden_is_not_edited_when_it_comes_back(editor, looks):
+    leave_behind(replace(SKETCH, curves=tuple(replace(curve, **looks) for curve in SKETCH.curves)))
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
+    press(editor, "restoreWork0")
+    selected = editor.session.selected
+    assert (selected.is_editing, selected.chosen) == (False, frozenset())
 
 
 def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):

@@ -357,10 +357,26 @@ def test_all_chosen_are_duplicated_and_the_copies_chosen(five):
     assert five.session.selection == frozenset()
 
 
-def test_locked_curves_are_named_and_nothing_happens_half(five):
+def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(five):
     choose(five, "BD")
     five.trigger("curveLocked")
     choose(five, "ABDE")
+    locked, box = five.session.document, five.window.canvas.marks.box
+    assert box is not None
+    five.key(Qt.Key.Key_Left)
+    assert five.status.endswith(" · 2 locked objects stay")
+    x, y = on_curve(five, 4)
+    five.drag((x, y), (x + 1, y + 1))
+    assert five.status == "2 locked objects stay."
+    document = five.session.document
+    stay = [document.curves[at] is locked.curves[at] for at in range(5)]
+    assert stay == [False, True, True, True, False]
+    five.trigger("deleteCurve")
+    assert [curve.name for curve in five.session.document.curves] == ["B", "C", "D"]
+    assert five.status == "2 locked objects stay."
+    for _ in range(3):
+        five.trigger("undo")
+    choose(five, "BD")
     document = five.session.document
     sentence = "“B” and “D” are locked; unlock them in the list of curves to change them."
     for act in (
@@ -371,9 +387,9 @@ def test_locked_curves_are_named_and_nothing_happens_half(five):
         five.session.say("")
         act()
         assert (five.status, five.session.document) == (sentence, document)
-    five.drag(on_curve(five, 4), (2, 9))
+    five.drag(on_curve(five, 3), (2, 9))
     assert five.session.document is document
-    five.hover(on_curve(five, 4))
+    five.hover(on_curve(five, 3))
     assert five.window.status_line.hint == sentence
     # What cannot be moved has no grips.
     assert five.window.canvas.marks.box is None

@@ -72,3 +72,26 @@ def test_a_drag_of_one_of_a_group_chooses_the_group(whole):
     x, y = on_curve(whole, 1)
     whole.drag((x, y), (x + 0.3, y))
     assert chosen(whole) == "ABC"
+
+
+def test_all_are_those_that_are_seen_and_free(whole):
+    """What was hidden was deleted unseen, and what was locked refused everything."""
+    selected = whole.session.selected
+    selected.choose({0})
+    whole.trigger("curveLocked")
+    selected.choose({2})
+    whole.trigger("curveVisible")
+    for way in ("selectAll", "nextPoint"):
+        selected.choose(())
+        whole.window.canvas.setFocus()
+        whole.trigger("selectAll") if way == "selectAll" else whole.key(Qt.Key.Key_Tab)
+        assert chosen(whole) == "B"
+    whole.key(Qt.Key.Key_Delete)
+    assert [curve.name for curve in whole.session.document.curves] == ["A", "C"]
+    document = whole.session.document
+    for keys in (CTRL, CTRL | Qt.KeyboardModifier.ShiftModifier):
+        whole.key(Qt.Key.Key_A, keys)
+        assert whole.status == "Everything is hidden or locked; the list of curves shows and unlocks it."
+        assert chosen(whole) == ""
+    whole.key(Qt.Key.Key_Delete)
+    assert whole.session.document is document

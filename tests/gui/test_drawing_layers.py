@@ -301,3 +301,21 @@ def test_without_layers_nothing_tells_of_them_until_there_is_one(editor):
         ("Curve 1", ("Layer 1",), 2)
     ]
     assert document.empty_layers == ()
+
+
+@pytest.mark.parametrize("delete", ["deleteSelection", "deleteCurve"])
+def test_with_everything_deleted_the_next_drawing_comes_into_the_same_layer(layered, delete):
+    assert layer_now(layered) == "Layer: Art"
+    before, order = layered.session.document, layered.session.document.layers
+    layered.session.selected.choose(range(3))
+    layered.session.selected.set_layer("Art")
+    layered.trigger(delete)
+    assert (layer_now(layered), layered.session.document.layers) == ("Layer: Art", order)
+    # What is left is the empty curve that is drawn next.
+    assert list(layers(layered).values()) == ["Art"]
+    draw(layered, "rectangleTool", (10, -10), (20, -20))
+    assert list(layers(layered).values()) == ["Art"]
+    assert len(layered.curve.points) > 1
+    layered.trigger("undo")
+    layered.trigger("undo")
+    assert layered.session.document == before

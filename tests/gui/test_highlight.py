@@ -152,8 +152,8 @@ def test_what_is_locked_stays_and_says_so(three, how):
     assert held().text() == "before"
     three.session.selected.set_curves({0, 1})
     three.key(*KEYS[how])
-    assert names(three) == "ABC"
-    assert "“B” is locked" in three.status
+    assert names(three) == "BC"
+    assert three.status.endswith("“A”; 1 locked object stays.")
 
 
 def test_a_locked_curve_is_copied(three):

@@ -258,3 +258,12 @@ def test_another_document_has_no_views_of_the_one_before(drawing):
     drawing.trigger("previousView")
     drawing.trigger("previousView")
     assert drawing.status == "Nothing else was seen before."
+
+
+def test_with_nothing_chosen_there_is_nothing_to_zoom_to(drawing):
+    drawing.session.selected.choose(())
+    before = drawing.window.canvas.pixel_map.box
+    assert not drawing.action("fitSelection").isEnabled()
+    drawing.key(Qt.Key.Key_3, CTRL)
+    assert drawing.window.canvas.pixel_map.box == before
+    assert drawing.status == "No curve is chosen; click one, or press Ctrl+A for all."

@@ -36,8 +36,9 @@ class ClipboardCommands:
     @also(POINT_MENU(30), CURVE_MENU(18), CURVE_LIST_MENU(36))
     def _cut(self) -> None:
         """Copy the selected points, or else the curve or all chosen ones, and delete them."""
-        session, what = self._session, highlighted(self._context)
-        offer, words = self._offer(what), what.said(session.document)
+        session = self._session
+        what = highlighted(self._context).changeable(session.document)
+        offer, words = self._offer(what), what.told(session.document)
         # What is locked stays, and leaves on the clipboard what is there.
         if remove(session, what, "Cut"):
             put_on_clipboard(offer)

@@ -41,8 +41,9 @@ class HighlightCommands:
     @also(POINT_MENU(40))
     def _delete(self) -> None:
         """Delete the selected points, keeping the shape, or else the curve or all chosen ones."""
-        session, what = self._session, highlighted(self._context)
-        words = what.said(session.document)
+        session = self._session
+        what = highlighted(self._context).changeable(session.document)
+        words = what.told(session.document)
         if remove(session, what, "Delete") and not what.points.parts:
             session.say(f"Deleted {words}.")
 

@@ -14,15 +14,18 @@ from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_tree import Node, NodeKind, counted_nodes
 from ...document.edits import EditError, rename_curve
-from ...document.layers import looks_of, with_layer_looks
+from ...document.layers import begun_again, looks_of, with_layer_looks
 from ...document.model import Document
+from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
     active_after_removal,
     add_copies,
+    changeable,
     counted,
     name_of,
     named,
     remove_curves,
+    what_stays,
     with_appearance,
 )
 from ...document.shape_edits import moved_into, named_anew, objects
@@ -70,6 +73,7 @@ class CurveListCommands:
         panel.view.activated_row.connect(session.selected.activate)
         panel.view.chosen_entry.connect(self._choose_entry)
         panel.view.rows_selected.connect(session.selected.set_curves)
+        panel.view.all_wanted.connect(self._choose_all)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._set_name)
         panel.visible_switched.connect(self._switch_row_visible)
@@ -152,11 +156,15 @@ class CurveListCommands:
         if layer:
             delete_layer(session, layer)
             return
-        session.change(
-            f"Delete {named(document, curves)}",
-            lambda document: remove_curves(document, curves),
-            active=active_after_removal(document, curves, session.active_index, session.selected.edited),
+        free, stays = changeable(document, curves), what_stays(document, curves)
+        layer = session.selected.layer
+        is_done = session.change(
+            f"Delete {named(document, free)}",
+            lambda document: begun_again(remove_curves(document, free), document, layer),
+            active=active_after_removal(document, free, session.active_index, session.selected.edited),
         )
+        if is_done and stays:
+            session.say(f"{stays}.")
 
     # How they are called and shown
 
@@ -212,12 +220,18 @@ class CurveListCommands:
     )
     @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
     def _choose_all(self) -> None:
-        """Choose all curves, to move, scale, hide, colour or delete them together."""
-        session, count = self._session, len(self._session.document.curves)
-        session.selected.set_curves(range(count))
-        session.say(
-            f"All {count} curves are chosen." if count > 1 else f"“{session.active_curve.name}” is chosen."
-        )
+        """Choose all curves that are seen and not locked, to move, scale, colour or delete them together."""
+        session, document = self._session, self._session.document
+        free, count = free_curves(document), len(document.curves)
+        if not free:
+            session.refuse(NONE_FREE)
+            return
+        session.selected.set_curves(free)
+        if len(free) < count:
+            session.say(f"{counted(document, free)} chosen; what is hidden or locked is not.")
+        else:
+            only = f"“{session.active_curve.name}” is chosen."
+            session.say(f"All {count} curves are chosen." if count > 1 else only)
 
     @action(
         "onlyThisCurve",

@@ -46,6 +46,8 @@ class CurveListView(ClaimsKeys, QListView):
         The row of a shape, group or layer was clicked or walked to (a Node).
     rows_selected
         These curves shall be worked on together (a set of places).
+    all_wanted
+        All curves shall be.
     spot_clicked
         The swatch, the lock or the eye of a row was clicked (Node, Spot).
     moved
@@ -57,6 +59,7 @@ class CurveListView(ClaimsKeys, QListView):
     activated_row = Signal(int)
     chosen_entry = Signal(object)
     rows_selected = Signal(object)
+    all_wanted = Signal()
     spot_clicked = Signal(object, object)
     moved = Signal(object, object)
     deletion_wanted = Signal(object, str)
@@ -347,7 +350,7 @@ class CurveListView(ClaimsKeys, QListView):
         if event.key() == Qt.Key.Key_Escape and self.is_dragging:
             self._end_drag()
         elif event.matches(_ALL):
-            self.rows_selected.emit(frozenset().union(*(entry.places for entry in self.curves.entries)))
+            self.all_wanted.emit()
         elif step is not None and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self._choose_to(self._reached + step)
         elif step is not None and is_plain:

@@ -12,6 +12,7 @@ from ...actions.sections import (
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU
 from ...document import edits
+from ...document.selection import NONE_FREE, free_curves
 from ...view_model.jets import is_explicit
 from ...workbench.context import WindowContext
 
@@ -37,14 +38,16 @@ class PointCommands:
     @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
-        """Select all points of the curves that are edited; while none is, choose all curves."""
+        """Select all points of the curves that are edited; with none, choose all that is seen and free."""
         session, selected = self._session, self._session.selected
         if selected.is_editing:
             selected.select_all_points()
             if len(selected.group.parts) > 1:
                 session.say(f"{selected.group.counted} selected.")
         else:
-            selected.choose(range(len(session.document.curves)))
+            selected.choose(free := free_curves(session.document))
+            if not free:
+                session.refuse(NONE_FREE)
 
     @action(
         "editCurve",

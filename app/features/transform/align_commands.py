@@ -11,10 +11,10 @@ from ...actions.sections import EDIT_ALIGN_ACROSS, EDIT_ALIGN_TO, EDIT_ALIGN_UP,
 from ...actions.situation import Situation
 from ...actions.strips import ALIGN_BUTTONS
 from ...document.model import Document
-from ...document.several_curves import named
+from ...document.several_curves import changeable, named, what_stays
 from ...document.shapes import whole_shapes
 from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
-from ...session import Session
+from ...session import Change, Session
 from ...view_model.alignment import align_curves, distribute_curves
 from ...workbench.context import WindowContext
 
@@ -71,6 +71,11 @@ def _curves(session: Session) -> frozenset[int]:
     return session.selected.chosen or whole_shapes(session.document, session.selected.marked)
 
 
+def _say_what_stays(session: Session, change: Change) -> None:
+    if change and (stays := what_stays(session.document, session.selected.chosen)):
+        session.say(f"{stays}.")
+
+
 def _count(now: Situation) -> int:
     """Return how many points are selected, or else objects chosen: a group or a shape is one."""
     return now.group.count or now.object_count
@@ -120,7 +125,8 @@ class AlignCommands:
         def aligned(document: Document) -> Document:
             return align_curves(document, session.views, curves, edge, strokes, reference, first, last)
 
-        session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
+        change = session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
+        _say_what_stays(session, change)
 
     @action_for_each(
         _DISTRIBUTIONS,
@@ -143,14 +149,16 @@ class AlignCommands:
                 lambda document: distribute_points(document, group, each.axis),
             )
             return
-        curves, strokes = session.selected.chosen, self._tools.settings.strokes
-        session.change(
+        curves = changeable(session.document, session.selected.chosen)
+        strokes = self._tools.settings.strokes
+        change = session.change(
             f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
             f"{each.way}",
             lambda document: distribute_curves(
                 document, session.views, curves, each.axis, each.spacing, strokes
             ),
         )
+        _say_what_stays(session, change)
 
     @action_for_each(
         tuple(Reference),

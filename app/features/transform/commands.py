@@ -173,7 +173,9 @@ class SelectionCommands:
             session.refuse(refusal)
             return
         group, by = target.for_keys, make(amount, target.centre)
-        session.change(text.format(target.words), lambda document: mapped(document, group, by))
+        is_done = session.change(text.format(target.words), lambda document: mapped(document, group, by))
+        if is_done and group.stays:
+            session.say(f"{group.stays}.")
 
     @action(
         "turnGrips",

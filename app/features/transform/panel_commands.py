@@ -137,8 +137,11 @@ class TransformPanelCommands(QObject):
     # What the person did
 
     def _change(self, text: str, edit: Callable[[Document], Document]) -> None:
-        if refusal := self._session.change(text, edit).refusal:
+        stays = self._target.for_keys.stays
+        if refusal := (change := self._session.change(text, edit)).refusal:
             self._refuse(refusal)
+        elif change and stays:
+            self._session.say(f"{stays}.")
         self._render()
 
     def _refuse(self, reason: str) -> None:

@@ -9,6 +9,7 @@ from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.needs import PAGE, Need
 from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_STEPS, VIEW_ZOOM_TO
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
+from ...document.selection import NONE_CHOSEN
 from ...plotting.scrolling import ZOOM_STEP
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -20,7 +21,11 @@ _FULL_SIZE = 1.0
 _USUAL = (0.25, 0.5, _FULL_SIZE, 2.0, 4.0, 8.0)
 _KEYS = {_FULL_SIZE: "Ctrl+0, Ctrl+1", 2.0: "Ctrl+2"}
 
-_SOME_POINT = Need("a curve with points", lambda now: bool(len(now.view.points)) or len(now.selected) > 1)
+_SOME_POINT = Need(
+    "a curve with points",
+    lambda now: bool(now.session.selected.marked) and (bool(len(now.view.points)) or len(now.selected) > 1),
+    why=lambda now: "" if now.session.selected.marked else NONE_CHOSEN,
+)
 _STATUS_LINE = Need("the status line, which a presentation hides", lambda now: not now.state.presentation)
 
 
