@@ -105,8 +105,10 @@ class Drawing(msgspec.Struct, frozen=True):
         What to show: the curves and their points with a margin.
     tolerance
         The deviation that was allowed, in the document's unit.
-    remarks
+    left_out
         One sentence for every curve that could not be drawn.
+    beyond
+        One for those that reach beyond the page.
     annotations
         What else is drawn.
     has_page
@@ -120,13 +122,19 @@ class Drawing(msgspec.Struct, frozen=True):
     outlines: tuple[Outline, ...]
     frame: Frame
     tolerance: float
-    remarks: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    beyond: tuple[str, ...] = ()
     annotations: tuple[Annotation, ...] = ()
     has_page: bool = False
     hidden: tuple[tuple[int, Outline], ...] = ()
     layers: tuple[str, ...] = ()
     empty_layers: tuple[EmptyLayer, ...] = ()
     guides: tuple[Guide, ...] = ()
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """All that is to be said about a picture of it."""
+        return (*self.left_out, *self.beyond)
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -222,16 +230,18 @@ def drawing_of(
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
-    if (page := document.page) is None:
+    page, beyond = document.page, list[str]()
+    if page is None:
         frame = frame_with(outlines)
     else:
         frame = Frame(page.x, page.y, page.width, page.height)
-        remarks += _beyond(outlines, frame)
+        beyond = _beyond(outlines, frame)
     return Drawing(
         outlines,
         frame,
         allowed,
         tuple(remarks),
+        tuple(beyond),
         has_page=page is not None,
         hidden=hidden,
         layers=document.layers,
