@@ -239,6 +239,26 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     assert sorted(each.name for each in tmp_path.iterdir()) == ["badge.svg", "badge.svg.before.bak"]
 
 
+def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor, tmp_path):
+    path = tmp_path / "badge.svg"
+    path.write_text(INCH, encoding="utf-8")
+    open_as_document(editor, path)
+    beginning, recent = editor.session.files.beginning, editor.window.menus.recent
+    recent.aboutToShow.emit()
+    first = recent.actions()[0]
+    assert first.text().replace("&", "") == "badge.svg"
+    first.trigger()
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    drawn(editor, dialog)
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.session.files.beginning is not beginning
+    assert editor.session.files.foreign.path == path
+    editor.window.preferences.clear_recent_files()
+    recent.aboutToShow.emit()
+
+
 def test_what_a_drawing_cannot_keep_is_asked_about_once(editor, tmp_path, monkeypatch):
     path = tmp_path / "badge.svg"
     path.write_text(INCH, encoding="utf-8")
