@@ -22,7 +22,7 @@ from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve_view import ParametricCurve, view_of
 from ...view_model.refusals import in_words
 from ..errors import ExchangeError
-from .extents import extent_of
+from .extents import extent_of, painted_extent
 from .outlines import Outline, by_shape
 
 MARGIN = 0.06
@@ -286,15 +286,8 @@ def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) ->
     ExchangeError
         If no picture can hold the coordinates.
     """
-    parts = [
-        np.vstack([extent_of(each.control_points) + _grown(each.reach), each.points]) for each in outlines
-    ]
+    parts = [np.vstack([painted_extent(each), each.points]) for each in outlines]
     return frame_around(parts if points is None else [*parts, points])
-
-
-def _grown(reach: float) -> FloatArray:
-    """Return what to add to the corners of a box to make it larger on all sides."""
-    return np.array([[-reach], [reach]])
 
 
 def too_much(curve: Curve) -> str:
