@@ -680,7 +680,7 @@ def test_a_drawing_or_a_table_alone_is_the_document(qtbot, tmp_path, name, conte
     asked.ok.click()
     document, stem = session.document, path.stem
     assert ([len(curve.points) for curve in document.curves], document.unit) == ([2], unit)
-    title = stem if unit == "" else f"{stem} (from {name})"
+    title = stem if unit == "" else name
     assert (title_of(session), file_stem(session), session.files.path) == (title, stem, None)
     assert not session.files.is_modified, "closing it asks nothing"
     assert not session.undo_stack.canUndo()

@@ -5,6 +5,7 @@ from . import corner as corner
 from . import cubics_in as cubics_in
 from . import dxf_library as dxf_library
 from . import facts as facts
+from . import lasting as lasting
 from . import options as options
 from . import parts as parts
 from . import reading as reading

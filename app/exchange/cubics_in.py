@@ -34,6 +34,9 @@ from .missed import Missed
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
 
+FAMILY = HERMITE
+"""The family of what comes in."""
+
 _OUTER = 3
 _MOST_NAMES = 24
 """Of groups, when they are listed: the three outermost of each curve, and so many in all."""
@@ -221,7 +224,7 @@ def _made(
     look = path.look
     return Curve(
         path.name,
-        HERMITE,
+        FAMILY,
         parametrization,
         points,
         closed=path.closed,

@@ -93,9 +93,17 @@ class Files:
         """The file of another format that the document was opened from."""
         return self._written_back.get(self.beginning, self.beginning.foreign)
 
-    def note_written_back(self, beginning: Beginning, foreign: Foreign) -> None:
-        """Take note that the document that began so was written to the file that it was opened from."""
+    def note_written_back(self, beginning: Beginning, foreign: Foreign, document: Document) -> None:
+        """Take note that a document that began so was written to the file that it was opened from.
+
+        Where it has no other, it is saved.
+        """
         self._written_back[beginning] = foreign
+        session = self._session
+        if self.path is None and self.beginning is beginning and session.committed is document:
+            session.undo_stack.setClean()
+            session.saved.emit()
+            session.file_changed.emit()
 
     def close(self) -> None:
         """Go on without a file."""
@@ -137,7 +145,7 @@ class Files:
         document = tidy_shapes(plain(document))
         if reason := why_not_kept(self.blank(), document):
             raise EditError(reason)
-        title = f"{name} (from {foreign.path.name})" if foreign is not None else name
+        title = foreign.path.name if foreign is not None else name
         session, beginning = self._session, Beginning(title=title, file_stem=name, foreign=foreign)
         if not step:
             self.replace(document, None, beginning=beginning, views=views)

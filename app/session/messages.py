@@ -23,10 +23,10 @@ class Message(msgspec.Struct, frozen=True):
 
     Attributes
     ----------
-    action
-        The name of the action that is offered; empty for any other kind.
+    actions
+        The names of the actions that are offered; none for any other kind.
     """
 
     kind: MessageKind
     text: str
-    action: str = ""
+    actions: tuple[str, ...] = ()

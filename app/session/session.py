@@ -380,12 +380,12 @@ class Session(QObject):
         """Say that something was not done, and why: marked, so that it is not taken for a hint."""
         self.message.emit(Message(MessageKind.REFUSAL, text))
 
-    def offer(self, text: str, action: str) -> None:
-        """Show a sentence above the canvas, and beside it a button for the action of this name.
+    def offer(self, text: str, *actions: str) -> None:
+        """Show a sentence above the canvas, and beside it a button for each action of these names.
 
         Without a sentence, the one that was there goes: the action has done it.
         """
-        self.message.emit(Message(MessageKind.OFFER, text, action))
+        self.message.emit(Message(MessageKind.OFFER, text, actions))
 
     # Files
 

@@ -201,7 +201,7 @@ def _exact_line(view: CurveView) -> Line | None:
     pieces = bezier_pieces(view.curve)
     (turns,) = turning_points([view.curve], [pieces])
     xs, ys = (turns.points[turns.axis == axis, axis] for axis in (0, 1))
-    return line_of(pieces, (xs, ys), is_closed=view.source.is_closed)
+    return line_of(pieces.controls, pieces.exponent, (xs, ys), is_closed=view.source.is_closed)
 
 
 def around(boxes: Sequence[FloatArray]) -> Bounds | None:

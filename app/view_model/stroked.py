@@ -14,7 +14,6 @@ import msgspec
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.bezier.pieces import BezierPieces
 from curvecore.regions.miters import are_pointed, miter_tips
 from curvecore.scaling import scale_by_power
 
@@ -74,14 +73,15 @@ def polygonal(polyline: FloatArray, *, is_closed: bool) -> Line | None:
     return _joined(directions, directions, starts, polyline[-1:], is_closed=is_closed)
 
 
-def line_of(pieces: BezierPieces, turns: tuple[FloatArray, FloatArray], *, is_closed: bool) -> Line | None:
-    """Return the line of Bézier pieces; None where they are all in one place."""
-    controls = pieces.controls
+def line_of(
+    controls: FloatArray, exponent: int, turns: tuple[FloatArray, FloatArray], *, is_closed: bool
+) -> Line | None:
+    """Return the line of Bézier pieces (k, m, 2) times 2**-exponent; None where they are all in one place."""
     leaving, is_long = _directions(controls)
     coming, _ = _directions(controls[:, ::-1])
     if not is_long.any():
         return None
-    points = scale_by_power(np.vstack([controls[is_long, 0], controls[is_long, -1][-1:]]), pieces.exponent)
+    points = scale_by_power(np.vstack([controls[is_long, 0], controls[is_long, -1][-1:]]), exponent)
     line = _joined(leaving[is_long], -coming[is_long], points[:-1], points[-1:], is_closed=is_closed)
     return msgspec.structs.replace(line, turns=turns)
 

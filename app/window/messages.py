@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
@@ -30,7 +32,7 @@ class Messages(QObject):
         self._greeting = ""
         self._image_problem = self._store.state.image_problem
         self._dismissed = ""
-        self._offered: tuple[str, QAction] | None = None
+        self._offered: tuple[str, Sequence[QAction]] | None = None
         self._bar.closed.connect(self._dismiss)
         self._session.interrupted.connect(self._reset_offer)
         self._session.opened.connect(self._begin_anew)
@@ -55,12 +57,12 @@ class Messages(QObject):
         self._image_problem = self._store.state.image_problem
         self.render(self._session.active_view)
 
-    def offer(self, text: str, action: QAction) -> None:
-        """Say what has happened, with a button for `action`, until the document is another one.
+    def offer(self, text: str, actions: Sequence[QAction]) -> None:
+        """Say what has happened, with a button for each action, until the document is another one.
 
         Without a text, what was said so has been done.
         """
-        self._offered, self._dismissed = (text, action) if text else None, ""
+        self._offered, self._dismissed = (text, actions) if text else None, ""
         self.render(self._session.active_view)
 
     def greet(self) -> None:

@@ -129,4 +129,5 @@ class Rendering(QObject):
             case MessageKind.OFFER:
                 self._render_commands()
                 line.clear_message()
-                self._commands.messages.offer(message.text, self._context.actions[message.action])
+                actions = [self._context.actions[name] for name in message.actions]
+                self._commands.messages.offer(message.text, actions)

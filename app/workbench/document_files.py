@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from .. import exchange
 from ..document.curve_edits import unstyled_model
 from ..document.model import Document, Page, empty_document
 from ..document.paper import begun_for_paper, drawn_style
@@ -23,9 +24,9 @@ from ..session import Session
 from ..settings.preferences import Preferences
 from ..storage.examples import first_sketch
 from ..storage.files import StorageError, load
+from ..storage.foreign import Foreign
 from ..storage.format_error import FormatError
 from ..storage.open_file import Reading, is_large
-from ..storage.reasons import shown
 from ..storage.resources import is_resource
 from ..tasks.progress import Report, part
 from ..tasks.task import Work
@@ -74,6 +75,11 @@ class DocumentFiles:
         """Does work beside the window; without it every document is opened at once."""
         self.open_foreign: Callable[[Path], object] | None = None
         """Opens a file of another format as a new document."""
+        self.save_back: Callable[[bool], bool] | None = None
+        """Saves to the file of another format that the document was opened from; returns whether it is saved.
+
+        Where the window waits for that it is asked already what is lost; else it is done beside the window.
+        """
         self.open_window: Callable[[], object] | None = None
         """Opens a window with an empty document; None where somebody else keeps the windows."""
         self._after_opening: list[Callable[[str], object]] | None = None
@@ -227,36 +233,24 @@ class DocumentFiles:
             self._remember(path)
         return True
 
-    def save(self) -> bool:
+    def save(self, *, waits: bool = False) -> bool:
         """Save to the document's file, or ask for one; return whether it was saved.
 
-        What was opened from a file of another format is saved beside that, if there is nothing yet.
+        What was opened from a file of another format is saved there: beside the window, unless that `waits`.
         """
         file = self._session.files.file
-        if (beside := self._place_beside_foreign()) is not None:
-            return self._save_beside_foreign(beside)
+        if self._foreign is not None and self.save_back is not None:
+            return self.save_back(waits)
         if self._session.files.path is None or (
             self._session.files.is_read_only and file and not file.take_if_free()
         ):
             return self.ask_and_save()
         return self._save(self._session.files.path)
 
-    def _place_beside_foreign(self) -> Path | None:
-        files = self._session.files
-        if files.path is not None or files.foreign is None:
-            return None
-        place = files.foreign.path.with_name(f"{file_stem(self._session)}{SUFFIX}")
-        return None if place.exists() else place
-
-    def _save_beside_foreign(self, place: Path) -> bool:
-        """Save as a document of ours, and offer to write the file back that it was opened from."""
-        session, foreign = self._session, self._session.files.foreign
-        assert foreign is not None
-        if not self._save(place):
-            return False
-        name = shown(foreign.path.name)
-        session.offer(f"Saved as {shown(place.name)}; {name} is as it was.", "overwriteForeign")
-        return True
+    @property
+    def _foreign(self) -> Foreign | None:
+        """The file of another format that the document is saved to, as long as it has none of ours."""
+        return self._session.files.foreign if self._session.files.path is None else None
 
     def overwrite(self) -> bool:
         """Save to the document's file although it was changed meanwhile; return whether it was saved."""
@@ -264,9 +258,9 @@ class DocumentFiles:
 
     def ask_and_save(self) -> bool:
         """Let the person choose a file and save there."""
-        start = self._session.files.path or self._preferences.last_folder / (
-            file_stem(self._session) + SUFFIX
-        )
+        foreign = self._foreign
+        folder = foreign.path.parent if foreign is not None else self._preferences.last_folder
+        start = self._session.files.path or folder / (file_stem(self._session) + SUFFIX)
         if self._session.files.is_read_only:
             start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
         name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
@@ -309,7 +303,9 @@ class DocumentFiles:
             return True
         answer = self._ask_about_changes()
         if answer == QMessageBox.StandardButton.Save:
-            return self.save()
+            return self.save(waits=True)
+        if answer == QMessageBox.StandardButton.SaveAll:
+            return self.ask_and_save()
         return answer == QMessageBox.StandardButton.Discard
 
     def release(self) -> None:
@@ -318,7 +314,9 @@ class DocumentFiles:
             self._session.files.file.close()
 
     def _ask_about_changes(self) -> int:
-        asked, told = _question_about(self._session, self._place_beside_foreign())
+        foreign = self._foreign
+        lost = words_of_loss(foreign, self._session.committed) if foreign is not None else ""
+        asked, told = _question_about(self._session, lost)
         question = QMessageBox(self._window)
         question.setObjectName("saveChanges")
         question.setWindowTitle("Curvebench")
@@ -328,6 +326,9 @@ class DocumentFiles:
         question.setInformativeText(told)
         buttons = QMessageBox.StandardButton
         question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
+        if foreign is not None and lost:
+            question.addButton(buttons.SaveAll).setText("Save As…")
+            question.button(buttons.Save).setText(f"Save in {_short(foreign.path.name)}")
         question.setDefaultButton(buttons.Save)
         answer = question.exec()
         # Else every question ever asked would stay a part of the window.
@@ -343,16 +344,19 @@ def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
     return reading, views_ahead(reading.document.curves, lambda share: told(share, "Computing curves"))
 
 
-def _question_about(session: Session, beside: Path | None) -> tuple[str, str]:
+def words_of_loss(foreign: Foreign, document: Document) -> str:
+    """Return what a file would not keep of a document, until it was written to all the same."""
+    return "" if foreign.written else exchange.lasting.words_about_loss(document, foreign.path)
+
+
+def _question_about(session: Session, lost: str) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why.
 
-    `beside` is where it is saved unasked, beside the file of another format that it was opened from.
+    `lost` is what the file of another format that it was opened from would not keep.
     """
     files, file = session.files, session.files.file
-    if files.path is None and files.foreign is not None:
-        opened = _short(files.foreign.path.name)
-        where = f"Saving writes {_short(beside.name)} beside it" if beside else "Saving asks for a name"
-        return f"Save the changes to {opened}?", f"{where}; {opened} itself stays as it is."
+    if lost:
+        return f"Save the changes to {_short(title_of(session))}?", lost
     is_named = files.path is not None or files.beginning.title
     name = _short(title_of(session)) if is_named else "the sketch"
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""

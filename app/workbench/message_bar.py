@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from itertools import zip_longest
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
@@ -16,6 +17,7 @@ from ..widgets.overlay_frame import OverlayFrame
 from ..widgets.tool_buttons import tool_button
 
 _TOP, _SIDE, _NARROWEST, _WIDEST = 10, 56, 120, 720
+_OFFERS = ("offeredAction", "secondOffer")
 _AROUND_SENTENCE = 90
 """Pixels for the sign, the button that closes, and the gaps."""
 
@@ -117,12 +119,20 @@ class MessageBar(SentenceBar):
     def __init__(self, parent: QWidget) -> None:
         super().__init__("message", "closeMessage", parent)
         words = "What can be done about it"
-        self._offer = tool_button("offeredAction", words, words, icon_size=14)
-        self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._offer.hide()
-        keep_pointer(self._offer)
-        parts = (self.sign, (self.sentence, 1), self._offer, self.close_button)
-        row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
+        self._offers = [tool_button(name, words, words, icon_size=14) for name in _OFFERS]
+        for button in self._offers:
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.hide()
+            keep_pointer(button)
+        row_of(
+            self.sign,
+            (self.sentence, 1),
+            *self._offers,
+            self.close_button,
+            margins=(12, 6, 8, 6),
+            spacing=GAP,
+            parent=self,
+        )
         for part in (self, self.sign, self.sentence):
             # What lies below hears of a pointer that only passes, too, and says what a press would do.
             part.setMouseTracking(True)
@@ -135,25 +145,30 @@ class MessageBar(SentenceBar):
 
     def warn(self, text: str, action: QAction | None = None) -> None:
         """Show what is wrong and what to do, with a button where one thing does it."""
-        self._show(text, action, warns=True)
+        self._show(text, [action] if action is not None else [], warns=True)
 
     def tell(self, text: str) -> None:
         """Show a hint."""
-        self._show(text, None, warns=False)
+        self._show(text, [], warns=False)
 
-    def offer(self, text: str, action: QAction) -> None:
-        """Show a sentence, and a button for what can be done about it."""
-        self._show(text, action, warns=False)
+    def offer(self, text: str, actions: Sequence[QAction]) -> None:
+        """Show a sentence, and a button for each thing that can be done about it."""
+        self._show(text, actions, warns=False)
 
-    def _show(self, text: str, action: QAction | None, *, warns: bool) -> None:
-        if self.text == text and self._offer.isHidden() is (action is None):
+    @property
+    def _offered(self) -> list[QToolButton]:
+        return [button for button in self._offers if not button.isHidden()]
+
+    def _show(self, text: str, actions: Sequence[QAction], *, warns: bool) -> None:
+        if self.text == text and len(self._offered) == len(actions):
             return
-        if action is not None:
-            self._offer.setDefaultAction(action)
-            self._offer.setAccessibleName(action.text())
-        self._offer.setVisible(action is not None)
+        for button, action in zip_longest(self._offers, actions):
+            if action is not None:
+                button.setDefaultAction(action)
+                button.setAccessibleName(action.text())
+            button.setVisible(action is not None)
         self.show_sentence(text, warns=warns)
 
     def wanted_width(self, sentence: int, room: int) -> int:
-        """Return how wide the bar is with its button beside the sentence."""
-        return sentence + (0 if self._offer.isHidden() else self._offer.sizeHint().width() + GAP)
+        """Return how wide the bar is with its buttons beside the sentence."""
+        return sentence + sum(button.sizeHint().width() + GAP for button in self._offered)

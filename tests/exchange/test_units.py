@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import zlib
 from xml.etree import ElementTree
@@ -22,6 +23,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, format_of
 from app.exchange.options import Options
 from app.exchange.reading import import_file
+from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.units import MILLIMETRES, known_unit
 from app.exchange.writing import export
@@ -232,6 +234,20 @@ def test_at_true_size_a_picture_takes_its_curves_with_their_strokes():
     filled = tuple(replace(curve, style=Style(stroke="none", fill="#000000")) for curve in SEVENTY.curves)
     left, _top, width, _height = picture_box(Document(filled))
     assert (left, left + width) == pytest.approx((low[0], high[0]))
+
+
+def test_at_true_size_the_tips_of_miters_are_in_the_picture():
+    """The page of a star was as large as its line and half its stroke: its tips were cut off."""
+    wedge = (
+        b'<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="90mm" viewBox="0 0 90 90">'
+        b'<path d="M10 50L13 10L16 50Z" fill="none" stroke="#000" stroke-width="1" '
+        b'stroke-miterlimit="99"/></svg>'
+    )
+    _left, _top, width, height = picture_box(replace(read_svg(wedge).document, page=None))
+    # Half the width over the sine of half the angle; below, the corners are less sharp than right ones.
+    side = math.hypot(3.0, 40.0)
+    assert height == pytest.approx(40.0 + 0.5 * side / 3.0 + 0.5)
+    assert width == pytest.approx(6.0 + 2 * 0.5 * (side + 3.0) / 40.0)
 
 
 def test_a_line_of_the_usual_width_lies_inside():

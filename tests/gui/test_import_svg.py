@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
 
-from app.document.edits import set_position
+from app.document.edits import set_family, set_position
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Page, make_curve
 from app.document.style import Style
@@ -19,8 +19,8 @@ from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
+from app.families import LAGRANGE
 from app.features.import_export.commands import ExchangeCommands
-from app.storage.files import load
 from app.testing import spin
 from app.workbench.document_files import DocumentFiles, title_of
 
@@ -215,19 +215,14 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     assert ([curve.name for curve in session.document.curves], session.document.unit) == (["a"], "in")
     assert (session.files.is_modified, session.undo_stack.canUndo()) == (False, False)
     title = editor.window.windowTitle
-    assert title() == "badge (from badge.svg)[*] – Curvebench"
-    # Saved beside it without a question, and written back in one click more.
+    assert title() == "badge.svg[*] – Curvebench"
+    # It is the document's file.
     move_first_point(editor, 7.0)
-    editor.trigger("saveDocument")
+    assert editor.window.isWindowModified()
+    save(editor)
     document = session.document
-    assert load(tmp_path / "badge.curve.json") == document
-    assert (saved, title()) == ([], "badge.curve.json[*] – Curvebench")
-    assert (path.read_text(encoding="utf-8"), session.files.is_modified) == (INCH, False)
-    assert editor.message == "Saved as badge.curve.json; badge.svg is as it was."
-    button = editor.window.message_bar.findChild(QToolButton, "offeredAction")
-    assert button.text() == "Overwrite “badge.svg”"
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    editor.wait_for_work()
+    assert (saved, title(), editor.message) == ([], "badge.svg[*] – Curvebench", "")
+    assert (editor.window.isWindowModified(), session.files.is_modified) == (False, False)
     assert editor.status == "Wrote badge.svg, exact. What it was is kept as badge.svg.before.bak."
     assert (tmp_path / "badge.svg.before.bak").read_text(encoding="utf-8") == INCH
     back = import_file(path).document
@@ -235,13 +230,70 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     assert (back.curves[0].style, back.unit, back.page) == (document.curves[0].style, "in", document.page)
     # Another time nothing of it is lost.
     move_first_point(editor, 8.0)
-    editor.trigger("overwriteForeign")
+    overwrite(editor)
+    assert (editor.status, session.files.is_modified) == ("Wrote badge.svg, exact.", False)
+    editor.trigger("undo")
+    assert session.files.is_modified
+    editor.trigger("saveDocumentAs")
+    assert saved == [str(tmp_path / "badge.curve.json")]
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["badge.svg", "badge.svg.before.bak"]
+
+
+def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor, tmp_path):
+    path = tmp_path / "badge.svg"
+    path.write_text(INCH, encoding="utf-8")
+    open_as_document(editor, path)
+    beginning, recent = editor.session.files.beginning, editor.window.menus.recent
+    recent.aboutToShow.emit()
+    first = recent.actions()[0]
+    assert first.text().replace("&", "") == "badge.svg"
+    first.trigger()
     editor.wait_for_work()
-    assert editor.status == "Wrote badge.svg, exact."
-    # What was there already is not replaced unasked.
-    editor.session.files.begin_imported(document, "badge", foreign=session.files.foreign)
-    editor.trigger("saveDocument")
-    assert [Path(each).name for each in saved] == ["badge.curve.json"]
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    drawn(editor, dialog)
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.session.files.beginning is not beginning
+    assert editor.session.files.foreign.path == path
+    editor.window.preferences.clear_recent_files()
+    recent.aboutToShow.emit()
+
+
+def test_what_a_drawing_cannot_keep_is_asked_about_once(editor, tmp_path, monkeypatch):
+    path = tmp_path / "badge.svg"
+    path.write_text(INCH, encoding="utf-8")
+    open_as_document(editor, path)
+    session, asked = editor.session, []
+    session.change("Family", lambda document: set_family(document, 0, LAGRANGE))
+    save(editor)
+    assert (editor.message, editor.status) == (
+        "badge.svg cannot keep “a” as Lagrange.",
+        "badge.svg is not saved yet.",
+    )
+    bar = editor.window.message_bar
+    buttons = [bar.findChild(QToolButton, name) for name in ("offeredAction", "secondOffer")]
+    assert [each.text() for each in buttons if each.isVisible()] == ["Overwrite “badge.svg”", "Save As"]
+    assert path.read_text(encoding="utf-8") == INCH
+
+    def answer(question):
+        question.show()
+        asked.append([question.informativeText(), *(each.text() for each in question.buttons())])
+        return answers.pop()
+
+    monkeypatch.setattr(QMessageBox, "exec", answer)
+    kinds = QMessageBox.StandardButton
+    answers = [kinds.Save, kinds.Cancel]
+    assert not editor.window.context.files.may_discard()
+    assert asked[0][0] == "badge.svg cannot keep “a” as Lagrange."
+    assert {"Save in badge.svg", "Save As…"} < set(asked[0])
+    # Closing waits until it is written.
+    assert editor.window.context.files.may_discard()
+    assert (session.files.is_modified, path.read_text(encoding="utf-8") == INCH) == (False, False)
+    # From now on that is where it is saved.
+    move_first_point(editor, 7.0)
+    save(editor)
+    assert (editor.message, session.files.is_modified) == ("", False)
+    assert editor.status.startswith("Wrote badge.svg, ")
 
 
 def opened_with_more(editor, tmp_path):
@@ -262,6 +314,13 @@ def open_as_document(editor, path):
     drawn(editor, dialog)
     QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
     editor.settle()
+
+
+def save(editor):
+    editor.window.activateWindow()
+    editor.settle()
+    editor.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    editor.wait_for_work()
 
 
 def overwrite(editor):

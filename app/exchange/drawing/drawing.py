@@ -22,7 +22,7 @@ from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve_view import ParametricCurve, view_of
 from ...view_model.refusals import in_words
 from ..errors import ExchangeError
-from .extents import extent_of
+from .extents import extent_of, painted_extent
 from .outlines import Outline, by_shape
 
 MARGIN = 0.06
@@ -105,8 +105,10 @@ class Drawing(msgspec.Struct, frozen=True):
         What to show: the curves and their points with a margin.
     tolerance
         The deviation that was allowed, in the document's unit.
-    remarks
+    left_out
         One sentence for every curve that could not be drawn.
+    beyond
+        One for those that reach beyond the page.
     annotations
         What else is drawn.
     has_page
@@ -120,13 +122,19 @@ class Drawing(msgspec.Struct, frozen=True):
     outlines: tuple[Outline, ...]
     frame: Frame
     tolerance: float
-    remarks: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    beyond: tuple[str, ...] = ()
     annotations: tuple[Annotation, ...] = ()
     has_page: bool = False
     hidden: tuple[tuple[int, Outline], ...] = ()
     layers: tuple[str, ...] = ()
     empty_layers: tuple[EmptyLayer, ...] = ()
     guides: tuple[Guide, ...] = ()
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """All that is to be said about a picture of it."""
+        return (*self.left_out, *self.beyond)
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -222,16 +230,18 @@ def drawing_of(
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
-    if (page := document.page) is None:
+    page, beyond = document.page, list[str]()
+    if page is None:
         frame = frame_with(outlines)
     else:
         frame = Frame(page.x, page.y, page.width, page.height)
-        remarks += _beyond(outlines, frame)
+        beyond = _beyond(outlines, frame)
     return Drawing(
         outlines,
         frame,
         allowed,
         tuple(remarks),
+        tuple(beyond),
         has_page=page is not None,
         hidden=hidden,
         layers=document.layers,
@@ -276,15 +286,8 @@ def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) ->
     ExchangeError
         If no picture can hold the coordinates.
     """
-    parts = [
-        np.vstack([extent_of(each.control_points) + _grown(each.reach), each.points]) for each in outlines
-    ]
+    parts = [np.vstack([painted_extent(each), each.points]) for each in outlines]
     return frame_around(parts if points is None else [*parts, points])
-
-
-def _grown(reach: float) -> FloatArray:
-    """Return what to add to the corners of a box to make it larger on all sides."""
-    return np.array([[-reach], [reach]])
 
 
 def too_much(curve: Curve) -> str:

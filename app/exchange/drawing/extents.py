@@ -1,4 +1,4 @@
-"""Extents of cubic Bézier pieces."""
+"""Extents of cubic Bézier pieces, and of what is painted along them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ import itertools
 import numpy as np
 
 from curvecore.arrays import FloatArray
+
+from ...view_model.stroked import half_width, line_of, stroke_box
+from .outlines import Outline
 
 
 def extent_of(control_points: FloatArray) -> FloatArray:
@@ -20,6 +23,23 @@ def extent_of(control_points: FloatArray) -> FloatArray:
     extremes = extremes.reshape(-1, 2, 2).transpose(0, 2, 1).reshape(-1, 2)
     points = np.vstack([control_points[:, 0], control_points[:, 3], extremes])
     return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def painted_extent(outline: Outline) -> FloatArray:
+    """Return the same of a curve with its stroke: with its caps, joins and miters."""
+    controls, line = outline.control_points, None
+    if half_width(outline.style) > 0.0:
+        line = line_of(controls, 0, _turns(controls), is_closed=outline.closed)
+    return extent_of(controls) if line is None else stroke_box(line, outline.style)
+
+
+def _turns(control_points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the coordinates x, and y, at which pieces turn within."""
+    pieces = control_points.transpose(0, 2, 1).reshape(-1, 4)
+    places = _turning_points(pieces)
+    values = np.where(places > 0.0, _cubic_values(pieces, places), np.nan).reshape(-1, 2, 2)
+    xs, ys = values[:, 0].ravel(), values[:, 1].ravel()
+    return xs[~np.isnan(xs)], ys[~np.isnan(ys)]
 
 
 def _turning_points(pieces: FloatArray) -> FloatArray:

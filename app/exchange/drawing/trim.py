@@ -10,8 +10,7 @@ from curvecore.arrays import FloatArray
 from ...document.model import Document
 from ...document.style import USUAL_WIDTH
 from .drawing import Drawing, Frame, drawing_of
-from .extents import extent_of
-from .outlines import Outline
+from .extents import painted_extent
 
 _SLIMMEST = 0.02
 """Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""
@@ -30,7 +29,7 @@ def trimmed(drawing: Drawing) -> Drawing:
 
 def _painted(drawing: Drawing) -> tuple[FloatArray, FloatArray]:
     """Return the corners of the box around the curves of a drawing with their strokes."""
-    boxes = np.array([_box(each) for each in drawing.outlines])
+    boxes = np.array([painted_extent(each) for each in drawing.outlines])
     low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
     if any(each.style.has_stroke and each.style.width is None for each in drawing.outlines):
         # Of the longer side with these lines.
@@ -59,8 +58,3 @@ def frame_of(document: Document) -> Frame:
         If nothing can be drawn.
     """
     return trimmed(drawing_of(replace(document, page=None))).frame
-
-
-def _box(outline: Outline) -> FloatArray:
-    low, high = extent_of(outline.control_points)
-    return np.array([low - outline.reach, high + outline.reach])

@@ -234,7 +234,8 @@ class ExchangeCommands:
         self, path: Path, arrival: Arrival, taken: Imported | PreparedTable, *, begins: bool, anew: bool
     ) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
-        session, step, is_opened = self._session, f"Import {path.name}", anew or path == self._opened
+        session, step = self._session, f"Import {path.name}"
+        is_home = (anew or path == self._opened) and can_write_back(path)
         if not begins:
             session.expect(arrival.views)
             return bool(session.change(step, lambda _: arrival.document, active=arrival.places.start))
@@ -244,11 +245,13 @@ class ExchangeCommands:
                 path.stem,
                 "" if anew else step,
                 arrival.views,
-                _origin(path, arrival, taken) if is_opened and can_write_back(path) else None,
+                _origin(path, arrival, taken) if is_home else None,
             )
         except EditError as reason:
             session.refuse(str(reason))
             return False
+        if is_home:
+            self._preferences.add_recent_file(path.absolute())
         return True
 
     def _show_added(self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:

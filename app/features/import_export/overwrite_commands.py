@@ -16,10 +16,12 @@ from ...actions.situation import Situation
 from ...document.model import Document
 from ...document.words import count_of, names_of
 from ...exchange.formats import Written
+from ...session import Beginning
 from ...storage.foreign import Foreign
 from ...storage.reasons import shown
 from ...tasks.progress import Report, part
 from ...workbench.context import WindowContext
+from ...workbench.document_files import words_of_loss
 
 
 def _has_file(now: Situation) -> bool:
@@ -97,6 +99,7 @@ class OverwriteCommands:
     def __init__(self, context: WindowContext) -> None:
         self._session, self._work = context.session, context.work
         self._told: tuple[Foreign, Document] | None = None
+        context.files.save_back = self._save
 
     @action(
         "overwriteForeign",
@@ -110,29 +113,46 @@ class OverwriteCommands:
     )
     def _overwrite(self) -> None:
         """Write the drawing back to the file that it was opened from; what else is in an SVG stays."""
+        self._write(waits=False)
+
+    def _save(self, waits: bool) -> bool:
+        """Save there, unless a person who was not asked yet is to say whether it is the place."""
+        session, foreign = self._session, self._session.files.foreign
+        assert foreign is not None
+        session.cancel()
+        if not waits and (lost := words_of_loss(foreign, session.committed)):
+            session.offer(lost, "overwriteForeign", "saveDocumentAs")
+            session.refuse(f"{shown(foreign.path.name)} is not saved yet.")
+            return False
+        self._write(waits=waits)
+        return not session.files.is_modified
+
+    def _write(self, *, waits: bool) -> None:
         session, foreign = self._session, self._session.files.foreign
         assert foreign is not None
         document, beginning = session.committed, session.files.beginning
-        may = self._told == (foreign, document)
+        work = partial(_written_back, foreign, document, self._told == (foreign, document))
+        done = partial(self._tell, foreign, document, beginning)
+        start = self._work.do_now if waits else self._work.start
+        start(f"Writing {shown(foreign.path.name)}", work, done, foreign.path, "written")
 
-        def done(found: _Done | _Question) -> None:
-            if isinstance(found, _Question):
-                self._told = foreign, document
-                session.offer(found.words, "overwriteForeign")
-                session.refuse(f"{shown(foreign.path.name)} is not written yet.")
-                return
-            session.files.note_written_back(beginning, found.now)
-            session.offer("", "overwriteForeign")
-            if found.is_same:
-                session.say(f"{shown(foreign.path.name)} is like this already.")
-                return
-            copy = f" What it was is kept as {shown(found.copy.name)}." if found.copy is not None else ""
-            session.say(f"Wrote {shown(foreign.path.name)}{_words_about(foreign, found)}.{copy}")
-            self._work.warn_of(found.written.remarks)
-
-        name = shown(foreign.path.name)
-        work = partial(_written_back, foreign, document, may)
-        self._work.start(f"Writing {name}", work, done, foreign.path, "written")
+    def _tell(
+        self, foreign: Foreign, document: Document, beginning: Beginning, found: _Done | _Question
+    ) -> None:
+        session, name = self._session, shown(foreign.path.name)
+        if isinstance(found, _Question):
+            self._told = foreign, document
+            session.offer(found.words, "overwriteForeign")
+            session.refuse(f"{name} is not written yet.")
+            return
+        session.files.note_written_back(beginning, found.now, document)
+        session.offer("")
+        if found.is_same:
+            session.say(f"{name} is like this already.")
+            return
+        copy = f" What it was is kept as {shown(found.copy.name)}." if found.copy is not None else ""
+        session.say(f"Wrote {name}{_words_about(foreign, found)}.{copy}")
+        self._work.warn_of(found.written.remarks)
 
 
 def _written_back(foreign: Foreign, document: Document, may: bool, report: Report) -> _Done | _Question:

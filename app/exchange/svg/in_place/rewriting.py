@@ -88,7 +88,7 @@ def rewritten(
     except (SourceError, ExchangeError, np.linalg.LinAlgError) as problem:
         _log.info("a file is not kept: %s", type(problem).__name__)
         return None
-    return None if result is None else Written(result, drawing.deviation, drawing.remarks)
+    return None if result is None else Written(result, drawing.deviation, drawing.left_out)
 
 
 def _in_file(document: Document, sheet: Sheet) -> Document:

@@ -1,0 +1,30 @@
+"""What of a document a drawing for other programs does not keep: it would come back from there without."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..document.model import Document
+from ..document.words import count_of, enumerated
+from ..storage.reasons import shown
+from .cubics_in import FAMILY
+from .formats import FORMATS, format_of
+
+
+def words_about_loss(document: Document, path: Path) -> str:
+    """Return, as a sentence, what a file of another format would not keep; empty where that is nothing."""
+    name = shown(path.name)
+    if format_of(path, FORMATS.written).rewrite is None:
+        return f"{name} would be written anew, with its curves alone."
+    lost = [*_other_curves(document), *(["the picture to trace"] if document.image is not None else [])]
+    return f"{name} cannot keep {enumerated(lost)}." if lost else ""
+
+
+def _other_curves(document: Document) -> list[str]:
+    """Return what curves come back as others of the same shape."""
+    others = [curve for curve in document.curves if curve.points and curve.family != FAMILY]
+    if not others:
+        return []
+    what = f"“{others[0].name}”" if len(others) == 1 else count_of(len(others), "curve")
+    kinds = {curve.family.title for curve in others}
+    return [f"{what} as {kinds.pop()}" if len(kinds) == 1 else f"the families of {what}"]
