@@ -55,6 +55,7 @@ UNLOCKED_CURVE = Need(
     "a curve through two points or more that is not locked",
     lambda now: now.view.is_current and not now.view.source.locked,
 )
+SOME_LAYER = Need("a layer that new curves come into", lambda now: bool(now.session.selected.layer))
 PAGE = Need("a page", lambda now: now.session.document.page is not None)
 TWO_POINTS = Need("two points or more", lambda now: len(now.view.points) > 1)
 SECOND_CURVE = Need("a second curve", lambda now: len(now.session.document.curves) > 1)

@@ -82,7 +82,7 @@ class Menus:
         for dock in docks:
             action = dock.toggleViewAction()
             action.setObjectName(f"{dock.objectName()}Shown")
-            action.setStatusTip(f"Show or put away the panel {dock.windowTitle()}")
+            action.setStatusTip(f"Bring the panel {dock.windowTitle()} to the front, or put it away")
             set_full_name(action, f"{dock.windowTitle()} Panel")
             self._submenu(VIEW_PANELS).addAction(action)
 

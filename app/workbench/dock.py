@@ -33,6 +33,9 @@ class Dock(Guarded, QDockWidget):
         # What it covered when it was brought up; that comes back when it goes.
         self._covered: list[QDockWidget] = []
         self.topLevelChanged.connect(self._follow_place)
+        # Qt's own slot hides a dock that nobody sees behind another tab.
+        self.toggleViewAction().triggered.disconnect()
+        self.toggleViewAction().triggered.connect(self._toggle)
 
     def fill(self) -> None:
         """Build the title and the content, if there is none."""
@@ -47,6 +50,15 @@ class Dock(Guarded, QDockWidget):
             self._covered = [each for each in docks if not each.visibleRegion().isEmpty()]
         self.show()
         self.raise_()
+
+    def _toggle(self, shown: bool) -> None:
+        """Bring it to the front of the tabs, or put it away where it is there already."""
+        is_behind = not self.isHidden() and self._window.isVisible() and self.visibleRegion().isEmpty()
+        if shown or is_behind:
+            self.toggleViewAction().setChecked(True)
+            self.bring_up()
+        else:
+            self.close()
 
     def _follow_place(self, floats: bool) -> None:
         """Come to the front of the tabs that it has been put among."""

@@ -40,6 +40,24 @@ def test_a_panel_that_is_docked_again_comes_to_the_front(editor, name):
     assert not is_in_front(editor, "curvesDock")
 
 
+def test_a_panel_behind_another_tab_is_brought_forward_and_one_in_front_put_away(editor):
+    """The entry of a panel that nobody saw hid it."""
+    editor.show_dock("styleDock")
+    editor.run_command("curves panel")
+    editor.settle()
+    assert is_in_front(editor, "curvesDock")
+    shown = dock(editor, "curvesDock").toggleViewAction()
+    assert shown.isChecked()
+    # What it covered comes back with the second.
+    for is_there in (False, True):
+        editor.run_command("curves panel")
+        editor.settle()
+        assert dock(editor, "curvesDock").isHidden() is not is_there
+        assert shown.isChecked() is is_there
+        assert is_in_front(editor, "curvesDock") is is_there
+        assert is_in_front(editor, "styleDock") is not is_there
+
+
 def test_a_double_click_on_the_title_floats_a_panel_and_docks_it_in_front(editor):
     points = dock(editor, "pointsDock")
     title = points.titleBarWidget()

@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QLineEdit
+from PySide6.QtWidgets import QApplication, QDockWidget, QLabel
 
 from app.document.layers import layer_of, with_layer_looks
 from app.exchange.options import Options
@@ -16,6 +16,7 @@ from app.exchange.svg.writer import svg_of
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.rows import Spot, spot_rect
 from app.storage.format import decode, encode
+from app.tools.canvas.select import SELECT
 
 LEFT = Qt.MouseButton.LeftButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -227,7 +228,7 @@ def test_layers_are_made_named_stepped_and_deleted(layered):
     editor.trigger("raiseLayer")
     click_row(editor, "Layer 1")
     QTest.keyClick(view_of(editor), Qt.Key.Key_F2)
-    field = view_of(editor).viewport().findChild(QLineEdit, "curveNameEditor")
+    field = QApplication.focusWidget()
     field.selectAll()
     editor.type_text(field, "Ink")
     QTest.keyClick(field, Qt.Key.Key_Return)
@@ -252,6 +253,39 @@ def test_layers_are_made_named_stepped_and_deleted(layered):
     assert session.document.layers == ("Back", "Sketch", "Notes")
     assert [curve.name for curve in session.document.curves] == ["ground"]
     assert editor.session.undo_stack.undoText() == "Delete Art"
+
+
+def test_the_name_of_a_new_layer_is_typed_at_once(layered):
+    """Its row was not the current one: Enter renamed another, and letters took tools."""
+    editor, session, view = layered, layered.session, view_of(layered)
+    editor.show_dock("styleDock")
+    dock = editor.window.findChild(QDockWidget, "curvesDock")
+    assert dock.visibleRegion().isEmpty()
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_L, CTRL | SHIFT)
+    editor.settle()
+    assert not dock.visibleRegion().isEmpty()
+    field = QApplication.focusWidget()
+    assert field.objectName() == "curveNameEditor"
+    assert field.text() == field.selectedText() == "Layer 1"
+    QTest.keyClicks(field, "pen")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    editor.settle()
+    assert editor.window.store.state.tool is SELECT
+    assert rows(editor) == ["Notes", "pen", "Art", "Sketch", "Back"]
+    assert rows(editor)[view.current] == "pen"
+    assert layer_now(editor) == "Layer: pen"
+    # In a folded one; Escape keeps what it is called.
+    session.selected.set_layer("Inner")
+    view.curves.open(2, False)
+    editor.key(Qt.Key.Key_L, CTRL | SHIFT)
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_X)
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Escape)
+    editor.settle()
+    assert rows(editor)[2:5] == ["Art", "  Layer 1", "  Inner"]
+    assert rows(editor)[view.current] == "  Layer 1"
+    QTest.keyClick(view, Qt.Key.Key_Delete)
+    assert "Layer 1" not in session.document.layers
 
 
 def test_what_is_chosen_moves_to_the_layer_above_or_below(layered):

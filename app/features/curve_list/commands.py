@@ -8,8 +8,15 @@ from functools import partial
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
-from ...actions.needs import Need
-from ...actions.sections import CURVE_COLOUR, CURVE_NAME, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
+from ...actions.needs import SOME_LAYER, Need
+from ...actions.sections import (
+    CURVE_COLOUR,
+    CURVE_NAME,
+    CURVE_NUMBER,
+    CURVE_PROPERTIES,
+    EDIT_LAYERS,
+    EDIT_SELECT,
+)
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_tree import Node, NodeKind, counted_nodes
@@ -174,6 +181,12 @@ class CurveListCommands:
         """Give the curve another name."""
         self._dock.bring_up()
         self.panel.view.edit_name(self.panel.view.current)
+
+    @action("renameLayer", "Rename Layer…", EDIT_LAYERS, needs=SOME_LAYER)
+    def _rename_layer(self) -> None:
+        """Give the layer that new curves come into another name."""
+        self._dock.bring_up()
+        self.panel.view.edit_name(self.panel.model.show_layer())
 
     @action(
         "curveVisible",

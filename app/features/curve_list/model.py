@@ -15,7 +15,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
 from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, layered_tree
-from ...document.layers import looks_of
+from ...document.layers import layer_node, looks_of
 from ...document.model import Curve, Document
 from ...document.steps import changed_besides_points
 from ...document.style import PLAIN_STYLE, Style
@@ -194,8 +194,27 @@ class CurveListModel(Guarded, QAbstractListModel):
         """Return the row of the shape or group that the entry of a row is in; None for none."""
         return self._rows_around[row]
 
+    def _layer_row(self) -> int | None:
+        """Return the row of the layer that what is new comes into, if it has one."""
+        return next((row for row, each in enumerate(self.entries) if self.is_layer_now(each)), None)
+
+    def show_layer(self) -> int:
+        """Open what the layer that what is new comes into is in, and return its row."""
+        assert self._document is not None
+        around = layer_node(self._document, self.layer).around.groups
+        self._open |= {(NodeKind.LAYER, Container(around[:at]), name) for at, name in enumerate(around)}
+        self._build(self._document)
+        row = self._layer_row()
+        assert row is not None
+        return row
+
     def row_about(self, places: frozenset[int], place: int) -> int:
-        """Return the row about these curves, one of which is at `place`; or else that of the one."""
+        """Return the row about these curves, one of which is at `place`; or else that of the one.
+
+        Of no curves it is that of the empty layer that what is new comes into.
+        """
+        if not places and (layer := self._layer_row()) is not None and not self.entries[layer].places:
+            return layer
         rows = self._rows_about(place)
         return next((row for row in rows if self.entries[row].places == places), self.row_of(place))
 

@@ -16,6 +16,7 @@ from ...document.curve_tree import NodeKind
 from ...qt.overrides import Guarded
 from ...view_model.palette import adjustment_of
 from ...widgets.controls import named
+from .dropping import Drop
 from .model import Row
 
 if TYPE_CHECKING:
@@ -129,6 +130,19 @@ class RowDelegate(Guarded, QStyledItemDelegate):
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:
         rect = self._view.entry_rect(index.row())
         editor.setGeometry(spot_rect(rect, Spot.NAME).adjusted(-4, 1, 0, -1))
+
+
+def draw_drop(painter: QPainter, view: CurveListView, drop: Drop) -> None:
+    """Draw where what is dragged would fall: a line between rows, or a frame around one."""
+    last = view.curves.rowCount() - 1
+    rect = view.visualRect(view.curves.index(min(drop.gap, last)))
+    painter.setPen(QPen(theme_of(view.palette()).accent, 2))
+    if drop.is_onto:
+        painter.drawRect(rect.adjusted(2, 1, -2, -1))
+        return
+    y = max(rect.top() if drop.gap <= last else rect.bottom(), 1)
+    left = 4 + INDENT * (1 + drop.container.depth) * view.curves.has_folds
+    painter.drawLine(left, y, view.viewport().width() - 4, y)
 
 
 def spot_tip(spot: Spot, row: Row, theme: Theme) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPoint, QRect, Qt, QTimer, Signal
-from PySide6.QtGui import QHelpEvent, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QHelpEvent, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -21,7 +21,7 @@ from ...qt.labels import tip_of
 from ...widgets.controls import named
 from .dropping import Drop, drop_at, drop_onto, stays
 from .model import CurveListModel, Entry
-from .rows import INDENT, RowDelegate, Spot, spot_rect, spot_tip
+from .rows import INDENT, RowDelegate, Spot, draw_drop, spot_rect, spot_tip
 
 _OPENS_MS = 600
 """Milliseconds for which a drag rests on a folded shape or group before that opens."""
@@ -112,6 +112,8 @@ class CurveListView(ClaimsKeys, QListView):
         if row >= self.curves.rowCount():
             return False
         entry = self.curves.entries[row]
+        if not self.selected:
+            return not entry.places and self.curves.is_chosen(entry)
         return entry.places == self.selected or (len(self.selected) == 1 and self.shows_active(entry))
 
     def shows_active(self, entry: Entry) -> bool:
@@ -131,6 +133,9 @@ class CurveListView(ClaimsKeys, QListView):
         if self.state() == QListView.State.EditingState and editor is not None:
             self.commitData(editor)
             self.closeEditor(editor, QStyledItemDelegate.EndEditHint.NoHint)
+        self._current = row
+        self.setCurrentIndex(self.curves.index(row))
+        self.scrollTo(self.curves.index(row))
         self.edit(self.curves.index(row))
 
     @property
@@ -317,18 +322,9 @@ class CurveListView(ClaimsKeys, QListView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._drop is None:
-            return
-        last = self.curves.rowCount() - 1
-        rect = self.visualRect(self.curves.index(min(self._drop.gap, last)))
-        with QPainter(self.viewport()) as painter:
-            painter.setPen(QPen(theme_of(self.palette()).accent, 2))
-            if self._drop.is_onto:
-                painter.drawRect(rect.adjusted(2, 1, -2, -1))
-                return
-            y = max(rect.top() if self._drop.gap <= last else rect.bottom(), 1)
-            left = 4 + INDENT * (1 + self._drop.container.depth) * self.curves.has_folds
-            painter.drawLine(left, y, self.viewport().width() - 4, y)
+        if self._drop is not None:
+            with QPainter(self.viewport()) as painter:
+                draw_drop(painter, self, self._drop)
 
     # Keys
 

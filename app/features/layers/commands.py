@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...actions.declaration import action, also
-from ...actions.needs import Need
+from ...actions.needs import SOME_LAYER, Need
 from ...actions.sections import EDIT_LAYER_MOVES, EDIT_LAYERS
 from ...actions.situation import Situation
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
@@ -14,7 +14,6 @@ from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.highlight import delete_layer
 
-_SOME_LAYER = Need("a layer that new curves come into", lambda now: bool(now.session.selected.layer))
 _LAYER_IN_FRONT = Need("a layer in front of this one", lambda now: _has_layer_beside(now, 1))
 _LAYER_BEHIND = Need("a layer behind this one", lambda now: _has_layer_beside(now, -1))
 _LAYER_ABOVE = Need("a chosen curve, and a layer above it", lambda now: _can_move(now, 1))
@@ -57,13 +56,16 @@ class LayerCommands:
     @action("newLayer", "New Layer", EDIT_LAYERS, "Ctrl+Shift+L", "layers", keywords="add layer")
     @also(CURVE_LIST_MENU(60))
     def _new(self) -> None:
-        """Add an empty layer in front of the present one; new curves come into it."""
+        """Add an empty layer in front of the present one; new curves come into it, and its name is typed."""
         session, above = self._session, self._session.selected.layer
         document, name = new_layer(session.committed, above)
         if session.change(f"New {name}", lambda _: document):
+            # Of what is chosen nothing is in it.
+            session.selected.choose(())
             session.selected.set_layer(name)
+            self._context.actions["renameLayer"].trigger()
             where = f"above “{above}”" if above else "in front"
-            session.say(f"“{name}” is {where}; new curves come into it. F2 in the list renames it.")
+            session.say(f"“{name}” is {where}; new curves come into it. Type its name; Enter keeps that.")
 
     @action(
         "raiseLayer", "Raise Layer", EDIT_LAYERS, icon="move-up", needs=_LAYER_IN_FRONT, keywords="order up"
@@ -95,7 +97,7 @@ class LayerCommands:
             session.selected.set_layer(layer)
             session.say(f"“{layer}” is {where} “{other}”.")
 
-    @action("deleteLayer", "Delete Layer", EDIT_LAYERS, icon="delete", needs=_SOME_LAYER)
+    @action("deleteLayer", "Delete Layer", EDIT_LAYERS, icon="delete", needs=SOME_LAYER)
     @also(CURVE_LIST_MENU(63))
     def _delete(self) -> None:
         """Delete the layer with all that is in it."""
