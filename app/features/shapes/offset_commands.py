@@ -5,18 +5,14 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PySide6.QtCore import QPoint, Qt
 
 from ...actions.declaration import action
 from ...actions.sections import CURVE_OFFSETS
-from ...document.expression import ExpressionError
-from ...document.transforms import clean_step
-from ...document.words import number
 from ...view_model.stroke_shapes import offset_by
 from ...workbench.context import WindowContext
 from .. import shapes
-from .chosen_shapes import A_SHAPE, meant
+from .chosen_shapes import A_SHAPE, beside_meant
 from .shape_work import ShapeWork
 
 if TYPE_CHECKING:
@@ -26,8 +22,6 @@ _USUAL = "2 px"
 """The distance before one was typed: in pixels of CSS, or of the screen without a unit of length."""
 
 _USUAL_PX = 2.0
-_BESIDE = 6
-"""Pixels between the field and the shapes."""
 
 
 class OffsetCommands:
@@ -104,19 +98,9 @@ class OffsetCommands:
         self._work.compute(f"{title} by {distance.words}", partial(offset_by, distance=way))
 
     def _last(self) -> Distance:
-        """Return the distance used last; where the document has no such unit, some pixels of the screen."""
-        unit = self._session.document.unit
-        try:
-            return shapes.distances.read_distance(self._context.preferences.offset_distance or _USUAL, unit)
-        except ExpressionError:
-            step = clean_step(_USUAL_PX * self._canvas.camera.pixel_size)
-            return shapes.distances.Distance(step, f"{number(step, 3)} {unit}".rstrip())
+        words = self._context.preferences.offset_distance or _USUAL
+        pixel_size = self._canvas.camera.pixel_size
+        return shapes.distances.read_again(words, self._session.document.unit, pixel_size, _USUAL_PX)
 
     def _corner(self) -> QPoint:
-        """Return where the field stands: beside the chosen shapes."""
-        views = [self._session.views[place] for place in sorted(meant(self._session))]
-        boxes = [view.drawn_box for view in views if view.has_curve]
-        if not boxes:
-            return QPoint(_BESIDE, _BESIDE)
-        right, top = np.max([box[1] for box in boxes], axis=0)
-        return self._canvas.to_pixel(float(right), float(top)) + QPoint(_BESIDE, 0)
+        return beside_meant(self._session, self._canvas)
