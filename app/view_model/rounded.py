@@ -324,7 +324,8 @@ class _Made:
             point if node.old is not None else _of_arc(point, wanted[at, False], wanted[at, True])
             for at, (point, node) in enumerate(zip(bare, self.nodes, strict=True))
         ]
-        return with_wanted(replace(source, points=tuple(points)), wanted)
+        stays = {side: wanted[side] for side in wanted if self.nodes[side[0]].old is not None}
+        return with_wanted(replace(source, points=tuple(points)), stays)
 
     def _bare(self, at: int, node: _Node, shift: float) -> Point:
         """Return a point as it was; one of an arc without derivatives, a corner where it ends a side."""

@@ -25,8 +25,10 @@ Derivatives = list[Vector]
 
 def with_wanted(curve: Curve, wanted: Mapping[tuple[int, bool], Derivatives]) -> Curve:
     """Return a curve with these derivatives of points, before (False) and after (True), set where needed."""
-    for _ in range(_ROUNDS):
-        curve = _a_round(view_of(curve), wanted)
+    for _ in range(_ROUNDS if wanted else 0):
+        before, curve = curve, _a_round(view_of(curve), wanted)
+        if curve.points == before.points:
+            break
     return curve
 
 
