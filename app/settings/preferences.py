@@ -171,6 +171,9 @@ class Preferences:
     offset_distance = SavedText("path/offset")
     """The distance that shapes were made larger or smaller by last, as typed, "2 mm"; empty for none yet."""
 
+    corner_radius = SavedText("path/radius")
+    """The radius that corners were rounded by last, as typed, "5 mm"; empty for none yet."""
+
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""
 

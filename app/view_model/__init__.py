@@ -27,6 +27,7 @@ A curve changed:
 - ``bend``: the curve pulled somewhere.  ``hold``: the data that give way.  ``bend_together``: a pull divided.
 - ``cutting_out``: segments deleted.  ``retracting``: handles retracted.
 - ``deleting``: points deleted with the shape kept.  ``segment_fit``: one segment for several.
+  ``wanted``: derivatives set where rules estimate others.  ``rounded``: corners made arcs.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
   ``pen_corners``: the same with corners.
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.

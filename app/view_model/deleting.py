@@ -11,32 +11,19 @@ from collections.abc import Collection, Iterator, Sequence
 
 import msgspec
 import numpy as np
-from msgspec.structs import replace
 
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
 from ..document.edits import delete_points
 from ..document.lines import is_line
-from ..document.model import Curve, Document, Point, Vector, vectors_of
-from ..document.ties import tied_if_parallel
+from ..document.model import Curve, Document, vectors_of
 from .curve_view import CurveView, view_of
 from .segment_fit import farthest, segment_near
+from .wanted import SAME, Derivatives, with_wanted
 
 _SAMPLES = 24
 """Places along a segment that its successor comes near to."""
-
-_SAME = 1e-9
-"""Share of the largest derivative of an order up to which two of them are the same."""
-
-_UNSEEN = 1e-4
-"""The same for what a rule estimates: it stays an estimate where it changes by less."""
-
-_ROUNDS = 3
-"""Times that a look is taken at what rules estimate otherwise since something was set."""
-
-Derivatives = list[Vector]
-"""Derivatives at one side of a point, by their orders from 1 on."""
 
 
 class Deletion(msgspec.Struct, frozen=True):
@@ -89,9 +76,7 @@ def without_points(view: CurveView, indices: Collection[int]) -> Deletion:
             return Deletion(plain)
         for point, ahead, jet in ((each.begins, True, jets[0]), (each.ends, False, jets[1])):
             wanted[point, ahead] = [(float(x), float(y)) for x, y in jet[1:]]
-    made = plain
-    for _ in range(_ROUNDS):
-        made = _with_wanted(view_of(made), wanted)
+    made = with_wanted(plain, wanted)
     return Deletion(made, _largest_change(view, view_of(made), segments))
 
 
@@ -188,39 +173,6 @@ def _directions(view: CurveView, segment: _Segment, places: FloatArray) -> Float
     lengths = np.hypot(ways[:, 0], ways[:, 1])
     size = float(np.ptp(places, axis=0).max())
     chords = np.array([places[1] - places[0], places[-1] - places[-2]])
-    ways = np.where((lengths > _SAME * size)[:, None], ways, chords)
+    ways = np.where((lengths > SAME * size)[:, None], ways, chords)
     directions: FloatArray = ways / np.hypot(ways[:, 0], ways[:, 1])[:, None]
     return directions
-
-
-def _with_wanted(view: CurveView, wanted: dict[tuple[int, bool], Derivatives]) -> Curve:
-    """Return the curve of a view with these derivatives set where it has others."""
-    points = list(view.source.points)
-    for index, point in enumerate(points):
-        sides = [wanted.get((index, ahead)) for ahead in (False, True)]
-        is_off = [side is not None and not _has(view, index, side, ahead) for ahead, side in enumerate(sides)]
-        if any(is_off):
-            points[index] = _with_sides(point, *sides)
-    return replace(view.source, points=tuple(points))
-
-
-def _has(view: CurveView, index: int, side: Derivatives, ahead: int) -> bool:
-    """Whether a point has these derivatives on a side."""
-    now = [view.derivative_of(index, order, ahead=bool(ahead)) for order in range(1, len(side) + 1)]
-    within = _SAME if any(vectors_of(view.source.points[index])) else _UNSEEN
-    return all(own is not None and _alike(own, each, within) for own, each in zip(now, side, strict=True))
-
-
-def _alike(one: Sequence[float], other: Sequence[float], within: float = _SAME) -> bool:
-    largest = max(map(abs, (*one, *other)))
-    return max(abs(a - b) for a, b in zip(one, other, strict=True)) <= within * largest
-
-
-def _with_sides(point: Point, before: Derivatives | None, after: Derivatives | None) -> Point:
-    """Return a point with derivatives set on the sides where there is curve; one that was smooth still is."""
-    before, after = before or after or [], after or before or []
-    if not point.corner and all(map(_alike, before, after)):
-        return point.with_derivatives(before, ())
-    was_corner = point.corner and not point.tied
-    made = replace(point.as_corner(), tied=False).with_derivatives(before, after)
-    return made if was_corner else tied_if_parallel(made)

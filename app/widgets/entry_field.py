@@ -57,9 +57,10 @@ class EntryEdit(ClaimsKeys, QLineEdit):
 
 
 class EntryField(OverlayFrame):
-    """A small frame on the canvas: a button for one of two kinds of value, and the value, which is typed.
+    """A small frame on the canvas: words for a value, and the value, which is typed.
 
-    `more` stands behind the value: lines among it are done with as that is.
+    Where there are two kinds of it, a button for one of them is what the words are on. `more` stands behind
+    the value: lines among it are done with as that is.
 
     Attributes
     ----------
@@ -75,22 +76,29 @@ class EntryField(OverlayFrame):
     closed = Signal()
 
     def __init__(
-        self, name: str, title: str, below: QWidget, turn: QToolButton, edit: EntryEdit, *more: QWidget
+        self,
+        name: str,
+        title: str,
+        below: QWidget,
+        kind: Label | QToolButton,
+        edit: EntryEdit,
+        *more: QWidget,
     ) -> None:
         super().__init__(name, below)
         self.setAccessibleName(title)
         self._corner: Callable[[], QPoint] = lambda: QPoint(0, 0)
-        self._turn, self.edit = turn, edit
-        # Else a click on it would give the focus to the canvas.
-        turn.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        turn.clicked.connect(self._change_kind)
+        self._turn, self.edit = kind, edit
+        if isinstance(kind, QToolButton):
+            # Else a click on it would give the focus to the canvas.
+            kind.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            kind.clicked.connect(self._change_kind)
         for line in (edit, *(each for each in more if isinstance(each, EntryEdit))):
             line.entered.connect(self._enter)
             line.given_up.connect(self.close_field)
             line.textEdited.connect(lambda: self._say(""))
         self._suffix = Label()
         self._remark = Label(name=f"{name.removesuffix('Field')}Remark", wordWrap=True)
-        row = row_of(turn, edit, self._suffix, *more, spacing=6)
+        row = row_of(kind, edit, self._suffix, *more, spacing=6)
         column_of(row, self._remark, margins=(8, 6, 8, 6), spacing=4, parent=self)
         self.hide()
         self.follow_theme()
@@ -132,12 +140,11 @@ class EntryField(OverlayFrame):
         self._remark.setStyleSheet(f"color: {theme.warning.name()}")
 
     def _kind(self) -> str:
-        """Return what the button says."""
+        """Return the words for the value."""
         raise NotImplementedError
 
     def _other_kind(self) -> None:
-        """Go over to the other kind of value."""
-        raise NotImplementedError
+        """Go over to the other kind of value, where there is one."""
 
     def _take(self, text: str) -> Callable[[], object]:
         """Return what tells others of the value; raise ExpressionError with why the text is none."""

@@ -2,8 +2,8 @@
 
 - ``commands``: combining and grouping.  ``path_commands``: union, difference and the like.
 - ``shape_work``: what is made of chosen shapes, at once or beside the window.
-- ``offset_commands``: larger and smaller shapes.  ``field``: the field on the canvas for the distance.
-- ``distances``: a distance as people type it.
+- ``offset_commands``: larger and smaller shapes.  ``corner_commands``: rounded corners.
+- ``field``: the fields on the canvas for distance and radius.  ``distances``: both as people type them.
 - ``chosen_shapes``: the shapes that actions mean.
 """
 

@@ -4,12 +4,29 @@ from __future__ import annotations
 
 from typing import Final
 
+import numpy as np
+from PySide6.QtCore import QPoint
+
 from ...actions.needs import Need
+from ...canvas.canvas import Canvas
 from ...session import Session
 
 A_SHAPE: Final = Need("a shape", lambda now: bool(meant(now.session)) and not now.is_blank)
+
+_BESIDE = 6
+"""Pixels between a field and the shapes."""
 
 
 def meant(session: Session) -> frozenset[int]:
     """Return the chosen curves, or the one that is edited, with all others of their shapes."""
     return session.selected.highlight(whole_curves=True).curves
+
+
+def beside_meant(session: Session, canvas: Canvas) -> QPoint:
+    """Return where a field stands on the canvas: beside those curves."""
+    views = [session.views[place] for place in sorted(meant(session))]
+    boxes = [view.drawn_box for view in views if view.has_curve]
+    if not boxes:
+        return QPoint(_BESIDE, _BESIDE)
+    right, top = np.max([box[1] for box in boxes], axis=0)
+    return canvas.to_pixel(float(right), float(top)) + QPoint(_BESIDE, 0)

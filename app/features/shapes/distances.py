@@ -1,11 +1,12 @@
-"""Distances by which shapes grow or shrink, as people type them."""
+"""Distances by which shapes grow or shrink, and radii of corners, as people type them."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 from ...document.expression import ExpressionError
-from ...document.words import with_minus
+from ...document.transforms import clean_step
+from ...document.words import number, with_minus
 from ...widgets.length_text import read_length
 
 
@@ -24,11 +25,49 @@ def read_distance(text: str, unit: str) -> Distance:
     ExpressionError
         With the sentence for the person, where it is no distance.
     """
-    text = text.strip()
-    value = read_length(text, unit)
-    if value == 0.0:
+    typed = _read(text, unit)
+    if typed.value == 0.0:
         raise ExpressionError("Type a distance other than 0; below 0 it goes the other way.")
-    return Distance(value, with_minus(text if _has_unit(text) else f"{text} {unit}".rstrip()))
+    return typed
+
+
+def read_radius(text: str, unit: str) -> Distance:
+    """Return the radius that a text means in a document of this unit.
+
+    Raises
+    ------
+    ExpressionError
+        With the sentence for the person, where it is none.
+    """
+    typed = _read(text, unit)
+    if typed.value <= 0.0:
+        raise ExpressionError("Type a radius above 0.")
+    return typed
+
+
+def read_again(words: str, unit: str, pixel_size: float, pixels: float) -> Distance:
+    """Return what was typed before; at first, or where the document has no such unit, a clean number.
+
+    That is at least so many pixels of CSS, or of the screen where the document has no unit of length.
+    """
+    try:
+        return _read(words, unit)
+    except ExpressionError:
+        step = clean_step(_pixels(pixels, unit, pixel_size))
+        return Distance(step, f"{number(step, 3)} {unit}".rstrip())
+
+
+def _pixels(pixels: float, unit: str, pixel_size: float) -> float:
+    try:
+        return read_length(f"{pixels} px", unit)
+    except ExpressionError:
+        return pixels * pixel_size
+
+
+def _read(text: str, unit: str) -> Distance:
+    text = text.strip()
+    words = text if _has_unit(text) else f"{text} {unit}".rstrip()
+    return Distance(read_length(text, unit), with_minus(words))
 
 
 def _has_unit(text: str) -> bool:

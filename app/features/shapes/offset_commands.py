@@ -5,18 +5,14 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PySide6.QtCore import QPoint, Qt
 
 from ...actions.declaration import action
 from ...actions.sections import CURVE_OFFSETS
-from ...document.expression import ExpressionError
-from ...document.transforms import clean_step
-from ...document.words import number
 from ...view_model.stroke_shapes import offset_by
 from ...workbench.context import WindowContext
 from .. import shapes
-from .chosen_shapes import A_SHAPE, meant
+from .chosen_shapes import A_SHAPE, beside_meant
 from .shape_work import ShapeWork
 
 if TYPE_CHECKING:
@@ -24,9 +20,6 @@ if TYPE_CHECKING:
 
 _USUAL_PX = 2.0
 """The distance before one was typed, at least: pixels of CSS, or of the screen without a unit of length."""
-
-_BESIDE = 6
-"""Pixels between the field and the shapes."""
 
 
 class OffsetCommands:
@@ -104,24 +97,8 @@ class OffsetCommands:
 
     def _last(self) -> Distance:
         """Return the distance used last; at first, or where the document has no such unit, a clean one."""
-        unit, distances = self._session.document.unit, shapes.distances
-        try:
-            return distances.read_distance(self._context.preferences.offset_distance, unit)
-        except ExpressionError:
-            step = clean_step(self._usual(unit))
-            return distances.Distance(step, f"{number(step, 3)} {unit}".rstrip())
-
-    def _usual(self, unit: str) -> float:
-        try:
-            return shapes.distances.read_distance(f"{_USUAL_PX} px", unit).value
-        except ExpressionError:
-            return _USUAL_PX * self._canvas.camera.pixel_size
+        words, pixel_size = self._context.preferences.offset_distance, self._canvas.camera.pixel_size
+        return shapes.distances.read_again(words, self._session.document.unit, pixel_size, _USUAL_PX)
 
     def _corner(self) -> QPoint:
-        """Return where the field stands: beside the chosen shapes."""
-        views = [self._session.views[place] for place in sorted(meant(self._session))]
-        boxes = [view.drawn_box for view in views if view.has_curve]
-        if not boxes:
-            return QPoint(_BESIDE, _BESIDE)
-        right, top = np.max([box[1] for box in boxes], axis=0)
-        return self._canvas.to_pixel(float(right), float(top)) + QPoint(_BESIDE, 0)
+        return beside_meant(self._session, self._canvas)

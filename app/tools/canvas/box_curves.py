@@ -21,6 +21,8 @@ from ...document.box_curves import (
 from ...document.model import Document, Vector
 from ...document.style import Style
 from ...document.transforms import decimal_sum
+from ...view_model.curve_view import view_of
+from ...view_model.rounded import rounded, with_rounded
 from ..drag import Drag
 from ..marks import GestureMarks, Note
 from ..pointer import Hint, Pointer
@@ -29,7 +31,9 @@ from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..typed_amount import TypedAmount
 
 _TYPED = frozenset("0123456789.-") | {"backspace", "tab", "enter"}
-_SIDES = ("digits: its width, Tab: its height", "digits: its height, Tab: its width")
+_SIDES = ("its width", "its height", "the radius of its corners")
+"""What can be typed; the last only of what has corners."""
+
 _TOO_LATE = (
     "Type width and height while you drag; later they have fields (Ctrl+Shift+M). "
     "The toolbar changes the family, or V and then the digit."
@@ -51,6 +55,8 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
         What it is in a square, with the article.
     points
         Its points in the box from (0, 0) to (1, 1).
+    has_corners
+        Whether they are corners between straight lines, which can be round.
     """
 
     name: str
@@ -58,6 +64,12 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
     plural: str
     regular: str
     points: Sequence[BoxPoint]
+    has_corners: bool = False
+
+    @property
+    def typed(self) -> Sequence[str]:
+        """What can be typed while it is dragged."""
+        return _SIDES if self.has_corners else _SIDES[:2]
 
     @property
     def hint(self) -> str:
@@ -80,7 +92,7 @@ class DrawInBox(Drag, frozen=True):
     style
         Of what is drawn.
     typed
-        Width and height as typed meanwhile.
+        Width and height as typed meanwhile, and the radius of its corners.
     """
 
     active: int
@@ -100,25 +112,38 @@ class DrawInBox(Drag, frozen=True):
     @property
     def keys(self) -> str:
         """Effects of the modifier keys, and what else can be typed."""
-        return f"{self.drawn.keys} · {_SIDES[self.typed.at]}"
+        what, at = self.drawn.typed, self.typed.at
+        return f"{self.drawn.keys} · digits: {what[at]}, Tab: {what[(at + 1) % len(what)]}"
 
     def with_key(self, key: str) -> DrawInBox | None:
         """Return the drag after a digit, ".", "-", "backspace" or "tab"; None for any other key."""
-        typed = self.typed.after_tab(None) if key == "tab" else self.typed.after(key)
+        count = len(self.drawn.typed)
+        typed = self.typed.after_tab(None, count) if key == "tab" else self.typed.after(key)
         return None if typed is None else replace(self, typed=typed)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve."""
         box = self._box(pointer)
-        return with_box_curve(self.document, self.active, self.drawn.points, box, self.style, self.layer)
+        made = with_box_curve(self.document, self.active, self.drawn.points, box, self.style, self.layer)
+        if self.typed.further <= 0.0:
+            return made
+        place = box_curve_place(self.document, self.active, self.layer)
+        corners = range(len(self.drawn.points))
+        round_one = rounded(view_of(made.curves[place]), corners, self.typed.further)
+        return with_rounded(made, {place: round_one})
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
         sides = [words.number(side) for side in self._box(pointer).size]
-        for at, text in enumerate(self.typed.fields):
+        for at, text in enumerate(self.typed.fields[:2]):
             if text or (self.typed.is_pair and at == self.typed.at):
                 sides[at] = f"{words.with_minus(text)}{'|' if at == self.typed.at else ''}"
-        return f"{' × '.join(sides)} {self.unit}".rstrip()
+        size = f"{' × '.join(sides)} {self.unit}".rstrip()
+        further = "".join(self.typed.fields[2:])
+        if not further and self.typed.at < len(sides):
+            return size
+        mark = "|" if self.typed.at == len(sides) else ""
+        return f"{size} · radius {words.with_minus(further)}{mark} {self.unit}".rstrip()
 
     def _box(self, pointer: Pointer) -> Box:
         end = self.snapper.at(pointer)
@@ -225,7 +250,7 @@ def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) ->
         gestures=(
             GestureRow("Drag", f"draw {drawn.phrase} from corner to corner of its box"),
             GestureRow("Ctrl, Shift", f"{drawn.regular}; about the centre"),
-            GestureRow("Digits, Tab while dragging", "type its width, and its height"),
+            GestureRow("Digits, Tab while dragging", f"type {words.enumerated(drawn.typed)}"),
         ),
         place=place,
         action=f"{drawn.name}Tool",
@@ -247,6 +272,7 @@ RECTANGLE = _tool(
         plural="rectangles",
         regular="a square",
         points=polygon((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)),
+        has_corners=True,
     ),
     place=26,
     key="B",
