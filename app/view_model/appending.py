@@ -70,6 +70,12 @@ def with_points_appended(
     return _kept_short(document, curve, view, [count - 1])
 
 
+def is_quick(view: CurveView) -> bool:
+    """Whether what would become of a curve can be shown at each move of the pointer."""
+    most = _MOST_LOCAL if view.source.family.curve_class.is_local else _MOST_GLOBAL
+    return len(view.source.points) <= most
+
+
 def view_with_point(
     document: Document,
     curve: int,
@@ -84,11 +90,7 @@ def view_with_point(
     None where there is no such curve, or where it would take too long. `previous` is the view that this
     returned last; it lends what did not change. `append` says how the point is added.
     """
-    if (
-        not 0
-        < len(view.source.points)
-        <= (_MOST_LOCAL if view.source.family.curve_class.is_local else _MOST_GLOBAL)
-    ):
+    if not view.source.points or not is_quick(view):
         return None
     try:
         longer = append(document, curve, view, position).curves[curve]

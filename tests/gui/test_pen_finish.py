@@ -92,6 +92,7 @@ def test_a_click_on_the_first_point_of_a_curve_that_is_not_drawn_goes_on_from_th
     drawn, first = pen.session.active_view.curve.evaluate(np.linspace(0, 1, 33)), pen.point(0)
     pen.hover(first)
     assert hint(pen) == "Click to go on with this curve from its first point · Drag to move point 0"
+    assert pen.window.canvas.marks.preview_curve is None
     pen.click(first)
     assert pen.status == "Going on with “Curve 1”; the next press adds point 3."
     assert (pen.curve.is_closed, pen.point(2), pen.session.selection) == (False, first, {2})
@@ -103,8 +104,10 @@ def test_a_click_on_the_first_point_of_a_curve_that_is_not_drawn_goes_on_from_th
     # It is drawn now, and its other end closes it.
     pen.hover(pen.point(0))
     assert hint(pen).startswith("Click to close the curve")
+    closed = pen.window.canvas.marks.preview_curve.source
     pen.click(pen.point(0))
     assert pen.curve.is_closed
+    assert pen.curve == closed
 
 
 def test_a_drag_of_the_last_point_moves_it_and_the_curve_stays_finished(pen):

@@ -8,11 +8,12 @@ from functools import partial
 from msgspec.structs import replace
 
 from ...document.curve_edits import fresh_curve, reverse_curve, without_last_point
+from ...document.edits import EditError
 from ...document.layers import begun, layer_of
 from ...document.model import Curve, Document, Parametrization, Vector
 from ...document.point_group import NO_POINTS, points_of
 from ...families import HERMITE
-from ...view_model.appending import Appending, closed_by_pen, view_with_point, with_point_appended
+from ...view_model.appending import Appending, closed_by_pen, is_quick, view_with_point, with_point_appended
 from ...view_model.curve_view import CurveView, view_of
 from ...view_model.pen_corners import closed_by_handles, with_corner_appended, with_free_end
 from ...view_model.reshape import inserted_index
@@ -194,13 +195,16 @@ class AddTool(Tool):
 
     def _close(self, context: ToolContext) -> None:
         """Close the curve that is edited, or say why it cannot be closed."""
-        host, by_line = context.host, context.pointer.alt
-        active, (start, view) = host.active_index, self._start(context)
+        host = context.host
+        host.change(f"Close {host.active_view.source.name}", lambda _document: self._closed(context))
+
+    def _closed(self, context: ToolContext) -> Document:
+        by_line, (document, view) = context.pointer.alt, self._start(context)
         if _makes_corners(context):
             close = closed_by_pen if by_line else closed_by_handles
         else:
             close = closed_by_line if by_line else closed_by_pen
-        host.change(f"Close {view.source.name}", lambda _document: close(start, active, view))
+        return close(document, context.host.active_index, view)
 
     def _start(self, context: ToolContext) -> tuple[Document, CurveView]:
         """Return the document, and the view of the curve that is edited, that a press goes on from.
@@ -257,6 +261,9 @@ class AddTool(Tool):
         is_here = math.isfinite(context.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
         self._seen = view
+        if is_here and act is None and self._pen.is_drawn(host) and hints.can_end_at(hit, view):
+            self._preview = self._view_closed(context)
+            return
         if not is_here or act is not PenAct.APPEND:
             self._preview = None
             return
@@ -267,6 +274,16 @@ class AddTool(Tool):
         self._preview = view_with_point(
             document, host.active_index, start, place, self._preview, append=_appending(context)
         )
+
+    def _view_closed(self, context: ToolContext) -> CurveView | None:
+        """Return the view of the curve as a click here closes it; None where that is none, or takes long."""
+        if not is_quick(context.view):
+            return None
+        try:
+            closed = view_of(self._closed(context).curves[context.host.active_index], self._preview)
+        except EditError:
+            return None
+        return closed if closed.is_current else None
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the curve with one point more, or the spot to insert one at."""
