@@ -138,7 +138,11 @@ def test_an_artboard_is_typed_and_exported(editor, tmp_path):
     assert editor.session.document.page == Page(0.0, 0.0, 24.0, 24.0)
     assert editor.window.canvas.drawing.page.page == editor.session.document.page
     assert editor.session.undo_stack.undoText() == "Page 24 × 24"
-    assert editor.status == "The page reaches out of sight; Fit Page shows all of it."
+    left, low, right, high = editor.window.canvas.pixel_map.box
+    # All of the page, as large as it can be.
+    assert max(left, low) < 0
+    assert min(right, high) > 24
+    assert high < 40
     assert editor.window.findChild(QComboBox, "pageUsual").currentText() == "24 × 24 px"
     editor.window.commands[ExchangeCommands].export(tmp_path / "icon.svg")
     editor.wait_for_work()

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from msgspec.structs import replace
 from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import EDIT_PAGE, FILE_SAVE
-from ...canvas.fitting import all_inside
 from ...features import document_settings
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -39,7 +37,7 @@ class DocumentSettingsCommands:
         self._panel = document_settings.panel.DocumentPanel(parent)
         self._edits = FormEdits(self._session, self._panel)
         self._panel.made_usual.connect(self._make_usual)
-        self._panel.page_made.connect(self._tell_page_out_of_sight)
+        self._panel.page_made.connect(self._show_page)
         self._render_panel()
         return self._panel
 
@@ -81,14 +79,10 @@ class DocumentSettingsCommands:
         )
         self._render_panel()
 
-    def _tell_page_out_of_sight(self) -> None:
-        """Say how to see the page where a part of it is out of sight."""
-        page, shown = self._session.document.page, self._context.central.canvas.pixel_map
-        if page is None:
-            return
-        corners = np.array([(page.x, page.y), (page.x + page.width, page.y + page.height)])
-        if not all_inside(shown, corners):
-            self._session.say("The page reaches out of sight; Fit Page shows all of it.")
+    def _show_page(self) -> None:
+        """Show all of the page, and nothing besides."""
+        if self._session.document.page is not None:
+            self._context.actions["fitPage"].trigger()
 
     @action(
         "documentSettings",
