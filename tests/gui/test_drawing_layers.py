@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLabel
 
@@ -286,6 +287,47 @@ def test_the_name_of_a_new_layer_is_typed_at_once(layered):
     assert rows(editor)[view.current] == "  Layer 1"
     QTest.keyClick(view, Qt.Key.Key_Delete)
     assert "Layer 1" not in session.document.layers
+
+
+def test_a_layer_has_a_short_menu_of_its_own(layered):
+    """It had the whole menu of curves, taller than the window."""
+    editor, session, view = layered, layered.session, view_of(layered)
+
+    def menu_on(name):
+        view.scrollToTop()
+        place = view.entry_rect([each.strip() for each in rows(editor)].index(name)).center()
+        where = view.viewport().mapToGlobal(place)
+        QApplication.sendEvent(
+            view.viewport(), QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, where)
+        )
+        menu = QApplication.activePopupWidget()
+        return menu, {each.objectName(): each for each in menu.actions() if not each.isSeparator()}
+
+    menu, entries = menu_on("Notes")
+    assert list(entries) == [
+        "renameLayer",
+        "layerVisible",
+        "layerLocked",
+        "newLayer",
+        "raiseLayer",
+        "lowerLayer",
+        "deleteLayer",
+    ]
+    assert entries["renameLayer"].isEnabled()
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entries["layerLocked"]).center())
+    assert session.undo_stack.undoText() == "Lock Notes"
+    menu, entries = menu_on("Art")
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entries["layerVisible"]).center())
+    assert [curve.visible for curve in session.document.curves] == [True, False, False]
+    menu, entries = menu_on("Back")
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entries["renameLayer"]).center())
+    assert QApplication.focusWidget().text() == "Back"
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Escape)
+    view.curves.open(rows(editor).index("Back"), True)
+    menu, entries = menu_on("ground")
+    assert "renameCurve" in entries
+    assert not {"raiseLayer", "lowerLayer", "deleteLayer"} & set(entries)
+    menu.close()
 
 
 def test_what_is_chosen_moves_to_the_layer_above_or_below(layered):
