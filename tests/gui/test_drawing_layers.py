@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLabel
 
 from app.document.layers import layer_of, with_layer_looks
+from app.document.shape_edits import moved_into
 from app.exchange.options import Options
 from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
@@ -358,6 +359,26 @@ def test_a_curve_is_dragged_into_an_empty_layer(layered):
     assert rows(editor) == ["Notes", "Art", "  Inner", "  right", "  left", "Sketch", "Back"]
     drag_row(editor, 3, view.entry_rect(0).center())
     assert layers(editor) == {"ground": "Back", "left": "Art", "right": "Notes"}
+
+
+def test_a_row_falls_into_the_layer_on_the_lower_half_of_whose_last_row_it_is_dropped(layered):
+    """It fell behind all layers, and into none."""
+    editor, view = layered, view_of(layered)
+    view.curves.open(rows(editor).index("Back"), True)
+    view.curves.open(rows(editor).index("Art"), True)
+    editor.settle()
+    right, ground = (rows(editor).index(f"  {name}") for name in ("right", "ground"))
+    low = view.entry_rect(ground).center() + QPoint(0, view.entry_rect(ground).height() // 2 - 3)
+    drag_row(editor, right, low)
+    assert layers(editor) == {"right": "Back", "ground": "Back", "left": "Art"}
+    # And one that is in no layer.
+    editor.session.change("Take out", lambda d: moved_into(d, {2}, 3, left=d.layers).document)
+    editor.settle()
+    assert layers(editor)["left"] == ""
+    last = rows(editor).index("  right")
+    low = view.entry_rect(last).center() + QPoint(0, view.entry_rect(last).height() // 2 - 3)
+    drag_row(editor, rows(editor).index("left"), low)
+    assert layers(editor)["left"] == "Back"
 
 
 def test_without_layers_nothing_tells_of_them_until_there_is_one(editor):
