@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLabel
 
 from app.document.layers import layer_of, with_layer_looks
+from app.document.shape_edits import moved_into
 from app.exchange.options import Options
 from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
@@ -288,6 +290,47 @@ def test_the_name_of_a_new_layer_is_typed_at_once(layered):
     assert "Layer 1" not in session.document.layers
 
 
+def test_a_layer_has_a_short_menu_of_its_own(layered):
+    """It had the whole menu of curves, taller than the window."""
+    editor, session, view = layered, layered.session, view_of(layered)
+
+    def menu_on(name):
+        view.scrollToTop()
+        place = view.entry_rect([each.strip() for each in rows(editor)].index(name)).center()
+        where = view.viewport().mapToGlobal(place)
+        QApplication.sendEvent(
+            view.viewport(), QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, where)
+        )
+        menu = QApplication.activePopupWidget()
+        return menu, {each.objectName(): each for each in menu.actions() if not each.isSeparator()}
+
+    menu, entries = menu_on("Notes")
+    assert list(entries) == [
+        "renameLayer",
+        "layerVisible",
+        "layerLocked",
+        "newLayer",
+        "raiseLayer",
+        "lowerLayer",
+        "deleteLayer",
+    ]
+    assert entries["renameLayer"].isEnabled()
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entries["layerLocked"]).center())
+    assert session.undo_stack.undoText() == "Lock Notes"
+    menu, entries = menu_on("Art")
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entries["layerVisible"]).center())
+    assert [curve.visible for curve in session.document.curves] == [True, False, False]
+    menu, entries = menu_on("Back")
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(entries["renameLayer"]).center())
+    assert QApplication.focusWidget().text() == "Back"
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Escape)
+    view.curves.open(rows(editor).index("Back"), True)
+    menu, entries = menu_on("ground")
+    assert "renameCurve" in entries
+    assert not {"raiseLayer", "lowerLayer", "deleteLayer"} & set(entries)
+    menu.close()
+
+
 def test_what_is_chosen_moves_to_the_layer_above_or_below(layered):
     editor, session = layered, layered.session
     editor.key(Qt.Key.Key_PageUp, SHIFT)
@@ -316,6 +359,26 @@ def test_a_curve_is_dragged_into_an_empty_layer(layered):
     assert rows(editor) == ["Notes", "Art", "  Inner", "  right", "  left", "Sketch", "Back"]
     drag_row(editor, 3, view.entry_rect(0).center())
     assert layers(editor) == {"ground": "Back", "left": "Art", "right": "Notes"}
+
+
+def test_a_row_falls_into_the_layer_on_the_lower_half_of_whose_last_row_it_is_dropped(layered):
+    """It fell behind all layers, and into none."""
+    editor, view = layered, view_of(layered)
+    view.curves.open(rows(editor).index("Back"), True)
+    view.curves.open(rows(editor).index("Art"), True)
+    editor.settle()
+    right, ground = (rows(editor).index(f"  {name}") for name in ("right", "ground"))
+    low = view.entry_rect(ground).center() + QPoint(0, view.entry_rect(ground).height() // 2 - 3)
+    drag_row(editor, right, low)
+    assert layers(editor) == {"right": "Back", "ground": "Back", "left": "Art"}
+    # And one that is in no layer.
+    editor.session.change("Take out", lambda d: moved_into(d, {2}, 3, left=d.layers).document)
+    editor.settle()
+    assert layers(editor)["left"] == ""
+    last = rows(editor).index("  right")
+    low = view.entry_rect(last).center() + QPoint(0, view.entry_rect(last).height() // 2 - 3)
+    drag_row(editor, rows(editor).index("left"), low)
+    assert layers(editor)["left"] == "Back"
 
 
 def test_without_layers_nothing_tells_of_them_until_there_is_one(editor):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
@@ -18,10 +19,10 @@ from ...actions.sections import (
     EDIT_SELECT,
 )
 from ...actions.situation import Situation
-from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU
+from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, LAYER_MENU
 from ...document.curve_tree import Node, NodeKind, counted_nodes
 from ...document.edits import EditError, rename_curve
-from ...document.layers import begun_again, looks_of, with_layer_looks
+from ...document.layers import begun_again, layer_node, looks_of, with_layer_looks
 from ...document.model import Document
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
@@ -69,11 +70,13 @@ class CurveListCommands:
         self.panel = CurveList(parent)
         self.panel.add_buttons(self._actions.in_strip(CURVE_LIST_BUTTONS)[1])
         self.panel.view.deletion_wanted.connect(self._delete_all)
-        self.panel.menu_requested.connect(
-            lambda place: strip_menu(self._context, CURVE_LIST_MENU).popup(place)
-        )
+        self.panel.menu_requested.connect(self._open_menu)
         self._connect(self.panel)
         return self.panel
+
+    def _open_menu(self, place: QPoint, node: Node | None) -> None:
+        is_layer = node is not None and node.kind is NodeKind.LAYER
+        strip_menu(self._context, LAYER_MENU if is_layer else CURVE_LIST_MENU).popup(place)
 
     def _connect(self, panel: CurveList) -> None:
         session = self._session
@@ -183,10 +186,27 @@ class CurveListCommands:
         self.panel.view.edit_name(self.panel.view.current)
 
     @action("renameLayer", "Rename Layer…", EDIT_LAYERS, needs=SOME_LAYER)
+    @also(LAYER_MENU(10))
     def _rename_layer(self) -> None:
         """Give the layer that new curves come into another name."""
         self._dock.bring_up()
         self.panel.view.edit_name(self.panel.model.show_layer())
+
+    @action("layerVisible", "Hide or Show Layer", EDIT_LAYERS, icon="eye", needs=SOME_LAYER)
+    @also(LAYER_MENU(11))
+    def _switch_layer_visible(self) -> None:
+        """Hide the layer that new curves come into, or show it again."""
+        self._switch_row_visible(self._layer_now)
+
+    @action("layerLocked", "Lock or Unlock Layer", EDIT_LAYERS, icon="lock", needs=SOME_LAYER)
+    @also(LAYER_MENU(12))
+    def _switch_layer_locked(self) -> None:
+        """Keep the layer that new curves come into safe from changes, or free it again."""
+        self._switch_row_locked(self._layer_now)
+
+    @property
+    def _layer_now(self) -> Node:
+        return layer_node(self._session.committed, self._session.selected.layer)
 
     @action(
         "curveVisible",

@@ -37,7 +37,7 @@ class CurveList(Guarded, QWidget):
     row_meant
         A menu about the row of a node is wanted.
     menu_requested
-        A menu for the active curve is wanted at a place of the screen.
+        A menu for a node, or else the active curve, is wanted at a place of the screen.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class CurveList(Guarded, QWidget):
     colour_looked_at = Signal(object, str)
     colour_given_up = Signal()
     row_meant = Signal(object)
-    menu_requested = Signal(QPoint)
+    menu_requested = Signal(QPoint, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -131,4 +131,4 @@ class CurveList(Guarded, QWidget):
             place = self.view.entry_rect(self.view.current).center()
         if (node := self.view.node_at(place)) is not None:
             self.row_meant.emit(node)
-        self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
+        self.menu_requested.emit(self.view.viewport().mapToGlobal(place), node)

@@ -285,8 +285,12 @@ class CurveListView(ClaimsKeys, QListView):
             rect = self.visualRect(self.curves.index(row))
             if abs(place.y() - rect.center().y()) <= rect.height() // 4:
                 return drop_onto(entries, row)
-        deeper = round((place.x() - press.x()) / INDENT)
-        return drop_at(entries, self._gap_at(place), entries[self._pressed_row].node.depth + deeper)
+        gap, deeper = self._gap_at(place), round((place.x() - press.x()) / INDENT)
+        depth = entries[self._pressed_row].node.depth + deeper
+        if row == gap - 1 and deeper >= 0:
+            # On the lower half of a row, and not to the left: beside that.
+            depth = max(depth, entries[row].node.depth)
+        return drop_at(entries, gap, depth)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         drop, row = self._drop, self._pressed_row

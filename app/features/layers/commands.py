@@ -6,7 +6,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import SOME_LAYER, Need
 from ...actions.sections import EDIT_LAYER_MOVES, EDIT_LAYERS
 from ...actions.situation import Situation
-from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
+from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, LAYER_MENU
 from ...document.layers import layers_beside, moved_to_layer, neighbour_of, new_layer, stepped_layer
 from ...document.several_curves import named, place_in
 from ...document.shapes import whole_shapes
@@ -54,7 +54,7 @@ class LayerCommands:
         self._context.actions.render()
 
     @action("newLayer", "New Layer", EDIT_LAYERS, "Ctrl+Shift+L", "layers", keywords="add layer")
-    @also(CURVE_LIST_MENU(60))
+    @also(CURVE_LIST_MENU(60), LAYER_MENU(20))
     def _new(self) -> None:
         """Add an empty layer in front of the present one; new curves come into it, and its name is typed."""
         session, above = self._session, self._session.selected.layer
@@ -70,7 +70,7 @@ class LayerCommands:
     @action(
         "raiseLayer", "Raise Layer", EDIT_LAYERS, icon="move-up", needs=_LAYER_IN_FRONT, keywords="order up"
     )
-    @also(CURVE_LIST_MENU(61))
+    @also(LAYER_MENU(21))
     def _raise(self) -> None:
         """Bring the layer in front of the next one."""
         self._step("Raise", 1, "in front of")
@@ -83,7 +83,7 @@ class LayerCommands:
         needs=_LAYER_BEHIND,
         keywords="order down",
     )
-    @also(CURVE_LIST_MENU(62))
+    @also(LAYER_MENU(22))
     def _lower(self) -> None:
         """Bring the layer behind the next one."""
         self._step("Lower", -1, "behind")
@@ -98,7 +98,7 @@ class LayerCommands:
             session.say(f"“{layer}” is {where} “{other}”.")
 
     @action("deleteLayer", "Delete Layer", EDIT_LAYERS, icon="delete", needs=SOME_LAYER)
-    @also(CURVE_LIST_MENU(63))
+    @also(LAYER_MENU(30))
     def _delete(self) -> None:
         """Delete the layer with all that is in it."""
         delete_layer(self._session, self._session.selected.layer)
