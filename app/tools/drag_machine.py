@@ -330,7 +330,11 @@ class DragMachine:
         if press is None:
             return
         if press.moving and press.drag is not None and press.last is not None:
-            is_done = self._host.commit(press.last, press.drag.name_at(pointer), active=press.active)
+            # The step ends with what it has chosen, so that redo knows of it.
+            active = min(
+                press.chooses, key=lambda at: abs(at - self._host.active_index), default=press.active
+            )
+            is_done = self._host.commit(press.last, press.drag.name_at(pointer), active=active)
             if is_done and press.on_done is not None:
                 press.on_done()
             if is_done and press.chooses:

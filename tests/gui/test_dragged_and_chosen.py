@@ -42,11 +42,12 @@ def test_a_drag_chooses_what_it_moves_and_keys_go_on_with_it(whole):
     assert whole.session.document.curves[2] != moved.curves[2]
     assert whole.session.document.curves[:2] == before.curves[:2]
     whole.trigger("undo")
-    whole.trigger("undo")
-    # As it is chosen now, undo leaves it so.
-    assert (whole.session.document, chosen(whole), whole.curve.name) == (before, "C", "C")
-    whole.trigger("redo")
     assert (whole.session.document, chosen(whole)) == (moved, "C")
+    whole.trigger("undo")
+    assert (whole.session.document, whole.curve.name) == (before, "B")
+    whole.trigger("redo")
+    assert (whole.session.document, whole.curve.name) == (moved, "C")
+    whole.drag(on_curve(whole, 2), (x, y))
     whole.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in whole.session.document.curves] == ["A", "B"]
 
