@@ -213,6 +213,13 @@ EDITS = {
             *("-<sodipodi:guide", '+<sodipodi:guide position="0,12.5" orientation="0,1"/>'),
         ],
     ),
+    "a guide is moved and turned": (
+        lambda d: replace(d, guides=(Guide(Axis.X, 25.0, 30.0, 10.0), *d.guides[1:])),
+        [
+            *('-position="20,40"', '-orientation="1,0"'),
+            *('+position="25,10"', '+orientation="-0.8660254037844387,-0.5"'),
+        ],
+    ),
     "the page is wider": (
         lambda d: replace(d, page=Page(0.0, 0.0, 120.0, 80.0)),
         ['-width="100mm"', '+width="120mm"', '-viewBox="0 0 100 80"', '+viewBox="0 0 120 80"'],

@@ -557,3 +557,25 @@ def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path
     assert len(again.guides) == 2
     assert set(again.guides) == set(document.guides)
     assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4
+
+
+def test_closing_saves_to_the_opened_drawing_before_the_window_goes(editor, tmp_path, monkeypatch):
+    path, asked = tmp_path / "badge.svg", []
+    path.write_text(INCH, encoding="utf-8")
+    open_as_document(editor, path)
+    move_first_point(editor, 7.0)
+    kinds = QMessageBox.StandardButton
+    answers = [kinds.Save, kinds.Cancel]
+    monkeypatch.setattr(
+        DocumentFiles, "_ask_about_changes", lambda _: asked.append(1) or answers[len(answers) - len(asked)]
+    )
+    monkeypatch.setattr(editor.window, "asks_before_closing", True)
+    editor.window.activateWindow()
+    editor.settle()
+    editor.key(Qt.Key.Key_Q, Qt.KeyboardModifier.ControlModifier)
+    assert (len(asked), editor.window.isVisible(), path.read_text(encoding="utf-8")) == (1, True, INCH)
+    closed = []
+    editor.window.closed.connect(lambda: closed.append(1))
+    editor.window.actions_by_name["quit"].trigger()
+    assert (len(asked), closed, editor.session.files.is_modified) == (2, [1], False)
+    assert path.read_text(encoding="utf-8") != INCH

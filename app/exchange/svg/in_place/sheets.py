@@ -13,6 +13,9 @@ from .source import Node, Source, SourceError
 
 _ROUNDING = 1e-6
 
+_SAME_ANGLE = 1e-4
+"""Degrees."""
+
 
 def set_page(source: Source, sheet: Sheet, page: Page | None, unit: str) -> None:
     """Show another page, in the plane of the file, where the document has another.
@@ -41,24 +44,31 @@ def _is_same(one: Page, other: Page) -> bool:
 
 
 def set_guides(source: Source, reading: Reading, wanted: tuple[Guide, ...]) -> None:
-    """Take out the guides that the document has no more, and put in those that the file has not."""
+    """Move, take out and put in guides; what else is said of one that was moved stays, such as its lock."""
     sheet = reading.sheet
     if (page := sheet.page) is None:
         return
     room = _ROUNDING * max(page.width, page.height)
 
     def is_same(one: Guide, other: Guide) -> bool:
-        return one.axis is other.axis and abs(one.position - other.position) <= room
+        is_as_steep = one.axis is other.axis and abs(one.lean - other.lean) <= _SAME_ANGLE
+        return is_as_steep and other.distance(one.point) <= room
 
-    known: list[Guide] = []
-    for node, guide in reading.guides:
-        if guide is not None and any(is_same(guide, each) for each in wanted):
-            known.append(guide)
-        elif guide is not None:
+    known = [(node, guide) for node, guide in reading.guides if guide is not None]
+    new = [each for each in wanted if not any(is_same(each, guide) for _, guide in known)]
+    for node, guide in known:
+        if any(is_same(guide, each) for each in wanted):
+            continue
+        moved = next((each for each in new if each.axis is guide.axis), None)
+        if moved is None:
             node.take_out()
-    new = [each for each in wanted if not any(is_same(each, other) for other in known)]
+        else:
+            new.remove(moved)
+            _put(node, moved, sheet, page)
     for guide in new:
-        _element(source, guide, sheet, page).put_last(_view(source))
+        node = Node(source.sodipodi("guide"))
+        _put(node, guide, sheet, page)
+        node.put_last(_view(source))
 
 
 def _view(source: Source) -> Node:
@@ -70,14 +80,17 @@ def _view(source: Source) -> Node:
     return found
 
 
-def _element(source: Source, guide: Guide, sheet: Sheet, page: Page) -> Node:
+def _put(node: Node, guide: Guide, sheet: Sheet, page: Page) -> None:
+    """Say where a guide is, from the lower left corner in user units."""
     user = np.array([sheet.viewport.width or page.width, sheet.viewport.height or page.height])
     scale = user / (page.width, page.height)
-    node = Node(source.sodipodi("guide"))
-    if guide.axis is Axis.X:
-        node.set("position", f"{number(float((guide.position - page.x) * scale[0]))},0")
-        node.set("orientation", "1,0")
+    x, y = (float(each) for each in (np.array(guide.point) - (page.x, page.y)) * scale)
+    if guide.lean:
+        across, up = (float(each) for each in np.array(guide.way) * scale)
+        place, normal = f"{number(x)},{number(y)}", f"{number(-up)},{number(across)}"
+    elif guide.axis is Axis.X:
+        place, normal = f"{number(x)},0", "1,0"
     else:
-        node.set("position", f"0,{number(float((guide.position - page.y) * scale[1]))}")
-        node.set("orientation", "0,1")
-    return node
+        place, normal = f"0,{number(y)}", "0,1"
+    node.set("position", place)
+    node.set("orientation", normal)
