@@ -56,10 +56,7 @@ def test_the_transform_panel_shows_names_as_they_are(drawing):
     assert label.text() == "All 3 points"
 
 
-@pytest.mark.parametrize("is_taken", [False, True])
-def test_the_question_about_changes_says_what_saving_writes(drawing, tmp_path, is_taken):
-    if is_taken:
-        (tmp_path / "in.curve.json").write_text("another one")
+def test_the_question_about_changes_names_its_file(drawing):
     drawing.session.selected.choose({0})
     drawing.trigger("deleteSelection")
     asked = []
@@ -71,8 +68,7 @@ def test_the_question_about_changes_says_what_saving_writes(drawing, tmp_path, i
 
     QTimer.singleShot(0, answer)
     drawing.action("newDocument").trigger()
-    where = "Saving asks for a name" if is_taken else "Saving writes in.curve.json beside it"
-    assert asked == [("Save the changes to in.svg?", f"{where}; in.svg itself stays as it is.")]
+    assert asked == [("Save the changes to in.svg?", "Without saving they are lost.")]
 
 
 # The style of what is drawn next

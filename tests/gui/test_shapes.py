@@ -420,12 +420,12 @@ def test_a_curve_is_dragged_into_a_shape_and_out_of_it(ring):
 
 def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
     fold(ring, "Shape 1")
-    bottom = view_of(ring).entry_rect(3).bottom()
-    drag_row(ring, "Side", bottom)
-    assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "Side"]
-    ring.trigger("undo")
-    drag_row(ring, "Side", bottom, right=14)
+    last = view_of(ring).entry_rect(3)
+    drag_row(ring, "Side", last.bottom())
     assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "  Side"]
+    ring.trigger("undo")
+    drag_row(ring, "Side", last.bottom(), right=-14)
+    assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "Side"]
 
 
 @pytest.mark.parametrize("folded", [True, False])

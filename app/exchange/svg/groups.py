@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from ...document.empty_layer import EmptyLayer
+from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
 from ..naming import Names
 
@@ -75,6 +76,17 @@ class Drawn:
     anchor: Anchor
     state: State
     scale: float = 1.0
+
+
+def is_seen(drawn: Drawn) -> bool:
+    """Whether a path has a paint."""
+    style = drawn.path.look.style
+    return style.has_stroke or style.has_fill
+
+
+def with_line(drawn: Drawn) -> Drawn:
+    """Return a shape without any paint as a line."""
+    return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))
 
 
 class Settled(NamedTuple):

@@ -17,7 +17,6 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
-from ...document.style import PLAIN_STYLE
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..drawing.extents import extent_of
 from ..errors import ExchangeError
@@ -25,7 +24,7 @@ from ..missed import Missed
 from .cascade import Cascade
 from .clips import clip_box
 from .gradients import Ground
-from .groups import Anchor, Drawn, Group, Settled, settled
+from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
 from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
@@ -392,14 +391,3 @@ def _speaks_to_us(element: ET.Element) -> bool:
 
 def _moving(x: float, y: float) -> FloatArray:
     return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
-
-
-def is_seen(drawn: Drawn) -> bool:
-    """Whether a path has a paint."""
-    style = drawn.path.look.style
-    return style.has_stroke or style.has_fill
-
-
-def with_line(drawn: Drawn) -> Drawn:
-    """Return a shape without any paint as a line."""
-    return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))

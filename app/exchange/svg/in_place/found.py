@@ -19,9 +19,9 @@ from ....view_model.curve_view import view_of
 from ...cubics_in import imported
 from ...drawing.outlines import Outline
 from ...errors import ExchangeError
-from ..groups import Drawn, settled
+from ..groups import Drawn, is_seen, settled, with_line
 from ..guides import guides_of
-from ..reader import SvgReader, is_seen, with_line
+from ..reader import SvgReader
 from ..state import State
 from ..xml_tree import parsed
 from .source import Node, Source, SourceError
