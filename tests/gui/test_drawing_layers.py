@@ -15,10 +15,10 @@ from app.exchange.options import Options
 from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.rows import Spot, spot_rect
 from app.storage.format import decode, encode
 from app.tools.canvas.select import SELECT
+from tests.gui.curve_rows import rows, view_of
 
 LEFT = Qt.MouseButton.LeftButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -47,15 +47,6 @@ def layered(editor):
     editor.show_dock("curvesDock")
     editor.fit()
     return editor
-
-
-def view_of(editor):
-    return editor.window.commands[CurveListCommands].panel.view
-
-
-def rows(editor):
-    model = view_of(editor).curves
-    return ["  " * entry.node.depth + model.index(row).data() for row, entry in enumerate(model.entries)]
 
 
 def layer_now(editor):

@@ -18,8 +18,8 @@ from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
 from app.document.style import FillRule, Style
 from app.families import HERMITE
-from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.rows import Spot, spot_rect
+from tests.gui.curve_rows import rows, view_of
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -47,16 +47,6 @@ def rings(editor):
     editor.show_dock("curvesDock")
     editor.fit()
     return editor
-
-
-def view_of(editor):
-    return editor.window.commands[CurveListCommands].panel.view
-
-
-def rows(editor):
-    """The texts of the rows from the top, each as deep as it is drawn."""
-    model = view_of(editor).curves
-    return ["  " * entry.node.depth + model.index(row).data() for row, entry in enumerate(model.entries)]
 
 
 def row_named(editor, name):

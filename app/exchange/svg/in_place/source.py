@@ -143,13 +143,6 @@ class Node:
         del parent.children[first : place + 1]
         self.parent = None
 
-    def lies_in(self, other: Node) -> bool:
-        """Whether it is another one, or somewhere in it."""
-        node: Node | None = self
-        while node is not None and node is not other:
-            node = node.parent
-        return node is other
-
     def write(self, into: list[str]) -> None:
         """Append its source."""
         into.append(f"<{self.name}{self._attributes}{self._rest}")
