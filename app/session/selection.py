@@ -102,13 +102,14 @@ class Selection:
         return bool(self.marked) or is_blank(self._session.document)
 
     def highlight(self, *, whole_curves: bool = False) -> Highlight:
-        """Return the selected points, or else the chosen curves, or the edited one, with all of their shapes.
+        """Return the selected points, or else the chosen curves, or the edited one with all of its shape.
 
         `whole_curves` passes over the points, as where the list of curves has the focus.
         """
         if self.group.parts and not whole_curves:
             return Highlight(self.group.curves, self.group)
-        return Highlight(whole_shapes(self._session.document, self.marked))
+        # One curve of a shape can be chosen alone, in the list.
+        return Highlight(self.whole if self.is_editing else self._chosen)
 
     @property
     def whole(self) -> frozenset[int]:

@@ -20,7 +20,7 @@ from ..document.model import Curve, ParametrizationKind, Vector
 from ..document.plane_edits import set_grid_spacing, set_unit
 from ..families import FAMILIES, Family
 from ..features.curve_list.commands import CurveListCommands
-from ..features.curve_list.rows import Spot, spot_rect
+from ..features.curve_list.row_parts import Spot, spot_rect
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..tools.transform import TransformKind
@@ -266,7 +266,7 @@ class Editor(InputDriver):
         """Click a part of a row in the list of curves; `row` is the curve's place in the document."""
         self.show_dock("curvesDock")
         view = self.window.commands[CurveListCommands].panel.view
-        place = spot_rect(view.row_rect(row), spot).center()
+        place = spot_rect(view.parts.row_rect(row), spot).center()
         require_under_mouse(view.viewport(), place)
         QTest.mouseClick(view.viewport(), _LEFT, pos=place)
         self.settle()

@@ -36,9 +36,11 @@ def highlighted(context: WindowContext) -> Highlight:
 
 
 def highlighted_curves(context: WindowContext) -> frozenset[int]:
-    """Return what commands on curves are about: rows of the list that has the focus, or whole shapes."""
-    focus = QApplication.focusWidget()
-    return focus.meant if isinstance(focus, ListsCurves) else context.session.selected.whole
+    """Return what commands on curves are about: rows of the list that has the focus, or the highlight."""
+    focus, selected = QApplication.focusWidget(), context.session.selected
+    if isinstance(focus, ListsCurves):
+        return focus.meant
+    return selected.highlight(whole_curves=True).curves or selected.whole
 
 
 def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = True) -> Change:

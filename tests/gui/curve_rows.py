@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtWidgets import QApplication
+
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.view import CurveListView
 from app.testing import Editor
@@ -16,3 +20,18 @@ def rows(editor: Editor) -> list[str]:
     """Return the texts of the rows from the top, each as deep as it is drawn."""
     model = view_of(editor).curves
     return ["  " * entry.node.depth + model.index(row).data() for row, entry in enumerate(model.entries)]
+
+
+def heard(editor: Editor, place: int) -> str:
+    """Return what a screen reader says of the row of a curve, or of what it is in while that is folded."""
+    model = view_of(editor).curves
+    return str(model.data(model.index(model.row_of(place)), Qt.ItemDataRole.AccessibleTextRole))
+
+
+def open_row_menu(editor: Editor, row: int) -> None:
+    """Open the menu of a row with the right button."""
+    view = view_of(editor)
+    port, place = view.viewport(), view.parts.entry_rect(row).center()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
+    QApplication.sendEvent(port, event)
+    editor.settle()

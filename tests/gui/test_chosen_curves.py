@@ -15,10 +15,11 @@ from app.document.model import Document, Parametrization, ParametrizationKind, P
 from app.document.transforms import clean_step
 from app.families import QUINTIC_HERMITE
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.view import Spot, spot_rect
+from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.commands import ExchangeCommands
 from app.tools.snapping import SnapKind, Snapping
 from app.workbench.clipboard import CURVES
+from tests.gui.curve_rows import heard
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -65,7 +66,7 @@ def choose(editor, letters):
 
 def click_row(editor, row, keys=NO_KEYS, spot=Spot.NAME):
     view = editor.window.commands[CurveListCommands].panel.view
-    QTest.mouseClick(view.viewport(), LEFT, keys, spot_rect(view.row_rect(row), spot).center())
+    QTest.mouseClick(view.viewport(), LEFT, keys, spot_rect(view.parts.row_rect(row), spot).center())
     editor.settle()
 
 
@@ -185,8 +186,7 @@ def test_the_actions_choose_all_and_one(five):
 
 def test_the_list_tells_a_screen_reader(five):
     choose(five, "BD")
-    model = five.window.commands[CurveListCommands].panel.model
-    told = [model.data(model.index_of(row), Qt.ItemDataRole.AccessibleTextRole) for row in (0, 1, 3)]
+    told = [heard(five, row) for row in (0, 1, 3)]
     assert [text.partition("points")[2] for text in told] == ["", ", chosen, edited", ", chosen"]
 
 
@@ -674,7 +674,7 @@ def test_what_is_not_dragged_is_not_painted_anew(five):
 
 def test_choosing_drops_no_row_drag(five):
     view = five.window.commands[CurveListCommands].panel.view
-    place = spot_rect(view.row_rect(3), Spot.NAME).center()
+    place = spot_rect(view.parts.row_rect(3), Spot.NAME).center()
     QTest.mousePress(view.viewport(), LEFT, CTRL, place)
     QTest.mouseMove(view.viewport(), QPoint(place.x(), 4))
     QTest.mouseRelease(view.viewport(), LEFT, CTRL, QPoint(place.x(), 4))
@@ -776,7 +776,7 @@ def test_chosen_curves_go_to_the_top_and_the_bottom_together(five, key, order, n
 def test_chosen_rows_are_dragged_together(five):
     five.session.selected.set_curves({1, 2}, 1)
     view = five.window.commands[CurveListCommands].panel.view
-    start, end = view.row_rect(2).center(), view.row_rect(4).top()
+    start, end = view.parts.row_rect(2).center(), view.parts.row_rect(4).top()
     QTest.mousePress(view.viewport(), LEFT, pos=start)
     for y in (start.y() - 8, end - 1):
         QTest.mouseMove(view.viewport(), QPoint(start.x(), y))
@@ -784,7 +784,7 @@ def test_chosen_rows_are_dragged_together(five):
     QTest.mouseRelease(view.viewport(), LEFT, pos=QPoint(start.x(), end - 1))
     assert (names(five), chosen(five), step_name(five)) == ("ADEBC", "BC", "Reorder 2 curves")
     # A click without a drag chooses the one alone, as before.
-    QTest.mouseClick(view.viewport(), LEFT, pos=view.row_rect(4).center())
+    QTest.mouseClick(view.viewport(), LEFT, pos=view.parts.row_rect(4).center())
     assert chosen(five) == "C"
 
 

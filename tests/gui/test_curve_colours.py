@@ -25,7 +25,7 @@ from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.view import Spot, spot_rect
+from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.export_dialog import ExportDialog
 from app.view_model.palette import adjustment_of, colour_on
 from tests.gui.test_theme import contrast, oklab
@@ -123,9 +123,9 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     how = "lighter" if theme is DARK else "darker"
     editor.show_dock("curvesDock")
     view = editor.window.commands[CurveListCommands].panel.view
-    tip = view.tip_at(spot_rect(view.row_rect(1), Spot.SWATCH).center())
+    tip = view.parts.tip_at(spot_rect(view.parts.row_rect(1), Spot.SWATCH).center())
     assert f"drawn {how} than its {dim}" in tip
-    assert how not in view.tip_at(spot_rect(view.row_rect(0), Spot.SWATCH).center())
+    assert how not in view.parts.tip_at(spot_rect(view.parts.row_rect(0), Spot.SWATCH).center())
 
 
 def test_a_faint_curve_is_thin_but_seen(editor, dressed):

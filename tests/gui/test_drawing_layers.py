@@ -15,7 +15,7 @@ from app.exchange.options import Options
 from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.features.curve_list.rows import Spot, spot_rect
+from app.features.curve_list.row_parts import Spot, spot_rect
 from app.storage.format import decode, encode
 from app.tools.canvas.select import SELECT
 from tests.gui.curve_rows import rows, view_of
@@ -58,13 +58,13 @@ def layer_now(editor):
 
 def click_row(editor, name, spot=Spot.NAME):
     view, row = view_of(editor), [each.strip() for each in rows(editor)].index(name)
-    QTest.mouseClick(view.viewport(), LEFT, pos=spot_rect(view.entry_rect(row), spot).center())
+    QTest.mouseClick(view.viewport(), LEFT, pos=spot_rect(view.parts.entry_rect(row), spot).center())
     editor.settle()
 
 
 def drag_row(editor, row, end):
     view = view_of(editor)
-    QTest.mousePress(view.viewport(), LEFT, pos=view.entry_rect(row).center())
+    QTest.mousePress(view.viewport(), LEFT, pos=view.parts.entry_rect(row).center())
     QTest.mouseMove(view.viewport(), end + QPoint(0, 8))
     QTest.mouseMove(view.viewport(), end)
     QTest.mouseRelease(view.viewport(), LEFT, pos=end)
@@ -204,7 +204,7 @@ def test_an_emptied_layer_is_seen_and_locked_as_it_was(layered):
     # The same where the curve goes into another layer.
     view.curves.open(rows(editor).index("Back"), True)
     editor.settle()
-    drag_row(editor, rows(editor).index("  ground"), view.entry_rect(0).center())
+    drag_row(editor, rows(editor).index("  ground"), view.parts.entry_rect(0).center())
     assert layers(editor)["ground"] == "Notes"
     row = view.curves.row(rows(editor).index("Back"))
     assert (row.visible, row.locked) == (False, False)
@@ -287,7 +287,7 @@ def test_a_layer_has_a_short_menu_of_its_own(layered):
 
     def menu_on(name):
         view.scrollToTop()
-        place = view.entry_rect([each.strip() for each in rows(editor)].index(name)).center()
+        place = view.parts.entry_rect([each.strip() for each in rows(editor)].index(name)).center()
         where = view.viewport().mapToGlobal(place)
         QApplication.sendEvent(
             view.viewport(), QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, where)
@@ -348,7 +348,7 @@ def test_a_curve_is_dragged_into_an_empty_layer(layered):
     view.curves.open(1, True)
     editor.settle()
     assert rows(editor) == ["Notes", "Art", "  Inner", "  right", "  left", "Sketch", "Back"]
-    drag_row(editor, 3, view.entry_rect(0).center())
+    drag_row(editor, 3, view.parts.entry_rect(0).center())
     assert layers(editor) == {"ground": "Back", "left": "Art", "right": "Notes"}
 
 
@@ -359,7 +359,7 @@ def test_a_row_falls_into_the_layer_on_the_lower_half_of_whose_last_row_it_is_dr
     view.curves.open(rows(editor).index("Art"), True)
     editor.settle()
     right, ground = (rows(editor).index(f"  {name}") for name in ("right", "ground"))
-    low = view.entry_rect(ground).center() + QPoint(0, view.entry_rect(ground).height() // 2 - 3)
+    low = view.parts.entry_rect(ground).center() + QPoint(0, view.parts.entry_rect(ground).height() // 2 - 3)
     drag_row(editor, right, low)
     assert layers(editor) == {"right": "Back", "ground": "Back", "left": "Art"}
     # And one that is in no layer.
@@ -367,7 +367,7 @@ def test_a_row_falls_into_the_layer_on_the_lower_half_of_whose_last_row_it_is_dr
     editor.settle()
     assert layers(editor)["left"] == ""
     last = rows(editor).index("  right")
-    low = view.entry_rect(last).center() + QPoint(0, view.entry_rect(last).height() // 2 - 3)
+    low = view.parts.entry_rect(last).center() + QPoint(0, view.parts.entry_rect(last).height() // 2 - 3)
     drag_row(editor, rows(editor).index("left"), low)
     assert layers(editor)["left"] == "Back"
 

@@ -130,10 +130,10 @@ def test_a_dialog_takes_the_drag_of_a_row_back(arch):
     arch.trigger("duplicateCurve")
     arch.show_dock("curvesDock")
     document, view = arch.session.document, arch.window.commands[CurveListCommands].panel.view
-    start, end = (view.row_rect(row).center() for row in (0, 1))
+    start, end = (view.parts.row_rect(row).center() for row in (0, 1))
     left = Qt.MouseButton.LeftButton
     QTest.mousePress(view.viewport(), left, pos=start)
-    for place in (start, view.row_rect(1).bottomLeft(), end):
+    for place in (start, view.parts.row_rect(1).bottomLeft(), end):
         arch.send(view, QEvent.Type.MouseMove, place)
     assert view.is_dragging
     ask_to_save(arch, view)

@@ -15,8 +15,9 @@ from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.view import Spot, spot_rect
+from app.features.curve_list.row_parts import Spot, spot_rect
 from app.view_model import flattener
+from tests.gui.curve_rows import heard
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -42,7 +43,7 @@ def list_of(editor):
 
 def row_place(editor, row, spot=Spot.NAME):
     view = list_of(editor).view
-    return spot_rect(view.row_rect(row), spot).center()
+    return spot_rect(view.parts.row_rect(row), spot).center()
 
 
 def drag_row(editor, row, y, *, release=True):
@@ -67,7 +68,7 @@ def test_a_click_in_the_list_edits_another_curve(three):
     assert three.curve.name == "C"
     assert three.session.selection == frozenset()
     assert three.window.point_table.model().rowCount() == 4
-    assert list_of(three).view.active == 2
+    assert list_of(three).model.marks.active == 2
 
 
 def test_arrows_walk_the_list(three):
@@ -251,14 +252,14 @@ def test_escape_leaves_the_name_as_it_was(three):
 
 def test_an_empty_name_is_refused(three):
     model = list_of(three).model
-    assert not model.setData(model.index_of(0), "  ")
+    assert not model.setData(model.index(model.row_of(0)), "  ")
     assert three.status == "A curve needs a name."
     assert names(three) == "ABC"
 
 
 @pytest.mark.parametrize(("row", "after", "expected"), [(0, 2, "BCA"), (2, 0, "CAB"), (0, 1, "BAC")])
 def test_a_row_is_dragged_to_another_place(three, row, after, expected):
-    rect = list_of(three).view.row_rect(after)
+    rect = list_of(three).view.parts.row_rect(after)
     drag_row(three, row, rect.top() if after > row else rect.bottom())
     assert names(three) == expected
     assert three.curve.name == "ABC"[row]
@@ -268,17 +269,17 @@ def test_a_row_is_dragged_to_another_place(three, row, after, expected):
 
 def test_escape_takes_back_the_drag_of_a_row(three):
     view = list_of(three).view
-    drag_row(three, 0, view.row_rect(2).top(), release=False)
+    drag_row(three, 0, view.parts.row_rect(2).top(), release=False)
     assert view.is_dragging
     QTest.keyClick(view, Qt.Key.Key_Escape)
-    QTest.mouseRelease(view.viewport(), LEFT, pos=view.row_rect(2).topLeft())
+    QTest.mouseRelease(view.viewport(), LEFT, pos=view.parts.row_rect(2).topLeft())
     three.settle()
     assert names(three) == "ABC"
     assert not view.is_dragging
 
 
 def test_a_row_dropped_where_it_was_changes_nothing(three):
-    rect = list_of(three).view.row_rect(1)
+    rect = list_of(three).view.parts.row_rect(1)
     drag_row(three, 1, rect.top() + rect.height() // 3 + 12)
     assert three.session.undo_stack.undoText() == "Begin"
 
@@ -296,7 +297,7 @@ def test_keys_move_a_curve_in_the_order(three):
 
 def test_the_curve_in_front_is_at_the_top_and_raise_goes_up(three):
     view = list_of(three).view
-    tops = [view.row_rect(place).top() for place in range(3)]
+    tops = [view.parts.row_rect(place).top() for place in range(3)]
     assert tops == sorted(tops, reverse=True)
     assert list_of(three).model.index(0).data() == "C"
     three.trigger("raiseCurve")
@@ -305,7 +306,7 @@ def test_the_curve_in_front_is_at_the_top_and_raise_goes_up(three):
         "C",
         "A",
     ]
-    assert view.row_rect(three.session.active_index).top() == 0
+    assert view.parts.row_rect(three.session.active_index).top() == 0
     assert not three.action("raiseCurve").isEnabled()
 
 
@@ -347,20 +348,20 @@ def test_delete_while_a_name_is_typed_is_for_the_name(three):
 
 def test_every_part_of_a_row_says_what_a_click_does(three):
     view = list_of(three).view
-    tips = [view.tip_at(row_place(three, 1, spot)) for spot in Spot]
+    tips = [view.parts.tip_at(row_place(three, 1, spot)) for spot in Spot]
     assert tips == [
         "Choose the colour of “B”",
-        "“B”: Hermite, 4 points. Double-click to rename, drag to reorder.",
+        "“B”: Hermite, 4 points. Double-click to rename, drag to reorder;"
+        " right-click › Edit Curve shows its points.",
         "Lock “B”",
         "Hide “B”",
     ]
-    assert "Click a curve" in view.tip_at(QPoint(5, view.viewport().height() - 2))
+    assert "Click a row" in view.parts.tip_at(QPoint(5, view.viewport().height() - 2))
 
 
 def test_the_list_is_read_aloud(three):
     three.click_in_list(1, Spot.LOCK)
-    model = list_of(three).model
-    assert model.data(model.index_of(1), Qt.ItemDataRole.AccessibleTextRole) == "B, Hermite, 4 points, locked"
+    assert heard(three, 1) == "B, Hermite, 4 points, locked"
 
 
 def test_the_menu_of_a_row_is_for_that_curve(three):

@@ -18,8 +18,9 @@ from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
 from app.document.style import FillRule, Style
 from app.families import HERMITE
-from app.features.curve_list.rows import Spot, spot_rect
-from tests.gui.curve_rows import rows, view_of
+from app.features.curve_list import dragging
+from app.features.curve_list.row_parts import Spot, spot_rect
+from tests.gui.curve_rows import heard, rows, view_of
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -55,7 +56,7 @@ def row_named(editor, name):
 
 def place_in(editor, name, spot=Spot.NAME):
     view = view_of(editor)
-    return spot_rect(view.entry_rect(row_named(editor, name)), spot).center()
+    return spot_rect(view.parts.entry_rect(row_named(editor, name)), spot).center()
 
 
 def click_row(editor, name, keys=NO_KEYS, spot=Spot.NAME):
@@ -65,7 +66,7 @@ def click_row(editor, name, keys=NO_KEYS, spot=Spot.NAME):
 
 def fold(editor, name):
     view = view_of(editor)
-    place = view.opener_rect(row_named(editor, name)).center()
+    place = view.parts.opener_rect(row_named(editor, name)).center()
     QTest.mouseClick(view.viewport(), LEFT, pos=place)
     editor.settle()
 
@@ -95,7 +96,17 @@ def drag_row(editor, name, to, right=0):
 
 
 def top_of(editor, name):
-    return view_of(editor).entry_rect(row_named(editor, name)).top()
+    return view_of(editor).parts.entry_rect(row_named(editor, name)).top()
+
+
+def seen_in_list(editor, name):
+    """The colours along the middle of a row's name."""
+    view, rect = (
+        view_of(editor),
+        spot_rect(view_of(editor).parts.entry_rect(row_named(editor, name)), Spot.NAME),
+    )
+    image, line = view.viewport().grab(rect).toImage(), rect.height() // 2
+    return [image.pixelColor(x, line).name() for x in range(image.width())]
 
 
 def names(editor):
@@ -318,7 +329,7 @@ def test_a_screen_reader_hears_of_shapes(ring):
     fold(ring, "Shape 1")
     assert model.index(1).data(Qt.ItemDataRole.AccessibleTextRole) == "Shape 1, shape of 2 curves, open"
     view = view_of(ring)
-    assert view.tip_at(view.opener_rect(1).center()) == "Fold “Shape 1” (Left, Right)"
+    assert view.parts.tip_at(view.parts.opener_rect(1).center()) == "Fold “Shape 1” (Left, Right)"
 
 
 # Whole shapes
@@ -357,6 +368,43 @@ def test_a_new_curve_does_not_tear_a_shape(ring):
     ring.trigger("newCurve")
     assert names(ring) == ["Outer", "Inner", "Side", "Curve 1"]
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
+
+
+def test_a_curve_of_an_opened_shape_is_chosen_alone_and_goes_alone(ring):
+    """The canvas shows a box around it and not around its shape, and every key is about that."""
+    ring.session.selected.choose(())
+    fold(ring, "Shape 1")
+    click_row(ring, "Inner")
+    assert (ring.session.selected.is_editing, ring.session.selected.chosen) == (False, {1})
+    before = ring.session.document
+    ring.drag((0.5, 0.3), (0.5, 0.8))
+    after = ring.session.document
+    assert [after.curves[at] is before.curves[at] for at in range(3)] == [True, False, True]
+    assert step_name(ring) == "Move Inner"
+    ring.window.canvas.setFocus()
+    ring.key(Qt.Key.Key_Delete)
+    assert names(ring) == ["Outer", "Side"]
+    ring.trigger("undo")
+    ring.click((2.2, 0.3))
+    assert ring.session.selected.chosen == {0, 1}
+
+
+def test_what_is_folded_tells_that_a_part_of_it_is_chosen(ring):
+    """By a fainter mark with a dot, and in words; not the one that is opened, and not where all of it is."""
+    image = [seen_in_list(ring, "Shape 1")]
+    fold(ring, "Shape 1")
+    ring.session.selected.choose(())
+    click_row(ring, "Inner")
+    assert heard(ring, 1).endswith(", chosen")
+    fold(ring, "Shape 1")
+    assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, something in it is chosen"
+    image.append(seen_in_list(ring, "Shape 1"))
+    click_row(ring, "Shape 1")
+    assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, chosen"
+    image.append(seen_in_list(ring, "Shape 1"))
+    dots = [[each == LIGHT.accent.name() for each in row].count(True) for row in image]
+    assert [dot > 2 for dot in dots] == [False, True, False]
+    assert len({row[-1] for row in image}) == 3
 
 
 @pytest.mark.parametrize("how", ["key", "menu"])
@@ -410,7 +458,7 @@ def test_a_curve_is_dragged_into_a_shape_and_out_of_it(ring):
 
 def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
     fold(ring, "Shape 1")
-    last = view_of(ring).entry_rect(3)
+    last = view_of(ring).parts.entry_rect(3)
     drag_row(ring, "Side", last.bottom())
     assert rows(ring) == ["Shape 1", "  Inner", "  Outer", "  Side"]
     ring.trigger("undo")
@@ -422,7 +470,7 @@ def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
 def test_a_curve_dropped_on_an_entry_goes_into_it(ring, folded):
     if not folded:
         fold(ring, "Shape 1")
-    drag_row(ring, "Side", view_of(ring).entry_rect(row_named(ring, "Shape 1")).center().y())
+    drag_row(ring, "Side", view_of(ring).parts.entry_rect(row_named(ring, "Shape 1")).center().y())
     assert (names(ring), shapes(ring)) == (["Outer", "Inner", "Side"], ["Shape 1"] * 3)
     assert ring.curve.name == "Side"
 
@@ -823,7 +871,7 @@ def test_a_folded_shape_opens_under_a_drag_that_rests_on_it(ring):
     QTest.mouseMove(port, (start + onto) / 2)
     QTest.mouseMove(port, onto)
     assert rows(ring) == ["Side", "Shape 1"]
-    QTest.qWait(view._opening.interval() + 100)
+    QTest.qWait(dragging.OPENS_MS + 100)
     assert rows(ring) == ["Side", "Shape 1", "  Inner", "  Outer"]
     # On, to a place between its curves.
     between = QPoint(onto.x() + 20, top_of(ring, "Outer"))

@@ -23,7 +23,7 @@ from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.families import HERMITE
-from app.features.curve_list.view import Spot
+from app.features.curve_list.row_parts import Spot
 from app.widgets.colour_popup import ColourPopup
 
 BLUE, RED, GREEN = "#0072b2", "#d55e00", "#009e73"

@@ -15,10 +15,11 @@ from app.canvas.sections import loose_places, sections_of
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
-from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.view import Spot
+from app.features.curve_list.row_parts import Spot, spot_rect
+from tests.gui.curve_rows import heard, open_row_menu, rows, view_of
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
 RETURN = Qt.Key.Key_Return
 
@@ -160,12 +161,14 @@ def test_tab_goes_from_curve_to_curve_and_all_are_chosen_with_ctrl_a(whole):
     assert state(whole)[:2] == (False, "ABC")
 
 
-@pytest.mark.parametrize("how", ["table", "list", "pen", "new document", "action"])
+@pytest.mark.parametrize("how", ["table", "menu of the list", "pen", "new document", "action"])
 def test_what_needs_points_edits_again(whole, how):
     if how == "table":
         whole.select([1])
-    elif how == "list":
-        whole.click_in_list(2)
+    elif how == "menu of the list":
+        open_row_menu(whole, row_of(whole, "C"))
+        whole.choose("editCurve")
+        assert whole.curve.name == "C"
     elif how == "pen":
         whole.key(Qt.Key.Key_P)
     elif how == "new document":
@@ -174,6 +177,52 @@ def test_what_needs_points_edits_again(whole, how):
         whole.trigger("editCurve")
     assert whole.session.selected.is_editing
     assert chosen(whole) == ""
+
+
+def row_of(editor, name):
+    return [text.strip() for text in rows(editor)].index(name)
+
+
+def click_in_list(editor, name, keys=Qt.KeyboardModifier.NoModifier):
+    view = view_of(editor)
+    place = spot_rect(view.parts.entry_rect(row_of(editor, name)), Spot.NAME).center()
+    QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, keys, place)
+    editor.settle()
+
+
+def test_a_click_in_the_list_chooses_as_the_arrow_does(whole):
+    """Where nothing is edited it begins no editing, and panels show what was clicked."""
+    whole.show_dock("curvesDock")
+    found = []
+    for name, keys in (
+        ("C", None),
+        ("A", None),
+        ("C", CTRL),
+        ("A", CTRL),
+        ("C", CTRL),
+        ("A", None),
+        ("C", SHIFT),
+    ):
+        click_in_list(whole, name, keys or Qt.KeyboardModifier.NoModifier)
+        found.append(chosen(whole))
+        assert not whole.session.selected.is_editing
+        assert whole.session.active_index in whole.session.selected.curves
+    assert found == ["C", "A", "AC", "C", "", "A", "ABC"]
+    click_in_list(whole, "C")
+    assert state(whole) == (False, "C", "C")
+    assert whole.session.meant_view is whole.session.views[2]
+    before = whole.session.document
+    whole.drag(on_curve(whole, 2), np.add(on_curve(whole, 2), (0.5, 0.0)))
+    assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
+
+
+def test_a_click_in_the_list_edits_while_a_curve_is_edited_as_one_on_the_canvas(three):
+    three.show_dock("curvesDock")
+    three.select([1])
+    click_in_list(three, "C")
+    assert (state(three), three.session.selection) == ((True, "", "C"), frozenset())
+    three.click(on_curve(three, 0))
+    assert state(three) == (True, "", "A")
 
 
 def test_the_action_goes_both_ways(three):
@@ -186,12 +235,10 @@ def test_the_action_goes_both_ways(three):
 
 
 def test_the_list_and_the_sheet_say_what_is_chosen(whole):
-    model = whole.window.commands[CurveListCommands].panel.model
-    told = [model.data(model.index_of(row), Qt.ItemDataRole.AccessibleTextRole) for row in range(3)]
+    told = [heard(whole, row) for row in range(3)]
     assert [text.rpartition("points")[2] for text in told] == ["", "", ""]
     whole.click(on_curve(whole, 2))
-    text = model.data(model.index_of(2), Qt.ItemDataRole.AccessibleTextRole)
-    assert text.endswith(", chosen")
+    assert heard(whole, 2).endswith(", chosen")
     whole.trigger("showShortcuts")
     texts = [label.text() for label in whole.window.findChild(object, "shortcutSheet").findChildren(QLabel)]
     assert "<b>Now: 1 curve chosen</b>" in texts

@@ -2,5 +2,5 @@
 
 - ``commands``: what is done to all chosen curves, by actions and in the list.
 - ``panel``: the list with its buttons.  ``colour_menu``: behind a swatch.
-- ``view``, ``rows``, ``model``: the list for Qt.  ``dropping``: where dragged rows go.
+- ``view``, ``rows``, ``row_parts``, ``model``: the list for Qt.  ``dragging``, ``dropping``: of rows.
 """

@@ -46,6 +46,7 @@ from ...workbench.docks import UPPER, Panel
 from ...workbench.highlight import delete_layer, highlighted_curves
 from ...workbench.strip_menu import strip_menu
 from .dropping import Drop
+from .model import Marks
 from .panel import CurveList
 
 
@@ -80,9 +81,8 @@ class CurveListCommands:
 
     def _connect(self, panel: CurveList) -> None:
         session = self._session
-        panel.view.activated_row.connect(session.selected.activate)
         panel.view.chosen_entry.connect(self._choose_entry)
-        panel.view.rows_selected.connect(session.selected.set_curves)
+        panel.view.rows_selected.connect(self._choose_rows)
         panel.view.all_wanted.connect(self._choose_all)
         panel.view.moved.connect(self._move)
         panel.model.name_edited.connect(self._set_name)
@@ -103,13 +103,8 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session, selected = self._session, self._session.selected
-        self.panel.render_document(
-            session.document,
-            session.active_index,
-            selected.marked,
-            selected.layer,
-            is_editing=selected.is_editing,
-        )
+        marks = Marks(session.active_index, selected.is_editing, selected.marked, selected.layer)
+        self.panel.render_document(session.document, marks)
 
     # Number
 
@@ -285,9 +280,27 @@ class CurveListCommands:
         return selected if places <= selected else places
 
     def _choose_entry(self, node: Node) -> None:
-        self._session.selected.choose(node.places)
+        """Choose what a row is about; while a curve is edited, edit that of the row, as the arrow does.
+
+        A curve of an opened shape is chosen alone: whoever opened the shape wants a part of it.
+        """
+        selected = self._session.selected
+        if node.kind is NodeKind.CURVE and selected.is_editing:
+            selected.activate(node.places.start)
+        elif node.kind is NodeKind.CURVE:
+            selected.set_curves(node.places)
+        else:
+            selected.choose(node.places)
         if node.kind is NodeKind.LAYER:
-            self._session.selected.set_layer(node.name)
+            selected.set_layer(node.name)
+
+    def _choose_rows(self, places: frozenset[int]) -> None:
+        """Choose these curves together; of none only those who edit one have to stay with it."""
+        selected = self._session.selected
+        if places or selected.is_editing:
+            selected.set_curves(places)
+        else:
+            selected.choose(())
 
     def _choose_meant(self, node: Node) -> None:
         session, places = self._session, frozenset(node.places)

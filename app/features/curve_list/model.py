@@ -64,6 +64,25 @@ class Entry(NamedTuple):
         return self.node.kind, self.node.around, self.node.name
 
 
+class Marks(NamedTuple):
+    """What is chosen, as the rows show it.
+
+    Attributes
+    ----------
+    active, is_editing
+        The active curve, and whether it is edited.
+    curves
+        The curves that are chosen, or edited.
+    layer
+        The layer that what is new comes into.
+    """
+
+    active: int = 0
+    is_editing: bool = True
+    curves: frozenset[int] = frozenset()
+    layer: str = ""
+
+
 class CurveListModel(Guarded, QAbstractListModel):
     """Rows are curves, shapes and groups; the text is the name, and setting it asks for another one.
 
@@ -78,8 +97,8 @@ class CurveListModel(Guarded, QAbstractListModel):
         What the rows are about, from the top.
     has_folds
         Whether there are shapes or groups.
-    layer
-        The layer that what is new comes into.
+    marks
+        What is chosen.
     """
 
     name_edited = Signal(object, str)
@@ -88,21 +107,17 @@ class CurveListModel(Guarded, QAbstractListModel):
         super().__init__(parent)
         self.setObjectName("curveListModel")
         self._document: Document | None = None
-        self.layer = ""
+        self.marks = Marks()
         self.entries: list[Entry] = []
         self.has_folds = False
         self._rows: list[Row] = []
         self._row_of: dict[int, int] = {}
         self._rows_around: list[int | None] = []
         self._open: set[_Key] = set()
-        self._edited: int | None = 0
-        self._chosen: frozenset[int] = frozenset()
 
-    def show_document(
-        self, document: Document, edited: int | None, selected: frozenset[int], layer: str
-    ) -> None:
-        """Show the curves and layers of `document`; only what changed is announced."""
-        self._edited, self._chosen, self.layer = edited, selected, layer
+    def show_document(self, document: Document, marks: Marks) -> None:
+        """Show the curves and layers of `document`, and what is chosen; only what changed is announced."""
+        self.marks = marks
         before, self._document = self._document, document
         if before is None:
             self._build(document)
@@ -201,7 +216,7 @@ class CurveListModel(Guarded, QAbstractListModel):
     def show_layer(self) -> int:
         """Open what the layer that what is new comes into is in, and return its row."""
         assert self._document is not None
-        around = layer_node(self._document, self.layer).around.groups
+        around = layer_node(self._document, self.marks.layer).around.groups
         self._open |= {(NodeKind.LAYER, Container(around[:at]), name) for at, name in enumerate(around)}
         self._build(self._document)
         row = self._layer_row()
@@ -221,10 +236,6 @@ class CurveListModel(Guarded, QAbstractListModel):
     def entry_of(self, index: Index) -> Entry | None:
         """Return what an index is about."""
         return self.entries[index.row()] if index.isValid() else None
-
-    def index_of(self, place: int) -> QModelIndex:
-        """Return the index of the curve at `place` of the document, or of the closed entry that it is in."""
-        return self.index(self.row_of(place))
 
     def open(self, row: int, is_open: bool) -> None:
         """Show what is in a shape or a group, or no longer."""
@@ -252,26 +263,46 @@ class CurveListModel(Guarded, QAbstractListModel):
             return f"{row.name}, {row.facts}{_state(row, entry)}{self._role_of(entry)}{here}"
         return None
 
+    # What is chosen
+
     def is_layer_now(self, entry: Entry) -> bool:
         """Whether an entry is the layer that what is new comes into."""
-        return entry.node.kind is NodeKind.LAYER and entry.node.name == self.layer
+        return entry.node.kind is NodeKind.LAYER and entry.node.name == self.marks.layer
+
+    def is_edited(self, entry: Entry) -> bool:
+        """Whether an entry is the curve that is edited, or a folded shape that it is in."""
+        is_one = entry.node.kind in (NodeKind.CURVE, NodeKind.SHAPE) and not entry.is_open
+        return self.marks.is_editing and is_one and self.marks.active in entry.node.places
 
     def is_chosen(self, entry: Entry) -> bool:
         """Whether an entry is of what is chosen; an empty layer, while new curves come there and none is."""
         if not entry.places:
-            return self.is_layer_now(entry) and not self._chosen
-        return entry.places <= self._chosen
+            return self.is_layer_now(entry) and not self.marks.curves
+        return entry.places <= self.marks.curves
+
+    def is_chosen_whole(self, entry: Entry) -> bool:
+        """Whether an entry is chosen to be acted on as a whole: not where it alone is edited."""
+        is_whole = not self.marks.is_editing or len(self.marks.curves) > 1
+        return is_whole and self.is_chosen(entry)
+
+    def has_chosen_within(self, entry: Entry) -> bool:
+        """Whether a part of what an entry hides, being folded, is chosen or edited, and not all of it."""
+        is_folded = entry.opens and not entry.is_open
+        is_marked = self.is_edited(entry) or self.is_chosen(entry)
+        return is_folded and not is_marked and not self.marks.curves.isdisjoint(entry.node.places)
 
     def chosen_layer(self, entry: Entry) -> str:
         """Return the name of an entry that is a layer, all that is chosen being in it; empty of others."""
         is_layer = entry.node.kind is NodeKind.LAYER and self.is_chosen(entry)
-        return entry.node.name if is_layer and self._chosen <= entry.places else ""
+        return entry.node.name if is_layer and self.marks.curves <= entry.places else ""
 
     def _role_of(self, entry: Entry) -> str:
-        is_alone = self._edited is not None and len(self._chosen) < 2
-        if is_alone or not self.is_chosen(entry):
+        is_with_edited = self.marks.is_editing and self.marks.active in entry.places
+        if self.has_chosen_within(entry):
+            return ", the edited curve is in it" if is_with_edited else ", something in it is chosen"
+        if not self.is_chosen_whole(entry):
             return ""
-        return ", chosen, edited" if self._edited in entry.places else ", chosen"
+        return ", chosen, edited" if is_with_edited else ", chosen"
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         entry = self.entry_of(index)

@@ -18,8 +18,8 @@ from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
 from ...widgets.tool_buttons import action_button
 from .colour_menu import colour_menu
-from .model import CurveListModel
-from .rows import Spot
+from .model import CurveListModel, Marks
+from .row_parts import Spot
 from .view import CurveListView
 
 
@@ -72,12 +72,10 @@ class CurveList(Guarded, QWidget):
             button.setFixedSize(26, 26)
             self._buttons.insertWidget(place, button)
 
-    def render_document(
-        self, document: Document, active: int, selected: frozenset[int], layer: str, *, is_editing: bool
-    ) -> None:
-        """Show the curves of `document`, which is edited, if any, which are selected, and the layer now."""
-        self.model.show_document(document, active if is_editing else None, selected, layer)
-        self.view.show_active(active, selected, is_editing=is_editing)
+    def render_document(self, document: Document, marks: Marks) -> None:
+        """Show the curves of `document`, and what is chosen."""
+        self.model.show_document(document, marks)
+        self.view.follow()
 
     # What the person did
 
@@ -93,7 +91,7 @@ class CurveList(Guarded, QWidget):
         """Open the palette for curves, and all selected with them, beside their swatch if that is seen."""
         row = self.model.row_about(places, max(places))
         style = self.model.row(row).style
-        place = self.view.viewport().mapToGlobal(self.view.entry_rect(row).bottomLeft())
+        place = self.view.viewport().mapToGlobal(self.view.parts.entry_rect(row).bottomLeft())
         if not self.view.isVisible():
             place = self.window().mapToGlobal(self.window().rect().center())
         menu = colour_menu(
@@ -128,7 +126,7 @@ class CurveList(Guarded, QWidget):
         """Ask for the menu of the curve under the pointer, or of the active one."""
         place = self.view.viewport().mapFromGlobal(event.globalPos())
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            place = self.view.entry_rect(self.view.current).center()
-        if (node := self.view.node_at(place)) is not None:
+            place = self.view.parts.entry_rect(self.view.current).center()
+        if (node := self.view.parts.node_at(place)) is not None:
             self.row_meant.emit(node)
         self.menu_requested.emit(self.view.viewport().mapToGlobal(place), node)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, QRect, Qt, QTimer, Signal
+from functools import partial
+
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QApplication,
     QLineEdit,
     QListView,
     QStyledItemDelegate,
@@ -14,17 +15,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...appearance.theme import theme_of
-from ...document.curve_tree import Node
 from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...qt.labels import tip_of
 from ...widgets.controls import named
-from .dropping import Drop, drop_at, drop_onto, stays
-from .model import CurveListModel, Entry
-from .rows import INDENT, RowDelegate, Spot, draw_drop, spot_rect, spot_tip
-
-_OPENS_MS = 600
-"""Milliseconds for which a drag rests on a folded shape or group before that opens."""
+from .dragging import RowDrag
+from .dropping import stays
+from .model import CurveListModel
+from .row_parts import RowParts, Spot
+from .rows import RowDelegate
 
 _RENAME = (Qt.Key.Key_F2, *ENTER)
 _STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
@@ -34,16 +32,14 @@ _ALL = QKeySequence.StandardKey.SelectAll
 
 
 class CurveListView(ClaimsKeys, QListView):
-    """Reports what the person did; which row is the active one comes from the session.
+    """Reports what the person did; what is chosen comes from the session, by the model.
 
     Curves are named by their places in the document, wherever they stand in the list.
 
     Signals
     -------
-    activated_row
-        The row of a curve was clicked or walked to.
     chosen_entry
-        The row of a shape, group or layer was clicked or walked to (a Node).
+        A row was clicked or walked to (a Node).
     rows_selected
         These curves shall be worked on together (a set of places).
     all_wanted
@@ -54,9 +50,15 @@ class CurveListView(ClaimsKeys, QListView):
         A row was dragged to another place (Node, Drop).
     deletion_wanted
         These curves shall be deleted (a set), or the layer of this name with them.
+
+    Attributes
+    ----------
+    curves
+        The model.
+    parts
+        Where rows have their parts.
     """
 
-    activated_row = Signal(int)
     chosen_entry = Signal(object)
     rows_selected = Signal(object)
     all_wanted = Signal()
@@ -66,22 +68,16 @@ class CurveListView(ClaimsKeys, QListView):
 
     def __init__(self, model: CurveListModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.curves = model
-        self.active, self.is_editing = 0, True
-        self.selected: frozenset[int] = frozenset()
+        self.curves, self.parts = model, RowParts(self, model)
         # The row that keys go on from, and where choosing row by row has come to from it.
         self._current = self._reached = 0
-        self._press: QPoint | None = None
-        self._pressed_row = -1
-        self._drop: Drop | None = None
-        self._dragged_to = QPoint()
-        self._opening = QTimer(self, singleShot=True, interval=_OPENS_MS)
-        self._opening.timeout.connect(self._open_below)
+        self._followed = 0
+        self._drag = RowDrag(self, model, self.parts, partial(self._fold, is_open=True))
         self.setModel(model)
         tip = (
-            "The curve in front is at the top. Click a curve to edit it, double-click to rename it,"
-            " drag it to another place; Ctrl or Shift+click chooses several. Left and Right fold"
-            " shapes and groups"
+            "The curve in front is at the top. Click a row to choose it, or to edit its curve while one is"
+            " edited; right-click › Edit Curve shows its points. Double-click to rename, drag to another"
+            " place; Ctrl or Shift+click chooses several. Left and Right fold shapes and groups"
         )
         named(self, "curveList", "Curves", tip)
         self._delegate = RowDelegate(self)
@@ -92,18 +88,18 @@ class CurveListView(ClaimsKeys, QListView):
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
 
-    def show_active(self, row: int, selected: frozenset[int], *, is_editing: bool = True) -> None:
-        """Mark the row of the active curve as edited, if it is, and those that are selected."""
-        self.is_editing = is_editing
-        changed, self.active, self.selected = row != self.active, row, selected
+    def follow(self) -> None:
+        """Mark the rows of what the model says is chosen, and go on from there."""
+        marks = self.curves.marks
         if not self._is_about(self._current):
-            self._current = self.curves.row_about(selected, row)
-        if self._reached >= self.curves.rowCount() or not self._places(self._reached) <= selected:
+            self._current = self.curves.row_about(marks.curves, marks.active)
+        if self._reached >= self.curves.rowCount() or not self._places(self._reached) <= marks.curves:
             self._reached = self._current
         index = self.curves.index(self._current)
         if self.currentIndex() != index:
             self.setCurrentIndex(index)
-        if changed:
+        if marks.active != self._followed:
+            self._followed = marks.active
             self.scrollTo(index)
         self.viewport().update()
 
@@ -111,18 +107,11 @@ class CurveListView(ClaimsKeys, QListView):
         """Whether a row is about the curves that are selected, or else the active one."""
         if row >= self.curves.rowCount():
             return False
-        entry = self.curves.entries[row]
-        if not self.selected:
+        entry, marks = self.curves.entries[row], self.curves.marks
+        if not marks.curves:
             return not entry.places and self.curves.is_chosen(entry)
-        return entry.places == self.selected or (len(self.selected) == 1 and self.shows_active(entry))
-
-    def shows_active(self, entry: Entry) -> bool:
-        """Whether an entry is that of the active curve, or of what it is in while that is folded."""
-        return self.active in entry.node.places and not entry.is_open
-
-    def shows_edited(self, entry: Entry) -> bool:
-        """Whether an entry is that of the curve that is edited, or of what it is in."""
-        return self.is_editing and self.shows_active(entry)
+        is_of_one = len(marks.curves) == 1 and marks.active in entry.places and not entry.is_open
+        return entry.places == marks.curves or is_of_one
 
     def _places(self, row: int) -> frozenset[int]:
         return self.curves.entries[row].places
@@ -141,98 +130,53 @@ class CurveListView(ClaimsKeys, QListView):
     @property
     def meant(self) -> frozenset[int]:
         """The curves that commands are about while the list has the keys: of an open shape also one alone."""
-        here = self._places(self._current) or self.selected or frozenset({self.active})
-        return self.selected if len(self.selected) > 1 else here
+        marks = self.curves.marks
+        here = self._places(self._current) or marks.curves or frozenset({marks.active})
+        return marks.curves if len(marks.curves) > 1 else here
 
     @property
     def current(self) -> int:
         """The row that keys act on."""
         return self._current
 
-    def row_rect(self, place: int) -> QRect:
-        """Return where the row of a curve, or of what it is in while that is folded, has its parts."""
-        return self.entry_rect(self.curves.row_of(place))
-
-    def entry_rect(self, row: int) -> QRect:
-        """Return where a row has its parts, in the viewport."""
-        rect = self.visualRect(self.curves.index(row))
-        if self.curves.has_folds:
-            rect.setLeft(rect.left() + INDENT * (1 + self.curves.entries[row].node.depth))
-        return rect
-
-    def opener_rect(self, row: int) -> QRect:
-        """Return where a row opens what is in its shape or group."""
-        rect = self.entry_rect(row)
-        return QRect(rect.left() - INDENT + 2, rect.top(), INDENT, rect.height())
-
-    def _row_at(self, place: QPoint) -> int:
-        return self.indexAt(place).row()
-
-    def places_at(self, place: QPoint) -> frozenset[int]:
-        """Return the curves that the row at a place of the viewport is about."""
-        node = self.node_at(place)
-        return frozenset(node.places if node is not None else ())
-
-    def node_at(self, place: QPoint) -> Node | None:
-        """Return what the row at a place of the viewport is about."""
-        row = self._row_at(place)
-        return self.curves.entries[row].node if row >= 0 else None
-
-    def _is_on_opener(self, place: QPoint) -> bool:
-        row = self._row_at(place)
-        return row >= 0 and self.curves.entries[row].opens and place.x() < self.entry_rect(row).left()
-
-    def spot_at(self, place: QPoint) -> Spot:
-        """Return the part of a row at a place of the viewport."""
-        rect = self.entry_rect(self._row_at(place))
-        for spot in (Spot.SWATCH, Spot.LOCK, Spot.EYE):
-            if spot_rect(rect, spot).contains(place):
-                # There is nothing to colour in an empty layer.
-                return spot if spot is not Spot.SWATCH or self.places_at(place) else Spot.NAME
-        return Spot.NAME
-
-    # Mouse: a click activates or switches, a drag moves the row
+    # Mouse: a click chooses or switches, a drag moves the row
 
     @property
     def is_dragging(self) -> bool:
         """Whether a row is being dragged."""
-        return self._drop is not None
+        return self._drag.drop is not None
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self._press, self._pressed_row = None, -1
-        row = self._row_at(event.position().toPoint())
+        self._drag.end()
+        place = event.position().toPoint()
+        row = self.parts.row_at(place)
         if event.button() != Qt.MouseButton.LeftButton or row < 0:
             return
-        if self._is_on_opener(event.position().toPoint()):
+        if self.parts.is_on_opener(place):
             self._fold(row, is_open=not self.curves.entries[row].is_open)
             return
-        places, spot = self._places(row), self.spot_at(event.position().toPoint())
+        places, spot, chosen = self._places(row), self.parts.spot_at(place), self.curves.marks.curves
         held = event.modifiers()
         if spot is not Spot.NAME:
             self.spot_clicked.emit(self.curves.entries[row].node, spot)
         elif held & Qt.KeyboardModifier.ControlModifier:
-            others = self.selected - places
-            self.rows_selected.emit(others if places <= self.selected else others | places)
+            self.rows_selected.emit(chosen - places if places <= chosen else chosen | places)
         elif held & Qt.KeyboardModifier.ShiftModifier:
             self._choose_to(row)
         else:
-            # What holds no curve is not dragged.
-            self._press, self._pressed_row = event.position().toPoint() if places else None, row
+            self._drag.press(row, place)
             self._reached = row
             if not self._is_of_several(row):
                 self._go(row)
 
     def _is_of_several(self, row: int) -> bool:
-        return self._places(row) <= self.selected and len(self.selected) > 1
+        chosen = self.curves.marks.curves
+        return self._places(row) <= chosen and len(chosen) > 1
 
     def _go(self, row: int) -> None:
-        """Edit the curve of a row, or choose all that is in a shape or group."""
+        """Mean what a row is about."""
         self._current = max(0, min(row, self.curves.rowCount() - 1))
-        entry = self.curves.entries[self._current]
-        if entry.holds:
-            self.chosen_entry.emit(entry.node)
-        else:
-            self.activated_row.emit(entry.node.places.start)
+        self.chosen_entry.emit(self.curves.entries[self._current].node)
         self.scrollTo(self.curves.index(self._current))
 
     def _choose_to(self, row: int) -> None:
@@ -246,55 +190,15 @@ class CurveListView(ClaimsKeys, QListView):
         """Show what is in the shape or group of a row, or no longer."""
         self.curves.open(row, is_open)
         self._reached = self.curves.rowCount()
-        self.show_active(self.active, self.selected, is_editing=self.is_editing)
+        self.follow()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        place = event.position().toPoint()
-        if self._press is None or not event.buttons() & Qt.MouseButton.LeftButton:
-            return
-        if self._drop is None and abs(place.y() - self._press.y()) < QApplication.startDragDistance():
-            return
-        self._follow_drag(place)
-
-    def _follow_drag(self, place: QPoint) -> None:
-        """Show where a drop would fall; what is folded there opens after a moment."""
-        assert self._press is not None
-        before, self._drop = self._drop, self._drop_at(place, self._press)
-        self._dragged_to = place
-        if not self._drop.is_onto or self.curves.entries[self._drop.gap].is_open:
-            self._opening.stop()
-        elif self._drop != before or not self._opening.isActive():
-            self._opening.start()
-        self.viewport().update()
-
-    def _open_below(self) -> None:
-        """Open the shape or group that the drag rests on; the rows below it go down."""
-        if self._drop is None or not self._drop.is_onto:
-            return
-        dragged = self.curves.entries[self._pressed_row].node
-        self._fold(self._drop.gap, is_open=True)
-        self._pressed_row = next(
-            row for row, entry in enumerate(self.curves.entries) if entry.node == dragged
-        )
-        self._follow_drag(self._dragged_to)
-
-    def _drop_at(self, place: QPoint, press: QPoint) -> Drop:
-        """Return where a drop would fall: between rows, or on one that opens, in the middle half of that."""
-        entries, row = self.curves.entries, self._row_at(place)
-        if row not in (-1, self._pressed_row) and entries[row].holds:
-            rect = self.visualRect(self.curves.index(row))
-            if abs(place.y() - rect.center().y()) <= rect.height() // 4:
-                return drop_onto(entries, row)
-        gap, deeper = self._gap_at(place), round((place.x() - press.x()) / INDENT)
-        depth = entries[self._pressed_row].node.depth + deeper
-        if row == gap - 1 and deeper >= 0:
-            # On the lower half of a row, and not to the left: beside that.
-            depth = max(depth, entries[row].node.depth)
-        return drop_at(entries, gap, depth)
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self._drag.move(event.position().toPoint())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        drop, row = self._drop, self._pressed_row
-        self._end_drag()
+        drop, row = self._drag.drop, self._drag.row
+        self._drag.end()
         if row < 0:
             return
         if drop is None:
@@ -307,35 +211,24 @@ class CurveListView(ClaimsKeys, QListView):
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
         is_plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
-        row = self._row_at(place)
-        if is_plain and row >= 0 and not self._is_on_opener(place) and self.spot_at(place) is Spot.NAME:
+        row, parts = self.parts.row_at(place), self.parts
+        if is_plain and row >= 0 and not parts.is_on_opener(place) and parts.spot_at(place) is Spot.NAME:
             self.edit_name(row)
         else:
             self.mousePressEvent(event)
 
-    def _gap_at(self, place: QPoint) -> int:
-        """Return between which rows a drop would fall, by the number of the row below it, from the top."""
-        top = self.visualRect(self.curves.index(0))
-        gap = round((place.y() - top.top()) / max(top.height(), 1))
-        return max(0, min(gap, self.curves.rowCount()))
-
-    def _end_drag(self) -> None:
-        self._press, self._pressed_row, self._drop = None, -1, None
-        self._opening.stop()
-        self.viewport().update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._drop is not None:
+        if self.is_dragging:
             with QPainter(self.viewport()) as painter:
-                draw_drop(painter, self, self._drop)
+                self._drag.paint(painter)
 
     # Keys
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowBlocked and self.is_dragging:
             # A dialog takes the mouse, and the release with it.
-            self._end_drag()
+            self._drag.end()
         return super().event(event)
 
     def claims(self, event: QKeyEvent) -> bool:
@@ -348,7 +241,7 @@ class CurveListView(ClaimsKeys, QListView):
         step, is_open = _STEPS.get(Qt.Key(event.key())), _FOLDS.get(Qt.Key(event.key()))
         is_plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         if event.key() == Qt.Key.Key_Escape and self.is_dragging:
-            self._end_drag()
+            self._drag.end()
         elif event.matches(_ALL):
             self.all_wanted.emit()
         elif step is not None and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
@@ -379,19 +272,9 @@ class CurveListView(ClaimsKeys, QListView):
 
     def viewportEvent(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), tip_of(self.tip_at(event.pos())), self)
+            QToolTip.showText(event.globalPos(), tip_of(self.parts.tip_at(event.pos())), self)
             return True
         return super().viewportEvent(event)
-
-    def tip_at(self, place: QPoint) -> str:
-        """Return what a click at a place would do."""
-        number = self._row_at(place)
-        if number < 0:
-            return self.toolTip()
-        row, entry = self.curves.row(number), self.curves.entries[number]
-        if self._is_on_opener(place):
-            return f"{'Fold' if entry.is_open else 'Open'} “{row.name}” (Left, Right)"
-        return spot_tip(self.spot_at(place), row, theme_of(self.palette()))
 
 
 def _deletes(event: QKeyEvent) -> bool:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint
 
 from ...actions.needs import Need
 from ...canvas.canvas import Canvas
+from ...document.shapes import whole_shapes
 from ...session import Session
 
 A_SHAPE: Final = Need("a shape", lambda now: bool(meant(now.session)) and not now.is_blank)
@@ -19,7 +20,7 @@ _BESIDE = 6
 
 def meant(session: Session) -> frozenset[int]:
     """Return the chosen curves, or the one that is edited, with all others of their shapes."""
-    return session.selected.highlight(whole_curves=True).curves
+    return whole_shapes(session.document, session.selected.marked)
 
 
 def beside_meant(session: Session, canvas: Canvas) -> QPoint:

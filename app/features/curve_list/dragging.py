@@ -1,0 +1,116 @@
+"""Drag of a row of the list: from the press on, to the place where it falls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QPoint, QTimer
+from PySide6.QtGui import QPainter, QPen
+from PySide6.QtWidgets import QApplication, QListView
+
+from ...appearance.theme import theme_of
+from .dropping import Drop, drop_at, drop_onto
+from .model import CurveListModel
+from .row_parts import INDENT, RowParts
+
+OPENS_MS = 600
+"""Milliseconds for which a drag rests on a folded shape or group before that opens."""
+
+
+class RowDrag:
+    """A press on a row, and the drag that it becomes; what the drag rests on opens after a moment.
+
+    Parameters
+    ----------
+    open_row
+        Opens the shape or group of a row; the rows below it go down.
+
+    Attributes
+    ----------
+    row
+        The row that was pressed; −1 for none.
+    drop
+        Where it would fall; None as long as it is not dragged.
+    """
+
+    def __init__(
+        self, view: QListView, model: CurveListModel, parts: RowParts, open_row: Callable[[int], object]
+    ) -> None:
+        self._view, self._model, self._parts, self._open_row = view, model, parts, open_row
+        self.row = -1
+        self.drop: Drop | None = None
+        self._press: QPoint | None = None
+        self._place = QPoint()
+        self._opening = QTimer(view, singleShot=True, interval=OPENS_MS)
+        self._opening.timeout.connect(self._open_below)
+
+    def press(self, row: int, place: QPoint) -> None:
+        """Begin on a row; what holds no curve is not dragged."""
+        self.row, self._press = row, place if self._model.entries[row].places else None
+
+    def move(self, place: QPoint) -> None:
+        """Follow the pointer."""
+        if self._press is None:
+            return
+        if self.drop is not None or abs(place.y() - self._press.y()) >= QApplication.startDragDistance():
+            self._follow(place, self._press)
+
+    def end(self) -> None:
+        """Let go of the row, wherever it is."""
+        self._press, self.row, self.drop = None, -1, None
+        self._opening.stop()
+        self._view.viewport().update()
+
+    def _follow(self, place: QPoint, press: QPoint) -> None:
+        """Show where a drop would fall; what is folded there opens after a moment."""
+        before, self.drop = self.drop, self._drop_at(place, press)
+        self._place = place
+        if not self.drop.is_onto or self._model.entries[self.drop.gap].is_open:
+            self._opening.stop()
+        elif self.drop != before or not self._opening.isActive():
+            self._opening.start()
+        self._view.viewport().update()
+
+    def _open_below(self) -> None:
+        """Open the shape or group that the drag rests on."""
+        if self._press is None or self.drop is None or not self.drop.is_onto:
+            return
+        dragged = self._model.entries[self.row].node
+        self._open_row(self.drop.gap)
+        self.row = next(row for row, entry in enumerate(self._model.entries) if entry.node == dragged)
+        self._follow(self._place, self._press)
+
+    def _drop_at(self, place: QPoint, press: QPoint) -> Drop:
+        """Return where a drop would fall: between rows, or on one that opens, in the middle half of that."""
+        entries, row = self._model.entries, self._parts.row_at(place)
+        if row not in (-1, self.row) and entries[row].holds:
+            rect = self._view.visualRect(self._model.index(row))
+            if abs(place.y() - rect.center().y()) <= rect.height() // 4:
+                return drop_onto(entries, row)
+        gap, deeper = self._gap_at(place), round((place.x() - press.x()) / INDENT)
+        depth = entries[self.row].node.depth + deeper
+        if row == gap - 1 and deeper >= 0:
+            # On the lower half of a row, and not to the left: beside that.
+            depth = max(depth, entries[row].node.depth)
+        return drop_at(entries, gap, depth)
+
+    def _gap_at(self, place: QPoint) -> int:
+        """Return between which rows a drop would fall, by the number of the row below it, from the top."""
+        top = self._view.visualRect(self._model.index(0))
+        gap = round((place.y() - top.top()) / max(top.height(), 1))
+        return max(0, min(gap, self._model.rowCount()))
+
+    def paint(self, painter: QPainter) -> None:
+        """Draw where what is dragged would fall: a line between rows, or a frame around one."""
+        view, model, drop = self._view, self._model, self.drop
+        if drop is None:
+            return
+        last = model.rowCount() - 1
+        rect = view.visualRect(model.index(min(drop.gap, last)))
+        painter.setPen(QPen(theme_of(view.palette()).accent, 2))
+        if drop.is_onto:
+            painter.drawRect(rect.adjusted(2, 1, -2, -1))
+            return
+        y = max(rect.top() if drop.gap <= last else rect.bottom(), 1)
+        left = 4 + INDENT * (1 + drop.container.depth) * model.has_folds
+        painter.drawLine(left, y, view.viewport().width() - 4, y)
