@@ -66,7 +66,7 @@ class Canvas(ToolPlot):
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self.move_again)
-        tools.curves_at = self.drawing.curves_at
+        tools.curves_at, tools.locked_at = self.drawing.curves_at, self.drawing.locked_at
         tools.write_at, tools.open_text = self.text_placed.emit, self.text_opened.emit
         tools.colour_at, tools.give_colour = self.drawing.colour_at, self.colour_picked.emit
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)

@@ -14,8 +14,9 @@ from ..tools.pointer import Hit
 from ..view_model.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
+from .line_finder import LineFinder, is_on_line
 from .looks import Shape, is_plain
-from .other_curves_layer import OtherCurvesLayer, is_on_line
+from .other_curves_layer import OtherCurvesLayer
 from .selected_curves_layer import SelectedCurvesLayer, SiblingCurvesLayer
 
 _ABOVE = -0.8
@@ -49,6 +50,7 @@ class DrawnCurves:
         self.siblings = SiblingCurvesLayer(plot)
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
+        self._locked = LineFinder()
         self._is_thin = False
         # The places of the curves of the edited shape, where it is no plain line.
         self._edited_places = range(0)
@@ -105,6 +107,8 @@ class DrawnCurves:
         ]
         below, shape, above = self._in_order(views, active, selected)
         self.others.render_shapes(below, found)
+        seen = ((place, views[place]) for place in other if views[place].source.visible)
+        self._locked.render([each for each in seen if each[1].source.locked and each[1].has_curve])
         self._edited_places = shape_around([view.source for view in views], active) if shape else range(0)
         self.edited.render(shape)
         self.above.render_shapes(above, [])
@@ -141,13 +145,18 @@ class DrawnCurves:
         return (below, edited, above) if is_layered else (below | above, edited, {})
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
-        """Return the curve that is not edited at `pixel`; lines that are thin have no insides."""
+        """Return the curve at `pixel`, neither edited nor locked; lines that are thin have no insides."""
         _, active, *_ = self._shown
         line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
         return line if self._is_thin else self.areas.hit(pixel, shown, active, line)
 
+    def locked_at(self, pixel: Vector, shown: PixelMap) -> int:
+        """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
+        hit = self._locked.hit(pixel, shown)
+        return hit.index if hit is not None else -1
+
     def all_at(self, pixel: Vector, shown: PixelMap) -> list[int]:
-        """Return the places of all curves at `pixel`, the topmost first: one of each shape.
+        """Return the places of all curves at `pixel` but locked ones, the topmost first: one of each shape.
 
         It is the one whose line is hit, or else the first.
         """
@@ -155,6 +164,8 @@ class DrawnCurves:
         areas = set() if self._is_thin else {each.start for each in self.areas.all_at(pixel, shown)}
         found = []
         for places in reversed([*shapes([view.source for view in views])]):
+            if views[places.start].source.locked:
+                continue
             on_line = (place for place in places if is_on_line(views[place], pixel, shown))
             place = next(on_line, places.start if places.start in areas else None)
             if place is not None:

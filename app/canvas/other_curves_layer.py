@@ -6,11 +6,8 @@ from collections.abc import Sequence
 from time import perf_counter
 
 import msgspec
-import numpy as np
 from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
-
-from curvecore.arrays import FloatArray
 
 from ..appearance.colours import curve_colour
 from ..appearance.theme import Theme
@@ -21,11 +18,11 @@ from ..plotting.pens import draw_line, pen_of
 from ..plotting.pictures import transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
-from ..tools.pointer import Hit, Part
+from ..tools.pointer import Hit
 from ..view_model.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
-from .hit_test import CURVE_REACH, PixelOutline
+from .line_finder import LineFinder, pixels_of
 from .looks import Shape, is_plain, line_of, paint_shape
 from .sections import Section, loose_places, sections_of
 
@@ -36,11 +33,6 @@ _REST_MS = 80
 
 _AT_ONCE = 400
 """Curves that are painted before the window is heard again: some hundredths of a second."""
-
-_ANYWHERE = np.array([[-np.inf, -np.inf], [np.inf, np.inf]])
-
-_OUTWARD = np.array([[-1.0], [1.0]])
-"""Ways of the corners of a box that grows."""
 
 _FEW = 8
 """Shapes that may be painted in every frame, whether they move or not, beside the picture of the others."""
@@ -83,7 +75,7 @@ class OtherCurvesLayer(Layer):
         self._painted = 0
         self._next = QTimer(plot, singleShot=True, interval=0)
         self._next.timeout.connect(lambda: self.update())  # noqa: PLW0108
-        self._outline: _Outline | None = None
+        self._finder = LineFinder()
         self.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
@@ -98,7 +90,8 @@ class OtherCurvesLayer(Layer):
     def render_shapes(self, shapes: dict[int, Shape], found: list[tuple[int, CurveView]]) -> None:
         """Draw shapes from the next paint on, by the place of their first curve; find these curves."""
         if found != self._views:
-            self._views, self._outline = found, None
+            self._views = found
+            self._finder.render([each for each in found if not each[1].source.locked])
         if shapes != self._drawn:
             self._follow(_changed(self._drawn, shapes), len(shapes))
             self._drawn, self._shapes = shapes, list(shapes.values())
@@ -237,12 +230,8 @@ class OtherCurvesLayer(Layer):
         return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, self.join)
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
-        """Return the curve at `pixel`, the last one where several lie."""
-        if not self._views:
-            return None
-        if self._outline is None or self._outline.shown is not shown:
-            self._outline = _Outline(self._views, shown)
-        return self._outline.hit(pixel)
+        """Return the curve at `pixel` that is not locked, the last one where several lie."""
+        return self._finder.hit(pixel, shown)
 
 
 class FileLayer(OtherCurvesLayer):
@@ -281,63 +270,9 @@ class _Picture(msgspec.Struct, frozen=True, eq=False):
         return QRectF(x, y, old.width * shown.sx / old.sx, old.height * shown.sy / old.sy)
 
 
-class _Outline:
-    """Curves as lines of pixels; of thousands those are looked at whose boxes are near a pixel."""
-
-    def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
-        self.shown, self._views = shown, views
-        boxes, off = zip(*(_box_of(view) for _, view in views), strict=True)
-        self._boxes = np.array(boxes) + np.array(off)[:, None, None] * _OUTWARD
-        self._near: list[int] = []
-        self._segments: PixelOutline | None = None
-        self._places = np.empty(0, dtype=np.intp)
-
-    def hit(self, pixel: Vector) -> Hit | None:
-        """Return the curve within reach that is nearest."""
-        self._look_near(pixel)
-        nearest = None if self._segments is None else self._segments.nearest(pixel)
-        if nearest is None or nearest.distance > CURVE_REACH:
-            return None
-        return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
-
-    def _look_near(self, pixel: Vector) -> None:
-        place, reach = (
-            self.shown.plane(*pixel),
-            (CURVE_REACH + 1.0) / np.array([self.shown.sx, self.shown.sy]),
-        )
-        low, high = self._boxes[:, 0] - reach, self._boxes[:, 1] + reach
-        near = np.flatnonzero(((low <= place) & (place <= high)).all(axis=1)).tolist()
-        if near != self._near:
-            self._near = near
-            polylines = [pixels_of(self._views[each][1], self.shown) for each in near]
-            self._segments = PixelOutline(polylines) if near else None
-            self._places = np.repeat(
-                [self._views[each][0] for each in near], [len(each) - 1 for each in polylines]
-            )
-
-
-def _box_of(view: CurveView) -> tuple[FloatArray, float]:
-    """Return a box, and by how much the curve leaves it at most."""
-    view.drawn_box  # noqa: B018 - with it the box is known, if it can be
-    return view.known_box or (_ANYWHERE, 0.0)
-
-
-def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
-    """Whether the line of a curve that is seen lies within reach of a pixel."""
-    if not (view.source.visible and view.has_curve):
-        return False
-    nearest = PixelOutline([pixels_of(view, shown)]).nearest(pixel)
-    return nearest is not None and nearest.distance <= CURVE_REACH
-
-
 def _changed(before: dict[int, Shape], after: dict[int, Shape]) -> frozenset[int]:
     """Return which of the same shapes have changed; none where they are others: these have not moved."""
     if before.keys() != after.keys():
         return frozenset()
     pairs = enumerate(zip(before.values(), after.values(), strict=True))
     return frozenset(place for place, (old, new) in pairs if old != new)
-
-
-def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:
-    """Return the curve as a polyline in pixels."""
-    return shown.points(line_of(view, shown).points)

@@ -5,13 +5,12 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from ..document.point_group import PointGroup, points_of
-from ..document.several_curves import changed_whole, name_of, named, whole_curves
+from ..document.several_curves import changed_whole, name_of, named
 from ..document.shape_edits import pressed
 from ..document.shapes import shape_of, whole_shapes
 from ..document.texts import text_around
 from . import hints
 from .drag_machine import EditingHost
-from .drags import Refuse
 from .pointer import Cursor, Hint, Hit, Part
 from .tool import ToolContext
 from .transform_drags import moving
@@ -47,9 +46,7 @@ class CurvePicker:
 
         While no curve is edited, what is dragged is chosen from then on.
         """
-        group, selected = _dragged(context, hit), context.host.selected
-        refusal = context.target.refusal_of(group)
-        drag = Refuse(context.host.document, refusal) if refusal else moving(context, group)
+        drag, selected = moving(context, _dragged(context, hit)), context.host.selected
         is_chosen = selected.is_editing or hit.index in selected.chosen
         chooses = frozenset[int]() if is_chosen else _meant(context, hit)
         context.drags.press(context.pointer, drag, lambda: click_curve(context, hit), chooses=chooses)
@@ -63,6 +60,8 @@ class CurvePicker:
         elif had_others:
             host.selected.set_curves((host.active_index,))
             host.say(f"Only “{host.active_view.source.name}” is chosen.")
+        if locked := _words_of_locked(context):
+            host.refuse(locked)
 
     def hint(self, context: ToolContext, hit: Hit) -> Hint:
         """Return what a press on another curve would do."""
@@ -71,10 +70,6 @@ class CurvePicker:
             name = host.document.curves[hit.index].name
             return Hint(f"Drag to bend “{name}” or move a point of it, click to edit it", grab=True)
         group, is_chosen = _dragged(context, hit), hit.index in host.selected.chosen
-        if refusal := context.target.refusal_of(group):
-            what = f"{_verb(host)} “{_name(context, hit)}”"
-            locked = Hint(f"Click to {what} (locked) · Shift+click: choose it too", grab=True)
-            return Hint(refusal) if is_chosen else locked
         if hit.inside and (host.selected.is_editing or context.pointer.shift):
             return Hint(f"{_words_within(context, hit)} · Drag: select with a rubber band", grab=True)
         click = _words_of_click(context, hit, is_chosen=is_chosen)
@@ -82,8 +77,13 @@ class CurvePicker:
         return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
     def idle_hint(self, context: ToolContext) -> Hint | None:
-        """Return the hint beside everything while the transforms act on whole curves, or none is edited."""
+        """Return the hint beside what can be pressed, where there is more to say than of points to select.
+
+        That is on what is locked, and while the transforms act on whole curves, or none is edited.
+        """
         host, group = context.host, context.target.group
+        if locked := _words_of_locked(context):
+            return Hint(locked)
         if group is not None and group.is_whole:
             after = "only the one edited" if host.selected.is_editing else "none"
             return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns · Click here: {after}")
@@ -149,10 +149,14 @@ def _meant(context: ToolContext, hit: Hit) -> frozenset[int]:
 def _dragged(context: ToolContext, hit: Hit) -> PointGroup:
     document, chosen = context.host.document, context.host.selected.chosen
     meant = chosen if hit.index in chosen else _meant(context, hit)
-    if document.curves[hit.index].locked:
-        # It cannot be dragged, and says so, whatever else could.
-        return whole_curves(document, [place for place in meant if document.curves[place].locked])
     return changed_whole(document, meant)
+
+
+def _words_of_locked(context: ToolContext) -> str:
+    """Return why a press on a line does nothing to it: it is locked; empty where none is."""
+    document, pointer = context.host.document, context.pointer
+    place = context.locked_at(pointer) if pointer.is_there else -1
+    return hints.LOCKED.format(named(document, shape_of(document, place))) if place >= 0 else ""
 
 
 def _is_of_edited_shape(context: ToolContext, hit: Hit) -> bool:

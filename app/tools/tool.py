@@ -78,6 +78,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         The selected points or curves that transforms act on.
     hit_test, curves_at
         Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
+    locked_at
+        Finds the place of a locked curve under a pointer, which presses go through; −1 for none.
     background
         Does what takes longer than a moment.
     write_at, open_text
@@ -96,6 +98,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     target: TransformTarget
     hit_test: Callable[[Pointer], Hit | None]
     curves_at: Callable[[Pointer], Sequence[int]]
+    locked_at: Callable[[Pointer], int]
     background: Background
     write_at: Callable[[Vector], object]
     open_text: Callable[[int], object]

@@ -32,8 +32,8 @@ class Toolbox:
     ----------
     record
         The tool that is chosen.
-    hit_test, curves_at
-        Finds what lies under the pointer, and all curves there; whoever shows the plot sets it.
+    hit_test, curves_at, locked_at
+        Finds what lies under the pointer, all curves there, and the locked one; who shows the plot sets it.
     settings
         What the person has chosen.
     grid
@@ -53,6 +53,7 @@ class Toolbox:
         self.record = record
         self.hit_test: HitTest = lambda _pointer, _tool: None
         self.curves_at: Callable[[Pointer], Sequence[int]] = lambda _pointer: ()
+        self.locked_at: Callable[[Pointer], int] = lambda _pointer: -1
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
         self.write_at: Callable[[Vector], object] = lambda _place: None
@@ -87,6 +88,7 @@ class Toolbox:
             self.target,
             lambda pointer: self.hit_test(pointer, self.tool),
             self.curves_at,
+            self.locked_at,
             self.background,
             self.write_at,
             self.open_text,

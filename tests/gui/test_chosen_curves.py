@@ -390,7 +390,7 @@ def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(fiv
     five.drag(on_curve(five, 3), (2, 9))
     assert five.session.document is document
     five.hover(on_curve(five, 3))
-    assert five.window.status_line.hint == sentence
+    assert five.window.status_line.hint == "“D” is locked; unlock it in the list of curves to change it."
     # What cannot be moved has no grips.
     assert five.window.canvas.marks.box is None
     assert step_name(five) == "Lock 2 curves"

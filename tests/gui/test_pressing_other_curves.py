@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
@@ -167,25 +168,58 @@ def test_curves_chosen_together_still_move_together(three):
     assert three.session.active_index == 1
 
 
-def test_a_locked_curve_refuses_with_a_sentence(three):
-    three.session.selected.activate(2)
-    three.trigger("curveLocked")
-    three.session.selected.activate(1)
-    before = three.session.document
-    sentence = "“C” is locked; unlock it in the list of curves to change it."
-    x, y = on_curve(three, 2)
-    three.hover((x, y))
-    assert three.window.status_line.hint == "Click to edit “C” (locked) · Shift+click: choose it too"
-    for start in ((x, y), (2, 6)):
-        three.press(start)
-        three.move((start[0] + 0.5, start[1] + 0.5))
-        assert three.session.document is before
-        assert three.status == sentence
-        three.release((start[0] + 0.5, start[1] + 0.5))
-        assert three.session.document is before
-        assert three.curve.name == "B"
-    three.click((x, y))
-    assert three.curve.name == "C"
+LOCKED = "“C” is locked; unlock it in the list of curves to change it."
+
+
+@pytest.fixture(params=[True, False], ids=["edited", "none edited"])
+def locked(three, request):
+    """The same with C locked and D below it; B is edited, or nothing is, nor chosen."""
+    document = three.session.document
+    below = replace(document.curves[2], name="D")
+    curves = (below, *document.curves[:2], replace(document.curves[2], locked=True))
+    three.session.commit(replace(document, curves=curves), "Lock C", active=2)
+    if request.param:
+        three.session.selected.activate(2)
+    else:
+        three.session.selected.choose(())
+    return three
+
+
+def test_clicks_and_drags_go_through_what_is_locked_to_what_is_below(locked):
+    at, is_editing = on_curve(locked, 3), locked.session.selected.is_editing
+    locked.hover(at)
+    assert "“D”" in locked.window.status_line.hint
+    locked.click(at)
+    assert (locked.curve.name, locked.session.selected.is_editing) == ("D", is_editing)
+    before = locked.session.document
+    locked.drag(at, np.add(at, (0.5, 0.25)))
+    assert locked.session.document.curves[3] is before.curves[3]
+    assert locked.session.document.curves[0] is not before.curves[0]
+
+
+def test_what_is_locked_with_nothing_below_says_so_and_is_not_taken(locked):
+    locked.session.change(
+        "Delete D", lambda document: replace(document, curves=document.curves[1:]), active=1
+    )
+    if not locked.session.selected.is_editing:
+        locked.session.selected.choose(())
+    before, choice = locked.session.document, locked.session.selected.choice
+    at = on_curve(locked, 2)
+    locked.hover(at)
+    assert locked.window.status_line.hint == LOCKED
+    for keys in (Qt.KeyboardModifier.NoModifier, SHIFT, Qt.KeyboardModifier.AltModifier):
+        locked.click(at, keys=keys)
+        locked.drag(at, np.add(at, (0.1, 0.1)), keys=keys)
+        assert (locked.session.document, locked.session.selected.choice) == (before, choice)
+    locked.click(at)
+    assert (locked.status, locked.window.status_line.is_refusal) == (LOCKED, True)
+    assert locked.session.selected.choice == choice
+    # The list takes it, and a drag of it is refused.
+    locked.click_in_list(2)
+    assert locked.curve.name == "C"
+    assert locked.session.selected.marked == {2}
+    locked.drag(at, np.add(at, (0.5, 0.25)))
+    assert locked.session.document is before
 
 
 # The right button
@@ -202,16 +236,15 @@ def test_the_first_right_click_offers_what_can_be_done_at_that_place(three):
     assert three.point(2) == pytest.approx(at, abs=2 * three.pixel)
 
 
-def test_the_first_right_click_on_a_locked_curve_offers_no_change_of_shape(three):
+def test_a_right_click_on_a_locked_curve_is_for_the_canvas(three):
     three.session.selected.activate(2)
     three.trigger("curveLocked")
     three.session.selected.activate(1)
     three.settle()
     found = entries(three.open_menu(on_curve(three, 2)))
-    assert three.curve.name == "C"
-    assert not found["insertPointHere"]
-    assert not found["splitHere"]
-    assert found["curveLocked"]
+    assert three.curve.name == "B"
+    assert found["selectAllCurves"]
+    assert not {"insertPointHere", "splitHere", "curveLocked"} & set(found)
     close(three)
 
 
