@@ -353,6 +353,9 @@ class Selection:
         kept = followed_curves(several, before, after)
         if self.is_editing and self._is_left(before, after):
             self.is_editing, kept = False, frozenset()
+        elif active not in kept and kept and not self.is_editing and len(after) == len(before):
+            # Undo and redo of a drag that has chosen something leave that chosen, whatever was before it.
+            active = session.active_index = min(kept, key=lambda place: abs(place - active))
         elif active not in kept:
             # A curve that was added is what is worked on now; where one has gone nobody has chosen another.
             kept = frozenset({active} if self.is_editing or len(after) > len(before) else ())

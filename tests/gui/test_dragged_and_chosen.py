@@ -43,10 +43,14 @@ def test_a_drag_chooses_what_it_moves_and_keys_go_on_with_it(whole):
     assert whole.session.document.curves[:2] == before.curves[:2]
     whole.trigger("undo")
     assert (whole.session.document, chosen(whole)) == (moved, "C")
-    whole.trigger("undo")
-    assert (whole.session.document, whole.curve.name) == (before, "B")
-    whole.trigger("redo")
-    assert (whole.session.document, whole.curve.name) == (moved, "C")
+    for step, document in (("undo", before), ("redo", moved)):
+        whole.trigger(step)
+        assert (whole.session.document, chosen(whole), whole.curve.name) == (document, "C", "C")
+    whole.click(on_curve(whole, 0))
+    for step, document in (("undo", before), ("redo", moved)):
+        whole.trigger(step)
+        assert (whole.session.document, chosen(whole), whole.curve.name) == (document, "A", "A")
+    whole.click(on_curve(whole, 2))
     whole.drag(on_curve(whole, 2), (x, y))
     whole.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in whole.session.document.curves] == ["A", "B"]
@@ -73,6 +77,9 @@ def test_a_drag_of_one_of_a_group_chooses_the_group(whole):
     x, y = on_curve(whole, 1)
     whole.drag((x, y), (x + 0.3, y))
     assert chosen(whole) == "ABC"
+    for step in ("undo", "redo"):
+        whole.trigger(step)
+        assert chosen(whole) == "ABC"
 
 
 def test_all_are_those_that_are_seen_and_free(whole):
