@@ -281,7 +281,7 @@ def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
                 "name": "t",
                 "number": 2,
                 "why": "text is no curve",
-                "instead": "left out, but as paths it would come in",
+                "instead": "shown in a new document, but not edited",
             }
         ],
         "remarks": [],

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, QRectF
 
 from curvecore.arrays import FloatArray
 
@@ -50,6 +50,18 @@ def with_margin(box: PlaneBox) -> PlaneBox:
     """Return a box with the margin that is left around what is shown."""
     margin = _FIT_MARGIN * float((box.high - box.low).max())
     return PlaneBox(box.low - margin, box.high + margin)
+
+
+def _plane_box(rect: QRectF) -> PlaneBox:
+    return PlaneBox(np.array([rect.left(), rect.top()]), np.array([rect.right(), rect.bottom()]))
+
+
+def _around(box: PlaneBox | None, others: Sequence[PlaneBox]) -> PlaneBox | None:
+    """Return the box around all; None where there is none around curves, which come first."""
+    if box is None:
+        return None
+    lows, highs = zip(box, *others, strict=True)
+    return PlaneBox(np.minimum.reduce(lows), np.maximum.reduce(highs))
 
 
 def all_inside(shown: PixelMap, points: FloatArray) -> bool:
@@ -107,15 +119,19 @@ class Framing:
     def fit(self) -> None:
         """Show all visible curves and the active one; of a wild one, its points and their surroundings.
 
+        What came with them and is not edited is in sight, too.
+
         Where there are no points the picture to trace is shown.
         """
         drawing = self._drawing
         views = [view for view in drawing.views if view.source.visible or view is drawing.view]
         if drawing.view is not None and not any(view is drawing.view for view in views):
             views.append(drawing.view)
+        kept = [layer.box for layer in drawing.kept if layer.is_shown and not layer.box.isEmpty()]
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
         image = drawing.image.corners
-        self._show(box_of(views) or (with_margin(PlaneBox(*image)) if image is not None else None))
+        box = _around(box_of(views), [with_margin(_plane_box(each)) for each in kept])
+        self._show(box or (with_margin(PlaneBox(*image)) if image is not None else None))
         self._fitted = self._curves
 
     def fit_views(self, views: Sequence[CurveView]) -> None:

@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from time import perf_counter
 
-import msgspec
-from PySide6.QtCore import QRectF, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from ..appearance.colours import curve_colour
-from ..appearance.theme import Theme
 from ..document.model import Vector
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line, pen_of
-from ..plotting.pictures import transparent
+from ..plotting.pictures import Sheets, transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..tools.pointer import Hit
@@ -67,7 +65,7 @@ class OtherCurvesLayer(Layer):
         self._calm_paints = 0
         # Sheets of what moves, by its first place: they serve until it does, or the view.
         self._kept: dict[int, tuple[PixelMap, QPixmap]] = {}
-        self._picture: _Picture | None = None
+        self._picture: Sheets | None = None
         self._seconds = 0.0
         self._is_resting = False
         self._rest = QTimer(plot, singleShot=True, interval=_REST_MS)
@@ -139,7 +137,7 @@ class OtherCurvesLayer(Layer):
             sheets = [
                 transparent(shown.width, shown.height, ratio) for each in self._sections if each.is_still
             ]
-            picture = self._picture = _Picture(tuple(sheets), shown, key)
+            picture = self._picture = Sheets(tuple(sheets), shown, key)
             self._kept.clear()
             self._painted, self._seconds, self._is_resting = 0, 0.0, False
         self._paint_more(picture)
@@ -151,7 +149,7 @@ class OtherCurvesLayer(Layer):
         if self._calm_paints > _CALM and len(loose_places(self._sections)) > _FEW:
             self._sections, self._picture = sections_of((), len(self._shapes)), None
 
-    def _compose(self, painter: QPainter, shown: PixelMap, picture: _Picture) -> None:
+    def _compose(self, painter: QPainter, shown: PixelMap, picture: Sheets) -> None:
         """Draw the picture, and within it what moves."""
         sheets = iter(picture.sheets)
         for section in self._sections:
@@ -176,7 +174,7 @@ class OtherCurvesLayer(Layer):
                 self.paint_shapes(beside, shown, shapes)
         painter.drawPixmap(0, 0, self._kept[begin][1])
 
-    def _paint_more(self, picture: _Picture) -> None:
+    def _paint_more(self, picture: Sheets) -> None:
         """Paint the next curves into the picture; thousands take several steps."""
         began, left, before = perf_counter(), _AT_ONCE, 0
         still = [section for section in self._sections if section.is_still]
@@ -244,30 +242,6 @@ class FileLayer(OtherCurvesLayer):
         painter.setPen(pen_of(FILE_STYLE, self.theme, self.scale))
         for (view,) in shapes:
             draw_line(painter, pixels_of(view, shown), FILE_STYLE.dashes, shown)
-
-
-class _Picture(msgspec.Struct, frozen=True, eq=False):
-    """The curves as painted for one part of the plane, and for one theme and size of lines.
-
-    There are several sheets of it where something moves between them.
-    """
-
-    sheets: tuple[QPixmap, ...]
-    shown: PixelMap
-    key: tuple[Theme, float, float]
-
-    def draw(self, painter: QPainter, shown: PixelMap, sheet: QPixmap) -> None:
-        """Draw a sheet, where it lies when this part of the plane is visible."""
-        if shown is self.shown or shown == self.shown:
-            painter.drawPixmap(0, 0, sheet)
-        else:
-            painter.drawPixmap(self.place_in(shown), sheet, QRectF(sheet.rect()))
-
-    def place_in(self, shown: PixelMap) -> QRectF:
-        """Return where the picture lies when another part of the plane is visible."""
-        old = self.shown
-        x, y = shown.point(old.x0, old.y0)
-        return QRectF(x, y, old.width * shown.sx / old.sx, old.height * shown.sy / old.sy)
 
 
 def _changed(before: dict[int, Shape], after: dict[int, Shape]) -> frozenset[int]:

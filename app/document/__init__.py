@@ -5,6 +5,7 @@
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.
+- ``kept``: texts and pictures of other programs, which are shown.
 - ``export``: the last export of a document.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
 - ``steps``: what has changed from one value to the next.

@@ -17,6 +17,7 @@ from .fields import LENGTH, Requirement, above, at_least, between, printed
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
+from .kept import KeptPicture, KeptText
 from .style import PLAIN_STYLE, USUAL_WIDTH, Style
 from .text import Text
 from .value import Value
@@ -350,6 +351,8 @@ class Document(Value, frozen=True):
         front, each after the one that it is in: see ``layers``.
     empty_layers
         What else is known of those that are empty.
+    kept_texts, kept_pictures
+        What the drawing that it was opened from shows beside curves.
     export
         Its last export.
     """
@@ -362,6 +365,8 @@ class Document(Value, frozen=True):
     page: Page | None = None
     layers: tuple[str, ...] = ()
     empty_layers: tuple[EmptyLayer, ...] = ()
+    kept_texts: tuple[KeptText, ...] = ()
+    kept_pictures: tuple[KeptPicture, ...] = ()
     export: Export = NEVER_EXPORTED
 
     def with_curve(self, index: int, curve: Curve) -> Document:

@@ -166,7 +166,11 @@ def alone(document: Document, curves: Collection[int]) -> Document:
         chosen = tuple(_with_width(curve, page.usual_width) for curve in chosen)
     around = {name for curve in chosen for name in curve.groups}
     layers = tuple(name for name in document.layers if name in around)
-    return tidy_shapes(replace(document, curves=chosen, image=None, page=None, layers=layers))
+    return tidy_shapes(
+        replace(
+            document, curves=chosen, image=None, page=None, layers=layers, kept_texts=(), kept_pictures=()
+        )
+    )
 
 
 def _with_width(curve: Curve, usual: float) -> Curve:
@@ -249,7 +253,10 @@ def add_imported(document: Document, new: Document, layer: str = "") -> tuple[Do
     if is_begun:
         return document, place
     unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
-    document = replace(document, unit=unit, page=page, guides=guides)
+    texts, pictures = new.kept_texts or document.kept_texts, new.kept_pictures or document.kept_pictures
+    document = replace(
+        document, unit=unit, page=page, guides=guides, kept_texts=texts, kept_pictures=pictures
+    )
     if document.layers:
         return document, 0
     return replace(document, layers=new.layers, empty_layers=new.empty_layers), 0
@@ -266,6 +273,10 @@ def left_behind(document: Document, new: Document) -> list[str]:
         found.append(f"its unit {new.unit}")
     if new.grid_spacing not in (0.0, document.grid_spacing):
         found.append("its grid")
+    if count := len(new.kept_texts):
+        found.append(count_of(count, "line") + " of text")
+    if count := len(new.kept_pictures):
+        found.append(count_of(count, "picture"))
     guides = set(new.guides) - set(document.guides)
     return [*found, *([count_of(len(guides), "guide")] if guides else [])]
 

@@ -11,7 +11,7 @@ from ..document.transforms import decimal_sum
 
 
 def shifted(document: Document, by: Vector) -> Document:
-    """Return a document with its curves, page, guides and picture to trace elsewhere, by decimals.
+    """Return a document with its curves, page, guides, pictures and texts elsewhere, by decimals.
 
     Where no document may hold it, it stays where it is.
     """
@@ -29,7 +29,19 @@ def shifted(document: Document, by: Vector) -> Document:
         for each in (document.page, document.image)
     )
     guides = tuple(_moved(guide, by) for guide in document.guides)
-    return replace(document, curves=curves, page=page, guides=guides, image=image)
+    texts, pictures = (
+        tuple(replace(each, x=decimal_sum(each.x, by[0]), y=decimal_sum(each.y, by[1])) for each in kept)
+        for kept in (document.kept_texts, document.kept_pictures)
+    )
+    return replace(
+        document,
+        curves=curves,
+        page=page,
+        guides=guides,
+        image=image,
+        kept_texts=texts,
+        kept_pictures=pictures,
+    )
 
 
 def _moved(guide: Guide, by: Vector) -> Guide:

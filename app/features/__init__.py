@@ -46,6 +46,7 @@ FEATURES = (
     "reference_image",
     "document_settings",
     "page",
+    "kept",
     "recovery",
     "file_on_disk",
 )

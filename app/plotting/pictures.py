@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QPixmap
+import msgspec
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QPainter, QPixmap
+
+from .pixel_map import PixelMap
 
 
 def transparent(width: float, height: float, ratio: float) -> QPixmap:
@@ -14,3 +17,34 @@ def transparent(width: float, height: float, ratio: float) -> QPixmap:
     picture.setDevicePixelRatio(ratio)
     picture.fill(Qt.GlobalColor.transparent)
     return picture
+
+
+class Sheets(msgspec.Struct, frozen=True, eq=False):
+    """What was painted for one part of the plane.
+
+    Attributes
+    ----------
+    sheets
+        One over the other; there are several where something else is painted between them.
+    shown
+        The part of the plane.
+    key
+        What else it was made for: the theme, the size of lines.
+    """
+
+    sheets: tuple[QPixmap, ...]
+    shown: PixelMap
+    key: tuple[object, ...]
+
+    def draw(self, painter: QPainter, shown: PixelMap, sheet: QPixmap) -> None:
+        """Draw a sheet, where it lies when this part of the plane is visible."""
+        if shown is self.shown or shown == self.shown:
+            painter.drawPixmap(0, 0, sheet)
+        else:
+            painter.drawPixmap(self.place_in(shown), sheet, QRectF(sheet.rect()))
+
+    def place_in(self, shown: PixelMap) -> QRectF:
+        """Return where the sheets lie when another part of the plane is visible."""
+        old = self.shown
+        x, y = shown.point(old.x0, old.y0)
+        return QRectF(x, y, old.width * shown.sx / old.sx, old.height * shown.sy / old.sy)

@@ -55,6 +55,8 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the grid, the basis functions, the panels at the side and the lessons are shown.
     rulers, guides_shown, guides_locked
         Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
+    kept_shown
+        Whether texts and pictures of other programs, which are not edited, are shown.
     thin_lines
         Whether curves are thin lines without fills.
     as_printed, page_as_printed
@@ -94,6 +96,7 @@ class WindowState(msgspec.Struct, frozen=True):
     rulers: bool = True
     guides_shown: bool = True
     guides_locked: bool = False
+    kept_shown: bool = True
     thin_lines: bool = False
     as_printed: bool = False
     page_as_printed: bool = True

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
 from app.document.gradient import Gradient, Stop
+from app.document.kept import KeptPicture, KeptRun, KeptText
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import GRADIENTS, Style
@@ -41,6 +42,8 @@ FULL = Document(
     page=Page(0.0, 0.0, 1.0, 1.0),
     layers=("Layer 1",),
     empty_layers=(EmptyLayer("Layer 1"),),
+    kept_texts=(KeptText(1.0, 2.0, PAIR, PAIR, (KeptRun("I", spacing=1.0, right=1.0, down=1.0),)),),
+    kept_pictures=(KeptPicture(1.0, 2.0, PAIR, PAIR),),
 )
 """A number wherever a document may have one."""
 
@@ -123,8 +126,11 @@ def test_every_length_goes_with_the_unit():
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {f"style.{name}" for name in of_styles}
-    of_pictures = {"image.opacity"}
-    assert stays == {f"curves.{name}" for name in of_curves} | of_pictures
+    of_pictures = {"image.opacity", "kept_pictures.opacity"}
+    # In units of the text, which goes with the unit as a whole.
+    of_runs = {"size", "weight", "spacing", "right", "down", "fill_opacity", "stroke_opacity", "width"}
+    of_texts = {f"kept_texts.runs.{name}" for name in of_runs}
+    assert stays == {f"curves.{name}" for name in of_curves} | of_pictures | of_texts
 
 
 def test_every_field_of_a_style_has_words():

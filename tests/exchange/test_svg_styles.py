@@ -214,8 +214,8 @@ def test_use_of_symbols_with_view_boxes():
 
 CLIP = '<clipPath id="c"><{}/></clipPath><g clip-path="url(#c)"><path id="a" d="M0 0H9V9Z"/></g>'
 MISSED = [
-    ('<text id="t">Hi</text>', "<text> “t”: text is no curve; left out, but as paths it would come in."),
-    ("<text>Hi you</text>", "<text> “Hi you”: text is no curve; left out, but as paths it would come in."),
+    ('<text id="t">Hi</text>', "<text> “t”: text is no curve; shown in a new document, but not edited."),
+    ("<text>Hi you</text>", "<text> “Hi you”: text is no curve; shown in a new document, but not edited."),
     ('<image href="file:///etc/passwd"/>', "<image> (element 2): a picture is no curve; left out."),
     ('<use href="other.svg#a"/>', "<use> (element 2): what it uses is not in the file; left out."),
     ('<path d="M0 0h9" fill="none"/>', "<path> (element 2): it has neither a stroke nor a fill; left out."),

@@ -475,7 +475,7 @@ def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     assert dialog.summary.text() == "2 curves with 4 points, exact."
     rows = [dialog.missed.topLevelItem(row) for row in range(dialog.missed.topLevelItemCount())]
     assert [[row.text(column) for column in range(3)] for row in rows] == [
-        ["<text> “hi”", "text is no curve", "left out, but as paths it would come in"]
+        ["<text> “hi”", "text is no curve", "shown in a new document, but not edited"]
     ]
     assert not dialog.remarks.isVisible()
     QTest.keyClick(dialog, Qt.Key.Key_Return)

@@ -14,9 +14,10 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
 from ...document.empty_layer import EmptyLayer
+from ...document.kept import KeptPicture, KeptText
 from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
-from ...document.words import names_of
+from ...document.words import count_of, names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve_view import ParametricCurve, view_of
@@ -115,7 +116,7 @@ class Drawing(msgspec.Struct, frozen=True):
         Whether the frame is the document's page.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
-    layers, empty_layers, guides
+    layers, empty_layers, guides, kept_texts, kept_pictures
         As in `Document`.
     """
 
@@ -130,11 +131,22 @@ class Drawing(msgspec.Struct, frozen=True):
     layers: tuple[str, ...] = ()
     empty_layers: tuple[EmptyLayer, ...] = ()
     guides: tuple[Guide, ...] = ()
+    kept_texts: tuple[KeptText, ...] = ()
+    kept_pictures: tuple[KeptPicture, ...] = ()
 
     @property
     def remarks(self) -> tuple[str, ...]:
         """All that is to be said about a picture of it."""
-        return (*self.left_out, *self.beyond)
+        return (*self.left_out, *self.beyond, *self._elsewhere)
+
+    @property
+    def _elsewhere(self) -> tuple[str, ...]:
+        """What is to be said of pictures whose files are not in the document."""
+        count = sum(not each.data for each in self.kept_pictures)
+        if not count:
+            return ()
+        verb, whose = ("is", "its file lies") if count == 1 else ("are", "their files lie")
+        return (f"{count_of(count, 'picture')} {verb} not drawn; {whose} elsewhere.",)
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -189,7 +201,20 @@ class Drawing(msgspec.Struct, frozen=True):
             )
             for each in self.annotations
         )
-        return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height), annotations=annotations)
+
+        def placed(kept: KeptText | KeptPicture) -> KeptText | KeptPicture:
+            x, y = _pair(moved(np.array((kept.x, kept.y))))
+            across, down = (_pair(np.array(way) * scale) for way in (kept.across, kept.down))
+            return replace(kept, x=x, y=y, across=across, down=down)
+
+        return replace(
+            self,
+            outlines=outlines,
+            frame=Frame(0.0, 0.0, width, height),
+            annotations=annotations,
+            kept_texts=tuple(map(placed, self.kept_texts)),
+            kept_pictures=tuple(map(placed, self.kept_pictures)),
+        )
 
 
 def drawing_of(
@@ -247,6 +272,8 @@ def drawing_of(
         layers=document.layers,
         empty_layers=document.empty_layers,
         guides=document.guides,
+        kept_texts=document.kept_texts,
+        kept_pictures=document.kept_pictures,
     )
 
 

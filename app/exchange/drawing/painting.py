@@ -18,6 +18,7 @@ from PySide6.QtGui import (
     QPainterPathStroker,
     QPen,
     QPolygonF,
+    QTransform,
 )
 
 from curvecore.arrays import FloatArray
@@ -25,6 +26,7 @@ from curvecore.arrays import FloatArray
 from ...document.gradient import Gradient
 from ...document.style import Style
 from ...qt.gradients import brush_of
+from ...qt.kept import paint_kept
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
 from .drawing import POINT_RADIUS, Annotation, Drawing
@@ -63,12 +65,21 @@ class Painting:
         if self._style.paper:
             self._painter.fillRect(QRectF(0, 0, frame.width, frame.height), QColor(self._style.paper))
         self._paint_annotations("grid")
+        self._paint_kept(behind=True)
         for shape in told(self._drawing.shapes, report, "Painting"):
             self._paint_shape(shape)
+        self._paint_kept(behind=False)
         self._paint_annotations("handles")
         if points:
             self._paint_points()
         self._paint_annotations("basis")
+
+    def _paint_kept(self, *, behind: bool) -> None:
+        """Paint the texts and pictures in front of the curves, or behind them."""
+        way, drawing = QTransform(1, 0, 0, -1, 0, self._height), self._drawing
+        texts = [each for each in drawing.kept_texts if each.behind is behind]
+        pictures = [each for each in drawing.kept_pictures if each.behind is behind]
+        paint_kept(self._painter, texts, pictures, way)
 
     # Shapes
 

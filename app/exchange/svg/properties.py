@@ -20,6 +20,19 @@ from .paint import Paint, Paints, colour_of, is_paint, share_of
 
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
+_SIZES = {
+    "xx-small": 9.0,
+    "x-small": 10.0,
+    "small": 13.0,
+    "medium": 16.0,
+    "large": 18.0,
+    "x-large": 24.0,
+    "xx-large": 32.0,
+}
+"""Sizes of fonts that have a name."""
+
+_RELATIVE = {"em": 1.0, "ex": 0.5, "%": 0.01, "smaller": 1 / 1.2, "larger": 1.2}
+"""Units of the size of the font around."""
 _Kind = TypeVar("_Kind", bound=Enum)
 
 
@@ -66,6 +79,10 @@ class Properties:
             return self.values[name]
         if word == "initial":
             return INHERITED[name]
+        if name == "font-size":
+            return font_size(word, self.values[name])
+        if name == "font-weight" and word in ("bolder", "lighter"):
+            return "700" if word == "bolder" else "300"
         if name == "color":
             return value if colour_of(value) else self.values[name]
         # What is no paint is passed over, as if it did not stand there.
@@ -81,6 +98,22 @@ class Properties:
         """Whether a line of no length is seen, by its caps."""
         has_caps = self.values["stroke-linecap"].lower() in ("round", "square")
         return self.is_visible and has_caps and self.values["stroke"].lower() != "none"
+
+
+def font_size(word: str, around: str) -> str:
+    """Return the size of a font in user units, where it is this around."""
+    outer = float(around)
+    unit = next((each for each in _RELATIVE if word.endswith(each)), "")
+    try:
+        if word in _SIZES:
+            size = _SIZES[word]
+        elif unit:
+            size = outer * _RELATIVE[unit] * float(word.removesuffix(unit) or 1)
+        else:
+            size = length(word) or 0.0
+    except (ValueError, ExchangeError):
+        size = 0.0
+    return repr(size if 0 < size <= MAX_MAGNITUDE else outer)
 
 
 class StyleReader:

@@ -15,6 +15,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ...document.kept import KeptPicture, KeptText
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
 from ..cubics_in import Imported, ImportedPath, Look, imported
@@ -26,6 +27,7 @@ from .clips import clip_box
 from .gradients import Ground
 from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
 from .guides import guides_of
+from .kept_things import KeptThings
 from .lengths import Viewport
 from .matrices import (
     Box,
@@ -112,6 +114,8 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
         guides=guides,
         layers=drawn.layers,
         empty_layers=drawn.empty_layers,
+        kept_texts=reader.kept_texts,
+        kept_pictures=reader.kept_pictures,
     )
     return replace(found, document=tidy_shapes(document))
 
@@ -127,6 +131,8 @@ class SvgReader:
         What does not come in as it is.
     layers
         The layers that were met, each with those around it.
+    kept_texts, kept_pictures
+        What it shows beside curves.
     """
 
     def __init__(
@@ -140,14 +146,18 @@ class SvgReader:
         self.sheet, self._place = sheet if self._ours.has_page else replace(sheet, page=None), sheet
         self._cascade = Cascade(root)
         self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
-        self._styles = StyleReader(Paints(self._by_id, self._cascade.of))
+        paints = Paints(self._by_id, self._cascade.of)
+        self._styles, self._kept = StyleReader(paints), KeptThings(paints, self._cascade.of)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
+        self.kept_texts: tuple[KeptText, ...] = ()
+        self.kept_pictures: tuple[KeptPicture, ...] = ()
 
     def all_paths(self) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
         drawn = self.drawn()
+        self.kept_texts, self.kept_pictures = self._kept.placed(drawn)
         seen = [each for each in drawn if is_seen(each)]
         instead = "left out" if seen else "it comes in as a line"
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
@@ -183,7 +193,8 @@ class SvgReader:
         state = self._entered(element, declared, state)
         if tag in _NO_CURVES:
             if state.properties.is_visible:
-                self._miss(element, _NO_CURVES[tag])
+                flaw, instead = _NO_CURVES[tag], self._kept.keep(tag, element, state, self._found)
+                self._miss(element, replace(flaw, instead=instead) if instead else flaw)
             return
         first = len(self._shapes)
         if tag in SHAPES:

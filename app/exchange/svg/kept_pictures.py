@@ -1,0 +1,109 @@
+"""Pictures of an SVG file as they can be shown: those that are in it, and the places of others."""
+
+from __future__ import annotations
+
+import binascii
+import struct
+import xml.etree.ElementTree as ET
+from base64 import b64decode, b64encode
+from urllib.parse import unquote
+
+import numpy as np
+
+from ...document.kept import MOST_DATA, KeptPicture
+from ...document.model import MAX_MAGNITUDE
+from ..errors import ExchangeError
+from .matrices import Box, combined, fitted_box
+from .shapes import length_of
+from .state import State
+from .xml_tree import reference_of
+
+_PNG, _JPEG = b"\x89PNG\r\n\x1a\n", b"\xff\xd8"
+_FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
+"""Markers in a JPEG file behind which its size stands."""
+
+
+class KeptPictures:
+    """The pictures of one file that are shown."""
+
+    def __init__(self) -> None:
+        self._left = MOST_DATA
+
+    def picture(self, element: ET.Element, state: State) -> KeptPicture | None:
+        """Return a picture; None where it has no place."""
+        data = _content_of(reference_of(element))
+        size = _size_of(data)
+        text = b64encode(data).decode() if size is not None else ""
+        if len(text) > self._left:
+            text = ""
+        place = _place_of(element, state, size)
+        if place is None:
+            return None
+        matrix = state.matrix
+        if size is not None:
+            fit = fitted_box((0.0, 0.0, *size), place, element.get("preserveAspectRatio", ""))
+            matrix = combined(matrix, fit @ np.diag([*size, 1.0]))
+        else:
+            matrix = combined(matrix, np.array([[place[2], 0.0, place[0]], [0.0, place[3], place[1]]]))
+        # Written so that NaN fails.
+        if not (np.abs(matrix) <= MAX_MAGNITUDE).all() or not np.linalg.det(matrix[:, :2]):
+            return None
+        self._left -= len(text)
+        (right, other_right, x), (up, other_up, y) = matrix.tolist()
+        opacity = round(state.properties.opacity, 6)
+        return KeptPicture(x, y, (right, up), (other_right, other_up), text, opacity)
+
+
+def _place_of(element: ET.Element, state: State, size: tuple[float, float] | None) -> Box | None:
+    """Return the box that a picture is fitted into."""
+    try:
+        x, y, width, height = (
+            length_of(element, name, state.viewport) for name in ("x", "y", "width", "height")
+        )
+    except ExchangeError:
+        return None
+    if size is not None:
+        across, down = size
+        given = width or (height * across / down if height else across)
+        width, height = given, height or given * down / across
+    if not width or not height or width < 0 or height < 0:
+        return None
+    return (x or 0.0, y or 0.0, width, height)
+
+
+def _content_of(reference: str) -> bytes:
+    """Return the file that a reference holds itself; nothing of one elsewhere."""
+    head, _, content = reference.partition(",")
+    words = head.lower().split(";")
+    if not words[0].startswith("data:") or words[-1].strip() != "base64":
+        return b""
+    try:
+        return b64decode(unquote(content) if "%" in content else content)
+    except (binascii.Error, ValueError):
+        return b""
+
+
+def _size_of(data: bytes) -> tuple[float, float] | None:
+    """Return width and height in pixels of a PNG or JPEG file; None of every other."""
+    try:
+        if data.startswith(_PNG):
+            width, height = struct.unpack(">II", data[16:24])
+        elif data.startswith(_JPEG):
+            height, width = _size_in_jpeg(data)
+        else:
+            return None
+    except struct.error:
+        return None
+    return (float(width), float(height)) if width and height else None
+
+
+def _size_in_jpeg(data: bytes) -> tuple[int, int]:
+    place = 2
+    while True:
+        mark, kind, length = struct.unpack(">BBH", data[place : place + 4])
+        if mark != 0xFF or length < 2:
+            raise struct.error
+        if kind in _FRAMES:
+            height, width = struct.unpack(">HH", data[place + 5 : place + 9])
+            return height, width
+        place += 2 + length

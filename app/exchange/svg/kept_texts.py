@@ -1,0 +1,254 @@
+"""Texts of an SVG file as lines that can be shown: where each begins, in which fonts and paints.
+
+Letters are laid out by whoever has the fonts; here they are only put together and anchored.
+
+Reference: Scalable Vector Graphics 2, section 11.
+"""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ...document.kept import MOST_LETTERS, Anchor, KeptRun, KeptText
+from ...document.model import MAX_MAGNITUDE
+from ..errors import ExchangeError
+from .gradients import Ground
+from .lengths import length
+from .paint import Paints, share_of
+from .properties import Properties
+from .state import State
+from .xml_tree import tag_of
+
+_SPACE = "{http://www.w3.org/XML/1998/namespace}space"
+_SPANS = ("tspan", "a")
+_PLACES = ("x", "y", "dx", "dy")
+_WEIGHTS = {"normal": 400.0, "bold": 700.0}
+_OF_FONTS = {"em": 1.0, "ex": 0.5}
+_RAISED = {"super": 0.4, "sub": -0.2}
+"""By which part of its size a text is raised."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Letter:
+    """A letter with the properties in force, the elements around it, and by how much it is raised."""
+
+    letter: str
+    properties: Properties
+    around: tuple[ET.Element, ...]
+    is_spaced: bool
+    raised: float
+
+
+@dataclass(eq=False)
+class _Run:
+    """Letters in the same properties, moved from where they would follow."""
+
+    properties: Properties
+    right: float
+    down: float
+    letters: list[str] = field(default_factory=list)
+
+
+@dataclass(eq=False)
+class _Line:
+    """A line that is being put together: its runs, and by how much the last is below its beginning."""
+
+    x: float
+    y: float
+    anchor: Anchor
+    runs: list[_Run] = field(default_factory=list)
+    down: float = 0.0
+
+
+class KeptTexts:
+    """The texts of one file that are shown.
+
+    Parameters
+    ----------
+    paints
+        Those of the file.
+    declared
+        Returns what an element declares.
+    """
+
+    def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
+        self._paints, self._declared, self._left = paints, declared, MOST_LETTERS
+
+    def lines(self, element: ET.Element, state: State) -> list[KeptText]:
+        """Return the lines of a text; none where they cannot be shown."""
+        if state.properties.values["writing-mode"].lower()[:2] in ("tb", "ve"):
+            return []
+        letters = list(_collapsed(self._letters(element, state.properties, (element,), 0.0)))
+        self._left -= len(letters)
+        if self._left < 0:
+            return []
+        found = [self._kept(line, state) for line in self._laid(letters, state)]
+        return [each for each in found if each is not None and each.words.strip()]
+
+    def _letters(
+        self, element: ET.Element, properties: Properties, around: tuple[ET.Element, ...], raised: float
+    ) -> Iterator[_Letter]:
+        white = properties.values["white-space"].lower()
+        is_spaced = white.startswith("pre") or around[-1].get(_SPACE, around[0].get(_SPACE)) == "preserve"
+
+        def said(text: str | None) -> Iterator[_Letter]:
+            return (_Letter(each, properties, around, is_spaced, raised) for each in text or "")
+
+        yield from said(element.text)
+        for child in element:
+            if tag_of(child) in _SPANS:
+                declared = self._declared(child)
+                inner = properties.entered(declared)
+                if inner.is_displayed:
+                    shift = _raised(declared.get("baseline-shift", "0").lower(), inner)
+                    yield from self._letters(child, inner, (*around, child), raised + shift)
+            yield from said(child.tail)
+
+    # Places
+
+    def _laid(self, letters: Iterable[_Letter], state: State) -> list[_Line]:
+        """Return lines: one begins wherever a letter has a place of its own."""
+        counted, lists = Counter[ET.Element](), dict[ET.Element, dict[str, list[float]]]()
+        lines, before, shift = list[_Line](), None, 0.0
+        for each in letters:
+            places = dict[str, float]()
+            for element in each.around:
+                if element not in lists:
+                    lists[element] = {name: _numbers(element, name, state, each) for name in _PLACES}
+                index, counted[element] = counted[element], counted[element] + 1
+                places |= {name: held[index] for name, held in lists[element].items() if index < len(held)}
+            right, down = places.get("dx", 0.0), places.get("dy", 0.0)
+            if not lines or "x" in places:
+                y = places.get("y", lines[-1].y + lines[-1].down if lines else 0.0)
+                lines.append(_Line(places.get("x", 0.0) + right, y + down, _anchor(each.properties)))
+                before, shift, right, down = None, 0.0, 0.0, 0.0
+            elif "y" in places:
+                down += places["y"] - lines[-1].y - lines[-1].down
+            line = lines[-1]
+            line.down += down
+            moved, shift = down - (each.raised - shift), each.raised
+            if before is not each.properties or right or moved:
+                line.runs.append(_Run(each.properties, right, moved))
+            line.runs[-1].letters.append(each.letter)
+            before = each.properties
+        return lines
+
+    def _kept(self, line: _Line, state: State) -> KeptText | None:
+        matrix = state.matrix
+        place = matrix[:, :2] @ (line.x, line.y) + matrix[:, 2]
+        numbers = np.concatenate([place, matrix[:, :2].ravel()])
+        # Written so that NaN fails.
+        if not (np.abs(numbers) <= MAX_MAGNITUDE).all() or not np.linalg.det(matrix[:, :2]):
+            return None
+        x, y, right, other_right, up, other_up = numbers.tolist()
+        runs = tuple(self._run(each, state) for each in line.runs)
+        return KeptText(x, y, (right, up), (other_right, other_up), runs, line.anchor)
+
+    # Looks
+
+    def _run(self, run: _Run, state: State) -> KeptRun:
+        """Return a run in the font and the paint of its letters."""
+        properties, values = run.properties, run.properties.values
+        size = float(values["font-size"])
+        outline = np.array([[(0.0, -size), (size, -size), (size, 0.0), (0.0, 0.0)]])
+        ground = Ground(state.matrix, state.viewport, [outline])
+        fill, stroke = (
+            self._paints.paint(values[name], values["color"], ground) for name in ("fill", "stroke")
+        )
+        is_seen = properties.is_visible
+        return KeptRun(
+            "".join(run.letters),
+            _families(values["font-family"]),
+            size,
+            _weight(values["font-weight"].lower()),
+            values["font-style"].lower() in ("italic", "oblique"),
+            _length(values["letter-spacing"], size),
+            run.right,
+            run.down,
+            fill=fill.colour if is_seen else "none",
+            fill_opacity=_share(fill.opacity, values["fill-opacity"], properties.opacity),
+            stroke=stroke.colour if is_seen else "none",
+            stroke_opacity=_share(stroke.opacity, values["stroke-opacity"], properties.opacity),
+            width=max(_length(values["stroke-width"], size), 0.0),
+        )
+
+
+def _collapsed(letters: Iterable[_Letter]) -> Iterator[_Letter]:
+    """Yield letters with blanks as they are drawn: one where there are several, and none at the ends."""
+    waiting: _Letter | None = None
+    is_begun = False
+    for each in letters:
+        letter = " " if each.letter < "!" else each.letter
+        if letter == " " and not each.is_spaced:
+            waiting = replace(each, letter=letter) if is_begun and waiting is None else waiting
+            continue
+        if waiting is not None:
+            yield waiting
+        waiting, is_begun = None, True
+        yield replace(each, letter=letter)
+
+
+def _numbers(element: ET.Element, name: str, state: State, letter: _Letter) -> list[float]:
+    """Return the lengths in an attribute that has one for each of the first letters; none if it is broken."""
+    size = float(letter.properties.values["font-size"])
+    words = [word for word in re.split(r"[\s,]+", element.get(name, "").strip()) if word]
+    side = state.viewport.side(name[-1])
+    try:
+        found = [_in_font(word, size) if word[-2:] in _OF_FONTS else length(word, side) for word in words]
+    except ExchangeError:
+        return []
+    return [each for each in found if each is not None] if None not in found else []
+
+
+def _in_font(word: str, size: float) -> float:
+    try:
+        return float(word[:-2]) * size * _OF_FONTS[word[-2:]]
+    except ValueError:
+        return 0.0
+
+
+def _length(text: str, size: float) -> float:
+    word = text.lower()
+    if word[-2:] in _OF_FONTS:
+        return _in_font(word, size)
+    try:
+        found = length(word, size) or 0.0
+    except ExchangeError:
+        return 0.0
+    return found if abs(found) <= MAX_MAGNITUDE else 0.0
+
+
+def _raised(word: str, properties: Properties) -> float:
+    size = float(properties.values["font-size"])
+    return _RAISED[word] * size if word in _RAISED else _length(word, size)
+
+
+def _anchor(properties: Properties) -> Anchor:
+    word = properties.values["text-anchor"].lower()
+    return next((each for each in Anchor if each.value == word), Anchor.START)
+
+
+def _families(text: str) -> tuple[str, ...]:
+    words = (each.strip().strip("\"'").strip() for each in text.split(","))
+    return tuple(each for each in words if each and each.isprintable())
+
+
+def _weight(word: str) -> float:
+    try:
+        weight = _WEIGHTS[word] if word in _WEIGHTS else float(word)
+    except ValueError:
+        weight = 400.0
+    return weight if 1 <= weight <= 1000 else 400.0
+
+
+def _share(*shares: float | str) -> float:
+    product = 1.0
+    for each in shares:
+        product *= share_of(each) if isinstance(each, str) else each
+    return round(product, 6)

@@ -1,0 +1,186 @@
+"""Texts and pictures of SVG files are shown where other programs show them, though nobody edits them here."""
+
+from __future__ import annotations
+
+import base64
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QBuffer, QIODevice
+from PySide6.QtGui import QColor, QImage
+
+from app.document.kept import MOST_LETTERS, Anchor
+from app.exchange.drawing.image import pdf_file, png_file
+from app.exchange.drawing.styles import LIGHT
+from app.exchange.options import Options
+from app.exchange.reading import import_file
+from app.exchange.rescaled import in_unit
+from app.exchange.svg.reader import read_svg
+from app.qt.glyphs import has_fonts
+from app.storage.format import decode, encode
+
+HEAD = (
+    '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="200mm" '
+    'height="100mm" viewBox="0 0 200 100">'
+)
+LINE = '<path id="p" d="M5 95H195" stroke="#000" fill="none"/>'
+
+
+def file_of(body):
+    return f"{HEAD}{body}</svg>".encode()
+
+
+def kept(body, line=LINE):
+    return read_svg(file_of(line + body)).document
+
+
+def png(width, height, colour):
+    image = QImage(width, height, QImage.Format.Format_RGB32)
+    image.fill(QColor(colour))
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    image.save(buffer, "PNG")
+    return base64.b64encode(buffer.data().data()).decode()
+
+
+@pytest.mark.usefixtures("qapp")
+def test_lines_and_parts_of_a_text_have_places_and_fonts():
+    document = kept(
+        '<g font-size="10" font-family="A, \'B C\'" fill="#ff0000"><text y="20" transform="translate(3 4)">'
+        '<tspan x="10">one <tspan style="font-weight:bold;font-size:2em;fill:#00f">two</tspan></tspan>'
+        '<tspan x="10" dy="12" text-anchor="end">three</tspan></text></g>'
+    )
+    first, second = document.kept_texts
+    assert [(each.x, each.y, each.anchor) for each in (first, second)] == [
+        (13.0, -24.0, Anchor.START),
+        (13.0, -36.0, Anchor.END),
+    ]
+    assert [(run.words, run.size, run.weight, run.fill) for run in first.runs] == [
+        ("one ", 10.0, 400.0, "#ff0000"),
+        ("two", 20.0, 700.0, "#0000ff"),
+    ]
+    assert (second.words, second.runs[0].font) == ("three", ("A", "B C"))
+
+
+def test_blanks_are_those_that_are_drawn_and_letters_may_have_places():
+    (text,) = kept('<text x="1" y="2">\n  a \n b\t</text>').kept_texts
+    assert text.words == "a b"
+    (text,) = kept('<text x="1" y="2" xml:space="preserve"> a  b</text>').kept_texts
+    assert text.words == " a  b"
+    each = kept('<text x="1 5 9" y="2">abcd</text>').kept_texts
+    assert [(text.words, text.x) for text in each] == [("a", 1.0), ("b", 5.0), ("cd", 9.0)]
+    (text,) = kept('<text x="1" y="2" dx="0 3">ab</text>').kept_texts
+    assert [(run.words, run.right) for run in text.runs] == [("a", 0.0), ("b", 3.0)]
+
+
+def test_what_is_hidden_and_what_is_too_much_is_not_shown():
+    assert kept('<text x="1" y="2" display="none">a</text>').kept_texts == ()
+    assert kept('<g visibility="hidden"><text x="1" y="2">a</text></g>').kept_texts == ()
+    assert kept(f'<text x="1" y="2">{"a" * (MOST_LETTERS + 1)}</text>').kept_texts == ()
+    assert kept('<text x="1" y="2" transform="scale(0)">a</text>').kept_texts == ()
+    assert kept('<text x="1e300" y="2">a</text>').kept_texts == ()
+
+
+def test_a_text_lies_in_front_of_the_curves_or_behind_all():
+    assert not kept('<text x="1" y="2">a</text>').kept_texts[0].behind
+    assert kept(LINE, '<text x="1" y="2">a</text>').kept_texts[0].behind
+
+
+@pytest.mark.usefixtures("qapp")
+def test_a_picture_lies_behind_curves_unless_it_covers_an_area():
+    image = (
+        f'<image x="10" y="10" width="40" height="40" xlink:href="data:image/png;base64,{png(4, 2, "red")}"/>'
+    )
+    (picture,) = kept(image).kept_pictures
+    # As wide as its place and half as high, in the middle of that.
+    assert (picture.x, picture.y, picture.across, picture.down) == (10.0, -20.0, (40.0, 0.0), (0.0, -20.0))
+    assert picture.behind
+    assert not kept(image, '<rect width="200" height="100"/>').kept_pictures[0].behind
+
+
+def test_nothing_beside_the_file_is_read(tmp_path):
+    """Neither a file nor an address, nor a picture that is a drawing with such in it."""
+    (tmp_path / "a.png").write_bytes(b"secret")
+    for place in (
+        tmp_path.as_uri() + "/a.png",
+        "a.png",
+        "http://localhost/a.png",
+        "data:image/svg+xml,%3Csvg/%3E",
+    ):
+        found = read_svg(file_of(f'{LINE}<image width="9" height="9" xlink:href="{place}"/>'))
+        assert [each.data for each in found.document.kept_pictures] == [""]
+        assert found.missed[0].instead == "its file lies elsewhere: a frame shows where it is"
+
+
+def test_files_and_other_units_keep_them(tmp_path):
+    (tmp_path / "a.svg").write_bytes(
+        file_of(f'{LINE}<text x="1" y="2">a</text><image width="9" height="9"/>')
+    )
+    document = import_file(tmp_path / "a.svg").document
+    assert document.kept_texts
+    assert document.kept_pictures
+    assert decode(encode(document)) == document
+    (text,) = in_unit(document, "cm").kept_texts
+    assert (text.x, text.across, text.runs[0].size) == (pytest.approx(0.1), (pytest.approx(0.1), 0.0), 16.0)
+
+
+# As others show them
+
+
+def grey(path):
+    image = QImage(str(path)).convertToFormat(QImage.Format.Format_Grayscale8)
+    rows = np.frombuffer(bytes(image.constBits()), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return rows[:, : image.width()]
+
+
+def ink_box(picture):
+    rows, columns = np.nonzero(picture < 128)
+    return np.array([columns.min(), rows.min(), columns.max(), rows.max()])
+
+
+TEXTS = [
+    '<text x="20" y="40" font-size="14">Letters, gypq</text>',
+    '<text x="100" y="50" font-size="12" text-anchor="middle" transform="rotate(-20 100 50)">Middle</text>',
+    '<text x="180" y="40" style="font:italic bold 10px \'DejaVu Serif\',serif;text-anchor:end">End</text>',
+    '<text y="30" font-size="9"><tspan x="20">H<tspan font-size="6" dy="2">2</tspan></tspan>'
+    '<tspan x="20" y="60" letter-spacing="2" font-weight="700">Wide line</tspan></text>',
+    '<text x="20" y="50" font-size="20" fill="none" stroke="black" stroke-width="1.5">Outline</text>',
+]
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="librsvg is not installed")
+@pytest.mark.parametrize("text", TEXTS)
+def test_a_text_takes_the_same_room_as_in_librsvg(text, tmp_path):
+    if not has_fonts():
+        pytest.skip("there is no font")
+    data = file_of(
+        '<path d="M-9 -9H-8" stroke="#000"/>' + text.replace("<text", '<text font-family="DejaVu Sans"')
+    )
+    (tmp_path / "a.svg").write_bytes(data)
+    command = ["rsvg-convert", "--width=800", "--background-color=white", "-o", str(tmp_path / "b.png")]
+    subprocess.run([*command, str(tmp_path / "a.svg")], check=True, timeout=60)
+    ours = png_file(read_svg(data).document, Options(width=800, style=LIGHT.on_page()))
+    (tmp_path / "c.png").write_bytes(ours.data)
+    theirs, mine = grey(tmp_path / "b.png"), grey(tmp_path / "c.png")
+    assert mine.shape == theirs.shape
+    assert np.abs(ink_box(mine) - ink_box(theirs)).max() <= 1.0
+    # The same letters: as much ink, whatever the edges.
+    assert (255.0 - mine).sum() == pytest.approx((255.0 - theirs).sum(), rel=0.05)
+
+
+@pytest.mark.usefixtures("qapp")
+def test_pictures_are_in_what_is_exported_and_those_that_are_not_there_are_told():
+    data = png(4, 4, "#00ff00")
+    document = kept(
+        f'<image x="10" y="10" width="40" height="40" xlink:href="data:image/png;base64,{data}"/>'
+        '<image x="100" y="10" width="40" height="40" xlink:href="photo.png"/>'
+    )
+    written = png_file(document, Options(width=200, style=LIGHT.on_page()))
+    image = QImage.fromData(written.data)
+    assert image.pixelColor(30, 30) == QColor("#00ff00")
+    assert image.pixelColor(8, 30) == image.pixelColor(120, 30) == QColor("white")
+    assert written.remarks == ("1 picture is not drawn; its file lies elsewhere.",)
+    assert b"/Image" in pdf_file(document, Options(unit="mm")).data
