@@ -193,7 +193,7 @@ action = _decorator_of(Action)
 
 def _switch_of(make: Callable[_Fields, Action]) -> Callable[Concatenate[str, _Fields], Decorator]:
     def declare(field: str, /, *fields: _Fields.args, **more: _Fields.kwargs) -> Decorator:
-        assert field in WindowState.__struct_fields__, field
+        assert hasattr(WindowState, field), field
         described = replace(
             make(*fields, **more), field=field, checked=lambda now: bool(getattr(now.state, field))
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import Enum
 from typing import Final
 
 from msgspec.structs import replace
@@ -12,6 +13,18 @@ from .style import Style
 
 PAPER_UNITS: Final = frozenset({"mm", "cm", "in", "pt", "pc", "px"})
 """Units of pages. A length of one metre, or of one second, is a course's."""
+
+
+class DocumentKind(Enum):
+    """What a document is worked on as: the window is arranged for that."""
+
+    SKETCH = "sketches"
+    DRAWING = "drawings"
+
+
+def kind_of(document: Document) -> DocumentKind:
+    """Return the kind of a document: a drawing has a page, a sketch or a lesson has none."""
+    return DocumentKind.SKETCH if document.page is None else DocumentKind.DRAWING
 
 
 _LINES: Final = {"mm": 0.3, "cm": 0.03, "in": 0.01, "pt": 0.75, "pc": 0.06, "px": 1.0}

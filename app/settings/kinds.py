@@ -32,6 +32,7 @@ from ..document.words import enumerated
 from ..storage.field_check import check_fields
 from ..storage.format import decode, encode
 from ..storage.format_error import FormatError
+from .arrangement import Arrangement
 from .file import SettingsFile
 
 Value = TypeVar("Value")
@@ -237,6 +238,22 @@ class SavedPage(TextSetting[Page | None]):
         return page
 
     def _stored(self, value: Page | None) -> object:
+        return msgspec.json.encode(value).decode()
+
+
+class SavedArrangement(TextSetting[Arrangement]):
+    """What stands around the canvas, as JSON."""
+
+    def __init__(self, key: str, *, basis: bool) -> None:
+        super().__init__(key, Arrangement(basis))
+
+    def _parse(self, text: str) -> Arrangement:
+        try:
+            return msgspec.json.decode(text, type=Arrangement)
+        except msgspec.DecodeError:
+            raise _UnusableError("it is no arrangement of a window") from None
+
+    def _stored(self, value: Arrangement) -> object:
         return msgspec.json.encode(value).decode()
 
 

@@ -20,6 +20,7 @@ from .kinds import (
     Folder,
     Height,
     Keys,
+    SavedArrangement,
     SavedCurve,
     SavedLayout,
     SavedPage,
@@ -116,6 +117,12 @@ class Preferences:
 
     splitter_state = SavedLayout("window/splitter")
     """The result of ``QSplitter.saveState``."""
+
+    sketches = SavedArrangement("window/sketches", basis=True)
+    """What stands around the canvas in documents without a page, lessons among them."""
+
+    drawings = SavedArrangement("window/drawings", basis=False)
+    """What stands around it where there is a page to draw on."""
 
     plot_height = Height("window/plots")
     """Height of the plots below the basis functions."""

@@ -8,7 +8,9 @@ from PySide6.QtCore import QObject, Signal
 
 from ..appearance.theme import ThemeMode
 from ..document.model import Document
+from ..document.paper import DocumentKind
 from ..document.transforms import Reference
+from ..settings.arrangement import Arrangement
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
@@ -51,8 +53,12 @@ class WindowState(msgspec.Struct, frozen=True):
         What a press on the canvas means.
     moves_image
         Whether the mouse has the reference image instead of the points.
-    grid, basis, side_panel, lessons
-        Whether the grid, the basis functions, the panels at the side and the lessons are shown.
+    kind
+        What the document was when it was opened: a page that it gets later moves nothing around the canvas.
+    sketches, drawings
+        What stands around the canvas in documents of either kind, as the preferences remember it.
+    grid, side_panel, lessons
+        Whether the grid, the panels at the side and the lessons are shown.
     rulers, guides_shown, guides_locked
         Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
     kept_shown
@@ -90,7 +96,9 @@ class WindowState(msgspec.Struct, frozen=True):
     tool: ToolRecord = SELECT
     moves_image: bool = False
     grid: bool = True
-    basis: bool = True
+    kind: DocumentKind = DocumentKind.SKETCH
+    sketches: Arrangement = Arrangement()
+    drawings: Arrangement = Arrangement(basis=False)
     side_panel: bool = True
     lessons: bool = False
     rulers: bool = True
@@ -123,6 +131,17 @@ class WindowState(msgspec.Struct, frozen=True):
     is_working: bool = False
     in_flight: bool = False
     image_problem: str = ""
+
+    @property
+    def arrangement(self) -> Arrangement:
+        """What stands around the canvas in documents of this kind."""
+        arrangement: Arrangement = getattr(self, self.kind.value)
+        return arrangement
+
+    @property
+    def basis(self) -> bool:
+        """Whether the basis functions are shown."""
+        return self.arrangement.basis
 
     @property
     def shows_rulers(self) -> bool:
@@ -173,7 +192,10 @@ class WindowStore(QObject):
         }
 
     def change(self, **fields: object) -> None:
-        """Take other values for some fields."""
+        """Take other values for some fields; those of the arrangement count for this kind of document."""
+        arranged = {name: fields.pop(name) for name in Arrangement.__struct_fields__ if name in fields}
+        if arranged:
+            fields[self.state.kind.value] = replace(self.state.arrangement, **arranged)
         for name, value in fields.items():
             if hasattr(type(self._preferences), name) and value != getattr(self.state, name):
                 setattr(self._preferences, name, value)

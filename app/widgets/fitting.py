@@ -64,8 +64,8 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
         return least.boundedTo(self._most)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self.content and event.type() == QEvent.Type.LayoutRequest:
-            # Qt asks a scroll area for its size once; what is in it may grow later.
+        if watched is self.content and event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Show):
+            # Qt asks a scroll area for its size once; what is in it may grow later, or while nobody sees it.
             self.updateGeometry()
         return super().eventFilter(watched, event)
 

@@ -65,6 +65,8 @@ REMEMBERED = {
     "theme_mode",
     "as_printed",
     "page_as_printed",
+    "sketches",
+    "drawings",
 }
 
 

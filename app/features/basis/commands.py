@@ -54,6 +54,8 @@ class BasisCommands:
         panel = self._panel = BasisPanel(Toolbox(session, RAIL))
         pane = self._pane = BasisPane(panel, context.actions["toggleEstimates"], parent)
         panel.drawing.set_with_estimates(context.store.state.with_estimates)
+        if not context.store.state.basis:
+            pane.hide()
         context.store.changed.connect(self._show_state)
         context.connect_plot(panel)
         context.central.t_camera = panel.camera

@@ -81,7 +81,7 @@ class StyleCommands:
         context.store.changed.connect(self._render)
         context.central.canvas.colour_picked.connect(self._take_picked)
 
-    @LatePanel("styleDock", "Style", UPPER)
+    @LatePanel("styleDock", "Style", UPPER, for_drawings=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]

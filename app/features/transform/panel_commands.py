@@ -47,7 +47,7 @@ class TransformPanelCommands(QObject):
         self._session.pivot_changed.connect(self._render)
         self._store.changed.connect(self._show_state)
 
-    @LatePanel("transformDock", "Transform", on_demand=True)
+    @LatePanel("transformDock", "Transform", on_demand=True, for_drawings=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         actions = self._context.actions
