@@ -11,7 +11,8 @@
 - ``transform``, ``transform_box``: move, scale and rotate; the box with grips.  ``typed_amount``: the number,
   or the two, typed meanwhile.  ``target``: what these act on: selected points, or curves.
   ``transform_drags``: how the drags that do begin.  ``move_pivot``: the mark of what they are about.
-- ``inserting``: a point inserted on the curve, and what is said about its shape.
+- ``inserting``: a point inserted on the curve, and what is said about its shape.  ``segment_click``: the
+  ends of a segment, selected by a click on its line.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.
 - ``below``: Alt+click on what lies below the topmost curve.
