@@ -128,14 +128,16 @@ def test_a_click_on_its_point_selects_it_too(three):
     assert three.session.document is before
 
 
-def test_a_click_on_its_line_selects_nothing(three):
+def test_a_click_on_its_line_selects_nothing_until_it_is_edited(three):
     before = three.session.document
     three.click(on_curve(three, 0))
     assert (three.curve.name, three.session.selection) == ("A", frozenset())
     assert three.status == "Editing “A” now."
     three.click(on_curve(three, 0))
+    said, at, _place = three.status.split(" · ")
+    assert (said, len(three.session.selection)) == ("2 points selected", 2)
     # On whole pixels.
-    assert float(three.status.partition(" · ")[0].removeprefix("t = ")) == pytest.approx(0.45, abs=2e-3)
+    assert float(at.removeprefix("t = ")) == pytest.approx(0.45, abs=2e-3)
     assert three.session.document is before
 
 
