@@ -13,8 +13,8 @@ from ..document.gradient import Gradient
 from ..plotting.pixel_map import PixelMap
 from ..tools.gradient_places import Grip, places_of
 
-_HALF = 4.5
-"""Pixels from the middle of a mark to its sides."""
+_HALF, _HALF_CHOSEN = 4.5, 6.5
+"""Pixels from the middle of a mark to its sides; of that of the stop that is chosen."""
 
 _FAR = 1e6
 
@@ -27,9 +27,14 @@ _SHAPES = {
 
 
 def paint_gradient(
-    painter: QPainter, shown: PixelMap, gradient: Gradient, theme: Theme, scale: float
+    painter: QPainter,
+    shown: PixelMap,
+    gradient: Gradient,
+    theme: Theme,
+    scale: float,
+    chosen: int | None = None,
 ) -> None:
-    """Paint the marks of a gradient, each in the colour of its stop."""
+    """Paint the marks of a gradient, each in the colour of its stop; the `chosen` one is larger."""
     places = [(each, shown.point(*each.place)) for each in places_of(gradient)]
     if any(abs(pixel) > _FAR for _, place in places for pixel in place):
         return
@@ -44,9 +49,11 @@ def paint_gradient(
     for each, place in reversed(places):
         colour = theme.paper if each.stop is None else fill_colour(gradient.stops[each.stop].colour, theme)
         painter.setBrush(colour)
-        for pen in (QPen(theme.paper, 4.5 * scale), QPen(theme.accent, 1.5 * scale)):
+        is_chosen = chosen is not None and each.stop == chosen
+        half, width = (_HALF_CHOSEN, 3.0) if is_chosen else (_HALF, 1.5)
+        for pen in (QPen(theme.paper, (width + 3.0) * scale), QPen(theme.accent, width * scale)):
             painter.setPen(pen)
-            _paint_mark(painter, each.grip, QPointF(*place), _HALF * scale)
+            _paint_mark(painter, each.grip, QPointF(*place), half * scale)
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 

@@ -75,8 +75,9 @@ class MarksLayer(Layer):
         """Draw what there is."""
         marks = self.marks
         painter.setFont(self.fonts.times(0.95 * self.scale))
-        for gradient in marks.gradients:
-            paint_gradient(painter, shown, gradient, self.theme, self.scale)
+        for at, gradient in enumerate(marks.gradients):
+            chosen = marks.stop[1] if marks.stop is not None and marks.stop[0] == at else None
+            paint_gradient(painter, shown, gradient, self.theme, self.scale, chosen)
         if marks.box is not None:
             self._paint_box(painter, shown, marks.box, has_grips=True)
         if marks.frame is not None:

@@ -1,12 +1,12 @@
-"""The curves that are selected beside the active one: in full colour, with halos, their points as rings."""
+"""The curves that are selected beside the active one: with halos, or of many boxes, their points as rings."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QPointF, QRect, Qt
+from PySide6.QtGui import QPainter, QPen
 
 from curvecore.arrays import FloatArray
 
@@ -28,7 +28,10 @@ _CASED, _WIDE = 2.5, 5.0
 
 _HALO_SHARE = 0.28
 _HALOS_UP_TO = 12
-"""Curves from which on there are rings alone: wide lines would take half of the time of a drag of thirty."""
+"""Curves above which boxes mark them: wide lines would take half of the time of a drag of thirty."""
+
+_BESIDE, _BEYOND = 2.0, 8.0
+"""Pixels from what a shape prints to its box, and from the picture to the sides of a box that leaves it."""
 
 _RADIUS, _RIM = 3.5, 1.5
 _MOST_RINGS = 400
@@ -59,36 +62,64 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             self.update()
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
-        """Paint halos, lines and rings into the picture; over a wide line, or an inside, a thin line."""
+        """Paint the marks of choice and rings into the picture: halos and lines, or of many curves boxes."""
         views = [view for shape in shapes for view in shape]
-        # No opacity: where the pieces of a line meet, their caps would be seen.
-        halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
+        is_many = len(self._views) > _HALOS_UP_TO
         stroke = Stroke()
         for view in views:
-            painter.setOpacity(opacity_of(view))
-            stroke.show(line_of(view, shown).points, shown)
-            is_line = self._is_thin or is_plain(view.source.style)
-            width = printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
-            has_halo = (is_line or 0 < width < _WIDE) and len(self._views) <= _HALOS_UP_TO
-            if has_halo:
-                painter.setPen(self._line(halo, max(_HALO, width + _HALO - _WIDTH)))
-                stroke.draw(painter)
-            painter.setOpacity(1.0)
-            if is_line or not view.source.visible:
-                is_seen = view.source.visible
-                pens = [(self._colour(view), _WIDTH) if is_seen else (self.theme.handle, FAINT_WIDTH)]
-            elif has_halo:
-                # Over a fine line no other one would leave any of its colour.
-                paint_line(painter, view, shown, self.theme, _WIDTH * self.scale)
-                pens = []
-            else:
-                casing = [(self.theme.paper, _CASED)] if width >= _WIDE else []
-                pens = [*casing, (self.theme.accent, _OVER_PRINT)]
-            for pen in pens:
-                painter.setPen(self._line(*pen))
-                stroke.draw(painter)
+            if self._is_line(view):
+                stroke.show(line_of(view, shown).points, shown)
+                self._paint_line_of(painter, stroke, view, has_halo=not is_many)
+            elif not is_many:
+                stroke.show(line_of(view, shown).points, shown)
+                self._paint_over_print(painter, stroke, view, shown)
+        if is_many:
+            self._paint_boxes(painter, shown, views)
         if self._has_rings:
             self._paint_rings(painter, shown, views)
+
+    def _is_line(self, view: CurveView) -> bool:
+        """Whether a curve is drawn here as a line, and not what it prints marked."""
+        return self._is_thin or is_plain(view.source.style) or not view.source.visible
+
+    def _paint_line_of(self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool) -> None:
+        """Paint the line of a curve that has no looks of its own, or is hidden."""
+        is_seen = view.source.visible
+        if has_halo:
+            self._paint_halo(painter, stroke, view, _WIDTH)
+        painter.setPen(
+            self._line(self._colour(view), _WIDTH) if is_seen else self._line(self.theme.handle, FAINT_WIDTH)
+        )
+        stroke.draw(painter)
+
+    def _paint_over_print(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
+        """Mark what a curve prints: a fine line by a halo; a wide one, or an inside, by a thin line on it."""
+        width = printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
+        if 0 < width < _WIDE:
+            self._paint_halo(painter, stroke, view, width)
+            # Over a fine line no other one would leave any of its colour.
+            paint_line(painter, view, shown, self.theme, _WIDTH * self.scale)
+            return
+        casing = [(self.theme.paper, _CASED)] if width >= _WIDE else []
+        for pen in [*casing, (self.theme.accent, _OVER_PRINT)]:
+            painter.setPen(self._line(*pen))
+            stroke.draw(painter)
+
+    def _paint_halo(self, painter: QPainter, stroke: Stroke, view: CurveView, width: float) -> None:
+        # No opacity: where the pieces of a line meet, their caps would be seen.
+        halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
+        painter.setOpacity(opacity_of(view))
+        painter.setPen(self._line(halo, max(_HALO, width + _HALO - _WIDTH)))
+        stroke.draw(painter)
+        painter.setOpacity(1.0)
+
+    def _paint_boxes(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Frame what each shape prints, all in one call: it costs next to nothing, and hides no colour."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(self.theme.accent, max(round(self.scale), 1)))
+        painter.drawRects(_frames_of(views, shown, self.scale))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
 
     def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
         """Ring the points of all curves over all lines: in one call for those of one opacity."""
@@ -119,3 +150,18 @@ class SiblingCurvesLayer(SelectedCurvesLayer):
 
 def _ring(painter: QPainter, radius: float, _form: int) -> None:
     painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
+
+
+def _frames_of(views: Sequence[CurveView], shown: PixelMap, scale: float) -> list[QRect]:
+    """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
+    corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
+    widths = [printed_width(view.source.style, shown, _WIDTH * scale) for view in views]
+    pads = _BESIDE * scale + np.array(widths)[:, None] / 2
+    names = [view.source.shape for view in views]
+    starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]
+    lows = np.minimum.reduceat(corners.min(axis=1) - pads, starts)
+    highs = np.maximum.reduceat(corners.max(axis=1) + pads, starts)
+    lows = np.maximum(lows, -_BEYOND).round()
+    highs = np.minimum(highs, (shown.width + _BEYOND, shown.height + _BEYOND)).round()
+    boxes = np.hstack([lows, highs - lows])[(highs > lows).all(axis=1)]
+    return [QRect(*box) for box in boxes.astype(int).tolist()]

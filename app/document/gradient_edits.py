@@ -114,6 +114,22 @@ def with_stops(document: Document, curves: Collection[int], paint: str, stops: t
     return with_gradient(document, curves, paint, lambda gradient: replace(gradient, stops=stops))
 
 
+def without_stop(document: Document, curves: Collection[int], paint: str, stop: int) -> Document:
+    """Return the document without a stop of gradients; one of two leaves the colour of the other."""
+
+    def edit(_shape: range, style: Style) -> Style:
+        gradient = gradient_of(style, paint)
+        if gradient is None or stop >= len(gradient.stops):
+            return style
+        rest = (*gradient.stops[:stop], *gradient.stops[stop + 1 :])
+        if len(rest) > 1:
+            return style.with_gradient(paint, replace(gradient, stops=rest))
+        opacity = f"{paint}_opacity"
+        return style.with_fields({paint: rest[0].colour, opacity: getattr(style, opacity) * rest[0].opacity})
+
+    return with_shape_styles(document, curves, edit)
+
+
 def in_unit_box(style: Style, box: Box) -> Style:
     """Return a style for a shape whose box goes from (0, 0) to (1, 1), from that of a shape in a box."""
     (left, bottom), (width, height) = box[0], size_of(box)

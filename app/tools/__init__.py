@@ -11,13 +11,14 @@
 - ``transform``, ``transform_box``: move, scale and rotate; the box with grips.  ``typed_amount``: the number,
   or the two, typed meanwhile.  ``target``: what these act on: selected points, or curves.
   ``transform_drags``: how the drags that do begin.  ``move_pivot``: the mark of what they are about.
-- ``inserting``: a point inserted on the curve, and what is said about its shape.
+- ``inserting``: a point inserted on the curve, and what is said about its shape.  ``segment_click``: the
+  ends of a segment, selected by a click on its line.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.
 - ``below``: Alt+click on what lies below the topmost curve.
 - ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.
-- ``gradient_places``: what of a gradient is dragged.
+- ``gradient_places``: what of a gradient is dragged.  ``gradient_stops``: the stop that was chosen.
 - ``pen_click``: what a click of the pen makes.  ``pen_session``: what it knows of the curves that it draws.
 - ``pencil_detail``: how near a curve comes to what the pencil draws.
 - ``background``: what takes a tool longer than a moment.

@@ -86,8 +86,16 @@ def to_bend(view: CurveView, pointer: Pointer) -> Hint:
     """Return the hint over the curve, selecting."""
     keys = "" if pointer.alt or pointer.ctrl else bend_keys(view)
     text = f"Drag to bend; {what_bends(view, pointer)}"
-    inserts = "" if pointer.alt or pointer.ctrl or pointer.shift else "Double click: insert a point"
-    return Hint(" · ".join(filter(None, (text, keys, inserts))), cursor=Cursor.BEND)
+    click = "" if pointer.alt or pointer.ctrl else _clicks_on_line(view, pointer)
+    return Hint(" · ".join(filter(None, (text, keys, click))), cursor=Cursor.BEND)
+
+
+def _clicks_on_line(view: CurveView, pointer: Pointer) -> str:
+    """Return what a click on the curve selects, and what a second one does."""
+    selects = view.source.family.interpolates
+    if pointer.shift:
+        return "Click: select both ends, too" if selects else ""
+    return f"{'Click: select both ends · ' if selects else ''}Double click: insert a point"
 
 
 def to_add_on_part(

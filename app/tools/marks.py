@@ -63,8 +63,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         Lines of which curves are being made.
     guide
         The guide under the pointer, or that is dragged: its place in the document.
-    gradients
-        Those whose places can be dragged.
+    gradients, stop
+        Those whose places can be dragged; which of them has the stop that is chosen, and which stop that is.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -81,6 +81,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
     gradients: tuple[Gradient, ...] = ()
+    stop: tuple[int, int] | None = None
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu
 
 from ..actions.declaration import place_actions
-from ..actions.strips import CANVAS_MENU, CURVE_MENU, GUIDE_MENU, POINT_MENU
+from ..actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, GUIDE_MENU, POINT_MENU
 from ..document.shape_edits import pressed
 from ..tools.pointer import Hit, Part
 from ..workbench.context import WindowContext
@@ -17,7 +17,7 @@ from ..workbench.strip_menu import strip_menu
 
 
 class ContextMenus:
-    """Menus of a point, of a curve and of the canvas."""
+    """Menus of a point, of a curve, of what is chosen and of the canvas."""
 
     def __init__(
         self,
@@ -67,7 +67,12 @@ class ContextMenus:
         if hit is not None and hit.part is not Part.OTHER_CURVE and (is_alone or hit.part is Part.CURVE):
             self._open_on_canvas(hit, place)
         else:
-            strip_menu(self._context, CURVE_MENU).popup(place)
+            self._open_on_curves(place)
+
+    def _open_on_curves(self, place: QPoint) -> None:
+        """Open the menu of what is chosen as a whole; of a curve that is edited, its own."""
+        is_whole = bool(self._context.session.selected.chosen)
+        strip_menu(self._context, CHOSEN_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(place)
 
     def _curve_menu(self, t: float) -> QMenu:
         """Return the menu for a place on the active curve."""

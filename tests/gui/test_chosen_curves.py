@@ -7,11 +7,12 @@ import pytest
 from extents import CLOSE, box_shown, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QMimeData, QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtGui import QColor, QContextMenuEvent, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
+from app.document.style import Style
 from app.document.transforms import clean_step
 from app.families import QUINTIC_HERMITE
 from app.features.curve_list.commands import CurveListCommands
@@ -19,6 +20,7 @@ from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.commands import ExchangeCommands
 from app.tools.snapping import SnapKind, Snapping
 from app.workbench.clipboard import CURVES
+from tests.effort import calls_of
 from tests.gui.curve_rows import heard
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -797,3 +799,51 @@ def test_rename_while_a_name_is_typed_takes_that_and_begins_again(editor):
     editor.settle()
     assert editor.curve.name == "Second"
     assert editor.session.undo_stack.count() == 2
+
+
+GREEN = "#009e73"
+
+
+def fine_lines(editor, count):
+    """So many short lines of 3 px in green, twenty in a row, of which all are chosen and none is edited."""
+    editor.window.context.store.change(grid=False)
+    curves = [
+        make_curve([(k % 20, k // 20), (k % 20 + 0.4, k // 20 + 0.5)], name=f"Line {k}") for k in range(count)
+    ]
+    editor.session.commit(Document(tuple(curves)), "Begin")
+    editor.window.canvas.camera.show_box((-1, 20), (-1, 13))
+    style = Style(stroke=GREEN, width=3 / editor.window.canvas.camera.pixel_map.sx)
+    styled = tuple(replace(curve, style=style) for curve in curves)
+    editor.session.commit(Document(styled), "Style")
+    editor.session.selected.choose(range(count))
+    editor.settle()
+    editor.wait_for_rest()
+    return editor
+
+
+def test_many_chosen_curves_keep_their_colours_and_boxes_mark_them(editor):
+    """More than twelve fine lines had a line in the colour of choice in place of their own."""
+    fine_lines(editor, 14)
+    canvas = editor.window.canvas
+    image, accent = canvas.viewport().grab().toImage(), canvas.layers.theme.accent
+    for k in (0, 7, 13):
+        assert image.pixelColor(canvas.to_pixel(k + 0.2, 0.25)) == QColor(GREEN)
+        # Two pixels beside what is printed: half of the line, and half of a pixel more by its round end.
+        left, top = (canvas.to_pixel(k, 0.5) - QPoint(3, 3)).toTuple()
+        near = {image.pixelColor(left + dx, top + 20 + dy).name() for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
+        assert accent.name() in near
+    editor.session.selected.choose([])
+    editor.settle()
+    after = canvas.viewport().grab().toImage()
+    assert accent.name() not in {after.pixelColor(x, top + 20).name() for x in range(left - 2, left + 3)}
+
+
+def test_thousands_of_chosen_curves_are_marked_at_no_cost(editor):
+    """Each was drawn twice more, with its strokes."""
+    fine_lines(editor, 400)
+    canvas = editor.window.canvas
+    layer, picture = canvas.drawing.selected, QImage(canvas.size(), QImage.Format.Format_ARGB32)
+    with QPainter(picture) as painter:
+        calls = calls_of(lambda: layer.paint_shapes(painter, canvas.camera.pixel_map, layer._shapes))
+    assert len(layer._shapes) == 400
+    assert calls < 12 * 400

@@ -285,3 +285,67 @@ def test_what_is_drawn_next_has_the_colour_in_which_the_gradient_begins(squares)
     squares.drag((6.2, 2.5), (8.0, 4.0))
     style = squares.session.document.curves[-1].style
     assert (len(squares.session.document.curves), style.fill, style.fill_gradient) == (3, RED, None)
+
+
+@pytest.fixture
+def striped(squares):
+    """The first square with a gradient of three stops along y = 2, from 0.5 to 3.5, under its tool."""
+    squares.trigger("gradientTool")
+    squares.drag((0.5, 2.0), (3.5, 2.0))
+    squares.double_click((1.25, 2.0))
+    return squares
+
+
+def test_delete_means_the_stop_that_was_clicked_and_not_the_curve(striped):
+    before, document = stops(striped), striped.session.document
+    striped.click((0.5, 2.0))
+    assert striped.status.startswith("Stop at 0 % · Arrow keys: move it · Del")
+    assert striped.window.canvas.tools.marks().stop == (0, 0)
+    striped.click((1.25, 2.0))
+    striped.key(Qt.Key.Key_Delete)
+    assert stops(striped) == [before[0], before[2]]
+    assert striped.session.undo_stack.undoText() == "Delete stop of Leaf"
+    assert len(striped.session.document.curves) == 2
+    # One of two: the colour of the other is left, and the next key would mean the curve.
+    striped.click((0.5, 2.0))
+    striped.key(Qt.Key.Key_Backspace)
+    style = striped.session.document.curves[0].style
+    assert (style.fill, style.fill_gradient, style.fill_opacity) == (BLUE, None, 0.0)
+    striped.trigger("undo")
+    striped.trigger("undo")
+    assert striped.session.document == document
+    striped.click((1.25, 2.0), keys=Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
+    assert stops(striped) == [before[0], before[2]]
+
+
+def test_arrow_keys_move_the_chosen_stop_and_escape_lets_it_go(striped):
+    striped.click((1.25, 2.0))
+    count, place = steps(striped), stops(striped)[1][0]
+    corner = striped.session.document.curves[0].points[0]
+    for _ in range(3):
+        striped.key(Qt.Key.Key_Right)
+    striped.key(Qt.Key.Key_Up)
+    assert stops(striped)[1][0] == pytest.approx(place + 0.03)
+    assert steps(striped) == count + 1
+    assert striped.session.undo_stack.undoText() == "Nudge stop of Leaf"
+    striped.click((3.5, 2.0))
+    striped.key(Qt.Key.Key_Up)
+    assert gradient(striped).end[1] > 2.0
+    assert striped.session.document.curves[0].points[0] == corner
+    striped.escape()
+    assert striped.window.canvas.tools.marks().stop is None
+    assert striped.window.context.store.state.tool.name == "gradient"
+    striped.key(Qt.Key.Key_Delete)
+    assert len(striped.session.document.curves) == 1
+
+
+def test_the_mark_of_the_chosen_stop_is_larger(striped):
+    canvas = striped.window.canvas
+    striped.leave()
+    striped.click((3.5, 2.0))
+    striped.settle()
+    at = canvas.to_pixel(3.5, 2.0) + QPoint(0, 7)
+    chosen = canvas.viewport().grab().toImage().pixelColor(at)
+    striped.escape()
+    striped.settle()
+    assert chosen != canvas.viewport().grab().toImage().pixelColor(at)

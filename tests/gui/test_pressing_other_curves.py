@@ -129,14 +129,16 @@ def test_a_click_on_its_point_selects_it_too(three):
     assert three.session.document is before
 
 
-def test_a_click_on_its_line_selects_nothing(three):
+def test_a_click_on_its_line_selects_nothing_until_it_is_edited(three):
     before = three.session.document
     three.click(on_curve(three, 0))
     assert (three.curve.name, three.session.selection) == ("A", frozenset())
     assert three.status == "Editing “A” now."
     three.click(on_curve(three, 0))
+    said, at, _place = three.status.split(" · ")
+    assert (said, len(three.session.selection)) == ("2 points selected", 2)
     # On whole pixels.
-    assert float(three.status.partition(" · ")[0].removeprefix("t = ")) == pytest.approx(0.45, abs=2e-3)
+    assert float(at.removeprefix("t = ")) == pytest.approx(0.45, abs=2e-3)
     assert three.session.document is before
 
 
@@ -264,6 +266,29 @@ def test_a_right_click_on_one_of_several_chosen_leaves_them_chosen(three):
     assert "deleteCurve" in entries(three.open_menu((2, 3)))
     assert (three.session.selected.curves, three.session.selection) == ({1, 2}, frozenset())
     close(three)
+
+
+def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
+    """It was that of a curve whose points are edited, of thirty entries, half of them grey."""
+    selected = three.session.selected
+    selected.choose([0, 1])
+    found = entries(three.open_menu(on_curve(three, 1)))
+    assert all(found.values())
+    assert {"insertPointHere", "splitHere", "ungroupCurves", "breakApart", "pathFracture"}.isdisjoint(found)
+    wanted = ["cutPoints", "copyPoints", "duplicateCurve", "deleteCurve", "copyStyle", "groupCurves"]
+    wanted += ["combineCurves", "pathUnion", "raiseCurve", "curveVisible", "curveLocked"]
+    assert [name for name in found if name in wanted] == wanted
+    three.choose("groupCurves")
+    # Something that is not chosen is chosen first, with the group that it is in.
+    found = entries(three.open_menu(on_curve(three, 2)))
+    assert selected.chosen == {2}
+    assert {"groupCurves", "ungroupCurves", "combineCurves"}.isdisjoint(found)
+    close(three)
+    found = entries(three.open_menu(on_curve(three, 0)))
+    assert selected.chosen == {0, 1}
+    assert "ungroupCurves" in found
+    three.choose("deleteCurve")
+    assert [curve.name for curve in three.session.document.curves] == ["C"]
 
 
 def test_escape_closes_the_menu_and_changes_nothing(three):

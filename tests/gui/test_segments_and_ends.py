@@ -93,3 +93,55 @@ def test_a_click_with_ctrl_retracts_a_handle_and_two_make_a_line(ring):
     ring.click(ring.handle(ahead=False).position, keys=CTRL)
     assert is_line(ring.curve, 1)
     np.testing.assert_allclose(segment(ring.session.active_view, 2), segment(before, 2), atol=1e-12)
+
+
+def on_segment(editor, index, share=0.4):
+    """Return a place of the line."""
+    start, end = editor.parameters[index : index + 2]
+    return tuple(editor.session.active_view.curve.evaluate(start + share * (end - start)).tolist())
+
+
+def test_a_click_on_a_segment_selects_both_of_its_ends_and_keys_act_on_these(ring):
+    view = ring.session.active_view
+    closing = tuple(view.curve.evaluate(float(view.parameters[4:].mean())).tolist())
+    ring.hover(closing)
+    assert "Click: select both ends · Double click: insert a point" in ring.window.status_line.hint
+    ring.click(closing)
+    assert ring.session.selected.points == {0, 4}
+    assert ring.status.startswith("2 points selected · t = ")
+    ring.click(on_segment(ring, 0), keys=SHIFT)
+    assert ring.session.selected.points == {0, 1, 4}
+    ring.click(closing, keys=SHIFT)
+    assert ring.session.selected.points == {1}
+    ring.click(on_segment(ring, 2))
+    ring.key(Key.Key_4, ALT)
+    assert is_line(ring.curve, 2)
+    ring.key(Key.Key_Up)
+    moved = [index for index, at in enumerate(places(ring.curve)) if at != RING[index]]
+    assert moved == [2, 3]
+    ring.key(Key.Key_Delete)
+    assert places(ring.curve) == [RING[0], RING[1], RING[4]]
+
+
+def test_a_drag_on_a_segment_bends_it_though_its_ends_are_selected(ring):
+    ring.click(on_segment(ring, 1))
+    before = ring.session.active_view
+    x, y = on_segment(ring, 1, 0.5)
+    ring.drag((x, y), (x + 0.3, y))
+    assert ring.session.undo_stack.undoText().startswith("Bend curve at t")
+    assert places(ring.curve) == list(RING)
+    assert ring.session.selected.points == {1, 2}
+    assert not np.allclose(segment(ring.session.active_view, 1), segment(before, 1), atol=0.1)
+
+
+@pytest.mark.parametrize("share", [1 / 3, 1 / 2])
+def test_a_double_click_inserts_where_the_first_click_brought_a_handle_or_a_pivot(ring, share):
+    """The handles of both ends lie on a straight segment, and the middle of its box halfway."""
+    ring.select([1, 2])
+    ring.key(Key.Key_4, ALT)
+    ring.escape()
+    place = on_segment(ring, 1, share)
+    ring.double_click(place)
+    assert len(ring.curve.points) == 6
+    assert ring.curve.points[2].position == pytest.approx(place, abs=0.02)
+    assert ring.session.selected.points == {2}

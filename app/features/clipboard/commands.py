@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ...actions.declaration import action, also
 from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD
-from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
+from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document.edits import EditError
 from ...document.layers import out_of_layers
 from ...document.model import Curve, Document, Point
@@ -33,7 +33,7 @@ class ClipboardCommands:
         give_keys_to_drawing(context, ClipboardCommands)
 
     @action("cutPoints", "Cut", EDIT_CLIPBOARD, "Ctrl+X", "cut", needs=HIGHLIGHTED)
-    @also(POINT_MENU(30), CURVE_MENU(18), CURVE_LIST_MENU(36))
+    @also(POINT_MENU(30), CURVE_MENU(18), CHOSEN_MENU(10), CURVE_LIST_MENU(36))
     def _cut(self) -> None:
         """Copy the selected points, or else the curve or all chosen ones, and delete them."""
         session = self._session
@@ -45,7 +45,7 @@ class ClipboardCommands:
             session.say(f"Cut {words}.")
 
     @action("copyPoints", "Copy", EDIT_CLIPBOARD, "Ctrl+C", "copy", needs=HIGHLIGHTED)
-    @also(POINT_MENU(31), CURVE_MENU(19), CURVE_LIST_MENU(37))
+    @also(POINT_MENU(31), CURVE_MENU(19), CHOSEN_MENU(11), CURVE_LIST_MENU(37))
     def _copy(self) -> None:
         """Copy the selected points with their derivatives, or else the curve or all chosen ones."""
         what = highlighted(self._context)

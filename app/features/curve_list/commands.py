@@ -19,7 +19,14 @@ from ...actions.sections import (
     EDIT_SELECT,
 )
 from ...actions.situation import Situation
-from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, LAYER_MENU
+from ...actions.strips import (
+    CANVAS_MENU,
+    CHOSEN_MENU,
+    CURVE_LIST_BUTTONS,
+    CURVE_LIST_MENU,
+    CURVE_MENU,
+    LAYER_MENU,
+)
 from ...document.curve_tree import Node, NodeKind, counted_nodes
 from ...document.edits import EditError, rename_curve
 from ...document.layers import begun_again, layer_node, looks_of, with_layer_looks
@@ -115,7 +122,7 @@ class CurveListCommands:
         icon="duplicate",
         title=lambda now: f"Duplicate {_curves(now)}",
     )
-    @also(CURVE_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
+    @also(CURVE_MENU(13), CHOSEN_MENU(12), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
         session, order = self._session, sorted(highlighted_curves(self._context))
@@ -151,7 +158,7 @@ class CurveListCommands:
         "delete",
         title=lambda now: f"Delete {_curves(now)}",
     )
-    @also(CURVE_MENU(30), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
+    @also(CURVE_MENU(30), CHOSEN_MENU(13), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
         self._delete_all(highlighted_curves(self._context))
@@ -212,7 +219,7 @@ class CurveListCommands:
         full_name="Curve Visible",
         checked=lambda now: now.view.source.visible,
     )
-    @also(CURVE_MENU(21), CURVE_LIST_MENU(12))
+    @also(CURVE_MENU(21), CHOSEN_MENU(60), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
         """Show or hide the curve, or all that are selected."""
         self._switch_visible_of(frozenset({self._session.active_index}))
@@ -226,7 +233,7 @@ class CurveListCommands:
         full_name="Curve Locked",
         checked=lambda now: now.view.source.locked,
     )
-    @also(CURVE_MENU(22), CURVE_LIST_MENU(13))
+    @also(CURVE_MENU(22), CHOSEN_MENU(61), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
         """Keep the curve, or all that are selected, safe from changes."""
         self._switch_locked_of(frozenset({self._session.active_index}))

@@ -9,7 +9,14 @@ from ...actions.keymap import keys_text
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
 from ...actions.situation import Situation
-from ...actions.strips import CANVAS_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
+from ...actions.strips import (
+    CANVAS_MENU,
+    CHOSEN_MENU,
+    CURVE_LIST_BUTTONS,
+    CURVE_LIST_MENU,
+    CURVE_MENU,
+    POINT_MENU,
+)
 from ...document import curve_edits
 from ...document.layers import front_of, in_front
 from ...document.model import Document, Parametrization
@@ -76,7 +83,7 @@ class CurveCommands:
         full_name="Raise Curve",
         needs=_CURVE_IN_FRONT,
     )
-    @also(CURVE_MENU(45), CURVE_LIST_MENU(20))
+    @also(CURVE_MENU(45), CHOSEN_MENU(50), CURVE_LIST_MENU(20))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
         self._put("Raise {}", stepped, 1, "one step to the front")
@@ -90,7 +97,7 @@ class CurveCommands:
         full_name="Lower Curve",
         needs=_CURVE_BEHIND,
     )
-    @also(CURVE_MENU(46), CURVE_LIST_MENU(21))
+    @also(CURVE_MENU(46), CHOSEN_MENU(51), CURVE_LIST_MENU(21))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
         self._put("Lower {}", stepped, -1, "one step to the back")
@@ -105,7 +112,7 @@ class CurveCommands:
         needs=_CURVE_IN_FRONT,
         keywords="bring to front order",
     )
-    @also(CURVE_LIST_MENU(22))
+    @also(CHOSEN_MENU(52), CURVE_LIST_MENU(22))
     def _raise_to_top(self) -> None:
         """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
         self._put("Raise {} to top", at_end, 1, "at the top")
@@ -120,7 +127,7 @@ class CurveCommands:
         needs=_CURVE_BEHIND,
         keywords="send to back order",
     )
-    @also(CURVE_LIST_MENU(23))
+    @also(CHOSEN_MENU(53), CURVE_LIST_MENU(23))
     def _lower_to_bottom(self) -> None:
         """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
         self._put("Lower {} to bottom", at_end, -1, "at the bottom")

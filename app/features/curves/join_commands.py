@@ -10,7 +10,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
 from ...actions.sections import CURVE_POINTS, CURVE_SHAPE
 from ...actions.situation import Situation
-from ...actions.strips import CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
+from ...actions.strips import CHOSEN_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document import curve_edits
 from ...document.model import Document
 from ...document.several_curves import remove_curves
@@ -44,7 +44,7 @@ class JoinCommands:
         needs=Need("two selected ends, or a second curve", _is_joinable),
         keywords="connect nodes combine close path weld start",
     )
-    @also(CURVE_MENU(12), POINT_MENU(21), CURVE_LIST_MENU(32), CURVE_LIST_BUTTONS(13))
+    @also(CURVE_MENU(12), CHOSEN_MENU(34), POINT_MENU(21), CURVE_LIST_MENU(32), CURVE_LIST_BUTTONS(13))
     def _join(self) -> None:
         """Join two selected ends, or the nearest ends of chosen curves; else the end to the nearest start."""
         session = self._session

@@ -8,7 +8,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_GROUPS, CURVE_SHAPES
 from ...actions.situation import Situation
-from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
+from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_edits import remove_curve
 from ...document.curve_tree import counted_nodes
 from ...document.several_curves import active_after_removal, named
@@ -63,7 +63,7 @@ class ShapeCommands:
         needs=Need("two chosen curves or more", _is_several),
         keywords="compound path, hole, make shape, counter",
     )
-    @also(CURVE_MENU(40), CURVE_LIST_MENU(50))
+    @also(CURVE_MENU(40), CHOSEN_MENU(32), CURVE_LIST_MENU(50))
     def _combine(self) -> None:
         """Make one shape of the chosen curves: one fill, with holes where one lies within another."""
         session, curves = self._session, meant(self._session)
@@ -85,7 +85,7 @@ class ShapeCommands:
         needs=Need("a shape of several curves", _are_in_shapes),
         keywords="release compound path, uncombine",
     )
-    @also(CURVE_MENU(41), CURVE_LIST_MENU(51))
+    @also(CURVE_MENU(41), CHOSEN_MENU(33), CURVE_LIST_MENU(51))
     def _break_apart(self) -> None:
         """Make a curve of its own of each curve of the shape."""
         session, curves = self._session, meant(self._session)
@@ -124,7 +124,7 @@ class ShapeCommands:
         full_name="Group Curves",
         needs=Need("two chosen curves or more", lambda now: len(meant(now.session)) > 1),
     )
-    @also(CURVE_MENU(42), CURVE_LIST_MENU(53))
+    @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53))
     def _group(self) -> None:
         """Gather the chosen curves in a group, which is chosen and moved as one."""
         session, curves = self._session, meant(self._session)
@@ -143,7 +143,7 @@ class ShapeCommands:
         full_name="Ungroup Curves",
         needs=Need("a curve in a group", _are_in_groups),
     )
-    @also(CURVE_MENU(43), CURVE_LIST_MENU(54))
+    @also(CURVE_MENU(43), CHOSEN_MENU(31), CURVE_LIST_MENU(54))
     def _ungroup(self) -> None:
         """Take the chosen group apart, or the one around the curve; shapes stay whole."""
         session, curves = self._session, meant(self._session)

@@ -7,7 +7,7 @@ from functools import partial
 from ...actions.declaration import Action, action, action_for_each, also_for_each
 from ...actions.needs import Need
 from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
-from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
+from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...document.shapes import is_of_several
 from ...view_model.regions import (
     PATH_OPERATIONS,
@@ -53,7 +53,7 @@ class PathCommands:
             keywords=operation.keywords,
         ),
     )
-    @also_for_each(lambda operation: (CURVE_MENU(44), CURVE_LIST_MENU(55)))
+    @also_for_each(lambda operation: (CURVE_MENU(44), CHOSEN_MENU(40), CURVE_LIST_MENU(55)))
     def _combine(self, operation: PathOperation) -> None:
         self._work.compute(operation.title, partial(combined_by, operation))
 

@@ -16,7 +16,7 @@ from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.needs import CHOSEN
 from ...actions.sections import CURVE_STYLE, EDIT_STYLE
-from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU
+from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
 from ...document.gradient import Spread, Stop
 from ...document.gradient_edits import (
@@ -293,7 +293,7 @@ class StyleCommands:
         full_name="Style: Stroke and Fill…",
         keywords="colour width dash opacity line cap join outline",
     )
-    @also(CURVE_MENU(23), CURVE_LIST_MENU(14))
+    @also(CURVE_MENU(23), CHOSEN_MENU(20), CURVE_LIST_MENU(14))
     def _show(self) -> None:
         """Show colour, width, ends, corners, dashes and fill of the curve, or of all that are selected."""
         self._dock.bring_up()
@@ -309,6 +309,7 @@ class StyleCommands:
         keywords="colour format painter",
         needs=CHOSEN,
     )
+    @also(CHOSEN_MENU(21))
     def _copy(self) -> None:
         """Copy stroke and fill of the curve that is edited."""
         session, data = self._session, QMimeData()
@@ -327,6 +328,7 @@ class StyleCommands:
         keywords="colour format painter",
         needs=CHOSEN,
     )
+    @also(CHOSEN_MENU(22))
     def _paste(self) -> None:
         """Give the curve, or all that are selected, the stroke and the fill that were copied.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -13,14 +12,15 @@ from ...document.gradient import Gradient, GradientKind, with_stop_between
 from ...document.gradient_edits import fading, gradient_of, with_gradient, with_shape_styles, with_stops
 from ...document.model import Document, Vector
 from ...document.several_curves import named
-from ...document.shapes import shape_of, whole_shapes
-from ...document.style import GRADIENTS, NO_PAINT, Style
+from ...document.shapes import whole_shapes
+from ...document.style import NO_PAINT, Style
 from ..curve_picker import click_curve, meant_shapes
 from ..drag import Drag
 from ..drags import stepped_from
 from ..gradient_places import GradientPlace, Grip, laid, offset_on_line, place_at, with_place
+from ..gradient_stops import STOP_KEYS, PaintedGradient, StopPicker, gradients_of
 from ..marks import GestureMarks
-from ..pointer import STEP_KEYS, Cursor, Hint, Part, Pointer
+from ..pointer import STEP_KEYS, Cursor, Hint, Part, Pointer, Stride
 from ..snapping import Snapper
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 
@@ -38,20 +38,16 @@ _KEYS = {Grip.END: "Shift: both axes", Grip.SIDE: "Shift: both axes", Grip.FOCUS
 
 
 class _Held(NamedTuple):
-    """A place of a gradient, and the shape and the paint that it is of."""
+    """A place of a gradient."""
 
-    shape: range
-    paint: str
-    gradient: Gradient
+    painted: PaintedGradient
     at: GradientPlace
 
 
 class _OnLine(NamedTuple):
-    """An offset on the line of a gradient, and the shape and the paint that it is of."""
+    """An offset on the line of a gradient."""
 
-    shape: range
-    paint: str
-    gradient: Gradient
+    painted: PaintedGradient
     offset: float
 
 
@@ -156,16 +152,19 @@ class GradientTool(Tool):
 
     finds_other_curves = True
 
+    def __init__(self) -> None:
+        self._stops = StopPicker()
+
     def press(self, context: ToolContext) -> None:
         """Begin to drag a place of a gradient, or to lay a new one."""
         held, pointer, host = _held_at(context), context.pointer, context.host
+        self._stops.let_go()
         if held is not None:
-            snapper = context.snappers.for_new(-1)
-            context.drags.press(pointer, MovePlace(host.document, *held, snapper))
+            self._press_on_place(context, held)
             return
         line = _line_at(context)
         if line is not None and pointer.is_double:
-            _add_stop(context, line)
+            self._add_stop(context, line)
             return
         hit, curves = context.hit, meant_shapes(context.host)
         is_other = hit is not None and hit.part is Part.OTHER_CURVE
@@ -186,12 +185,60 @@ class GradientTool(Tool):
 
         context.drags.press(pointer, drag, click)
 
+    def _press_on_place(self, context: ToolContext, held: _Held) -> None:
+        """Begin to drag a place; the stop there is chosen, and with Ctrl and Alt deleted by a click."""
+        host, pointer, (painted, at) = context.host, context.pointer, held
+        if at.stop is not None:
+            self._stops.choose(painted, at.stop)
+
+        def click() -> None:
+            if at.stop is None:
+                return
+            if pointer.ctrl and pointer.alt:
+                self._stops.delete(host)
+            else:
+                offset = words.number(100 * painted.gradient.stops[at.stop].offset)
+                host.say(f"Stop at {offset} % · {STOP_KEYS}")
+
+        drag = MovePlace(host.document, *painted, at, context.snappers.for_new(-1))
+        context.drags.press(pointer, drag, click)
+
+    def _add_stop(self, context: ToolContext, line: _OnLine) -> None:
+        """Add a stop of the colour that the gradient has there: to drag, or to colour in the Style panel."""
+        host, ((shape, paint, gradient), offset) = context.host, line
+        stops, index = with_stop_between(gradient.stops, offset)
+        what = f"stop of {named(host.document, shape)}"
+        if host.change(f"Add {what}", lambda document: with_stops(document, shape, paint, stops)):
+            self._stops.choose(line.painted, index)
+            host.say(f"A stop at {words.number(100 * offset)} %; drag it, or colour it in the Style panel.")
+
+    def claims(self, context: ToolContext, key: str) -> bool:
+        """Whether a key is for the stop that is chosen, and not for the curve."""
+        return key in ("delete", "backspace") and self._stops.marked(context.host) is not None
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Delete the stop that is chosen."""
+        return self.claims(context, key) and self._stops.delete(context.host)
+
+    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+        """Move the stop that is chosen, or else the curves."""
+        return self._stops.nudge(context, direction, stride) or super().nudge(context, direction, stride)
+
+    def dismiss(self) -> bool:
+        """Let go of the stop that is chosen."""
+        return self._stops.let_go()
+
+    def reset(self) -> None:
+        """Forget the stop of another document."""
+        self._stops.let_go()
+
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
         held = _held_at(context)
         if held is not None:
-            pulls = held.at.grip is Grip.START and held.gradient.kind is GradientKind.RADIAL
+            pulls = held.at.grip is Grip.START and held.painted.gradient.kind is GradientKind.RADIAL
             more = " · Shift: pull the focus out" if pulls else ""
+            more += f" · Click: choose it · {STOP_KEYS}" if held.at.stop is not None else ""
             return Hint(f"Drag the {held.at.grip.words} of the gradient{more}", cursor=Cursor.MOVE)
         hit, curves = context.hit, meant_shapes(context.host)
         if _line_at(context) is not None:
@@ -206,52 +253,33 @@ class GradientTool(Tool):
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the gradients of what is chosen, and what is snapped to."""
-        gradients = tuple(gradient for _, _, gradient in _gradients(context))
-        return GestureMarks(gradients=gradients, snap=context.snappers.caught)
-
-
-def _gradients(context: ToolContext) -> Iterator[tuple[range, str, Gradient]]:
-    """Yield the gradients of what is chosen, with the shapes and the paints that they are of."""
-    document = context.host.document
-    for place in sorted(meant_shapes(context.host)):
-        shape = shape_of(document, place)
-        if place == shape.start:
-            for paint in GRADIENTS:
-                gradient = gradient_of(document.curves[place].style, paint)
-                if gradient is not None:
-                    yield shape, paint, gradient
+        host = context.host
+        gradients = tuple(painted.gradient for painted in gradients_of(host))
+        return GestureMarks(gradients=gradients, stop=self._stops.marked(host), snap=context.snappers.caught)
 
 
 def _held_at(context: ToolContext) -> _Held | None:
     """Return the place of a gradient under the pointer; with Shift that of the focus in the middle."""
     pointer = context.pointer
-    for shape, paint, gradient in _gradients(context):
+    for painted in gradients_of(context.host):
+        gradient = painted.gradient
         at = place_at(gradient, pointer.position, _REACH / pointer.scale)
         if at is not None:
             is_middle = at.grip is Grip.START and gradient.kind is GradientKind.RADIAL
             if is_middle and pointer.shift:
                 at = GradientPlace(Grip.FOCUS, at.place)
-            return _Held(shape, paint, gradient, at)
+            return _Held(painted, at)
     return None
 
 
 def _line_at(context: ToolContext) -> _OnLine | None:
     """Return where the pointer is on the line of a gradient; None where it is on none."""
     pointer = context.pointer
-    for shape, paint, gradient in _gradients(context):
-        offset = offset_on_line(gradient, pointer.position, _LINE_REACH / pointer.scale)
+    for painted in gradients_of(context.host):
+        offset = offset_on_line(painted.gradient, pointer.position, _LINE_REACH / pointer.scale)
         if offset is not None:
-            return _OnLine(shape, paint, gradient, offset)
+            return _OnLine(painted, offset)
     return None
-
-
-def _add_stop(context: ToolContext, line: _OnLine) -> None:
-    """Add a stop of the colour that the gradient has there: to drag, or to colour in the Style panel."""
-    host, (shape, paint, gradient, offset) = context.host, line
-    stops, _ = with_stop_between(gradient.stops, offset)
-    what = f"stop of {named(host.document, shape)}"
-    if host.change(f"Add {what}", lambda document: with_stops(document, shape, paint, stops)):
-        host.say(f"A stop at {words.number(100 * offset)} %; drag it, or colour it in the Style panel.")
 
 
 GRADIENT = ToolRecord(
@@ -262,6 +290,7 @@ GRADIENT = ToolRecord(
     gestures=(
         GestureRow("Drag", "lay a gradient across what is chosen; Ctrl or Shift: steps of 15°"),
         GestureRow("Drag a mark", "move the start, the end or a stop of a gradient"),
+        GestureRow("Click a mark", "choose a stop: arrow keys move it, Del and Ctrl+Alt+click delete it"),
         GestureRow("Double-click the line", "add a stop of the colour that is there"),
         GestureRow("Shift+drag the middle", "pull the focus of a radial gradient out"),
         GestureRow("Click a curve", "choose it"),

@@ -6,15 +6,14 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document import words
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
 from ...document.texts import text_chosen
+from ...view_model.curve_view import CurveView
 from .. import hints
 from ..below import click_below, find_below, words_below
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, select_hit
-from ..drag_machine import EditingHost
 from ..drags import BendCurve
 from ..guides import GuidePicker
 from ..inserting import insert_at
@@ -23,6 +22,7 @@ from ..marquee import Band, CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
 from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part, Stride
+from ..segment_click import click_segment
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
@@ -40,15 +40,20 @@ class SelectTool(Tool):
         self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
         self._lit: Vector | None = None
-        # The edited curve that the last press was on, for a double click is of two on its line.
-        self._pressed_line = -1
+        # The line that the last press was on, and where: a double click is of two there, though the first
+        # has brought handles and a box.
+        self._pressed: tuple[CurveView, Hit] | None = None
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
         self._guides.let_go()
-        below = find_below(context)
+        below, line = find_below(context), self._line_clicked_twice(context)
+        self._pressed = None
+        if line is not None:
+            self._press_on_curve(context, line, is_second=True)
+            return
         if below is None and self._is_on_pivot(context):
-            self.gesture, self._pressed_line = MovePivot(context), -1
+            self.gesture = MovePivot(context)
             return
         self._press(context)
         if below is not None:
@@ -57,7 +62,6 @@ class SelectTool(Tool):
                 self.gesture.mean_by_click(lambda context: click_below(context, below))
 
     def _press(self, context: ToolContext) -> None:
-        before, self._pressed_line = self._pressed_line, -1
         context = self._picker.entered(context)
         hit, grip = context.hit, self._grip_at(context)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
@@ -71,7 +75,7 @@ class SelectTool(Tool):
         elif hit is not None and hit.inside:
             self._press_within(context, hit)
         elif hit is not None:
-            self._press_on_curve(context, hit, before)
+            self._press_on_curve(context, hit)
         else:
             self._press_beside(context)
 
@@ -128,7 +132,7 @@ class SelectTool(Tool):
     def reset(self) -> None:
         """Forget the guide and the curve of another document."""
         self._guides.let_go()
-        self._pressed_line = -1
+        self._pressed = None
 
     def walk(self, context: ToolContext, step: int) -> bool:
         """Select the next point; while no curve is edited, choose the next curve."""
@@ -151,15 +155,22 @@ class SelectTool(Tool):
         drag = scaling if grip.does is TransformKind.SCALE else turning
         context.drags.press(context.pointer, drag(context, grip))
 
-    def _press_on_curve(self, context: ToolContext, hit: Hit, before: int) -> None:
-        """Begin to bend the curve; a click tells where it is, a double click inserts a point."""
+    def _press_on_curve(self, context: ToolContext, hit: Hit, *, is_second: bool = False) -> None:
+        """Begin to bend the curve; a click selects both ends of the segment, the second inserts a point."""
         host, pointer = context.host, context.pointer
-        self._pressed_line = host.active_index
+        self._pressed = (context.view, hit)
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
-        is_second = pointer.is_double and before == host.active_index
-        inserts = is_second and not (pointer.shift or pointer.ctrl or pointer.alt)
-        click = partial(insert_at, host, hit.t) if inserts else partial(_tell_place, host, hit)
+        inserting = partial(insert_at, host, hit.t)
+        click = inserting if is_second else partial(click_segment, host, hit, pointer)
         context.drags.press(pointer, unless_locked(context, bend), on_click=click)
+
+    def _line_clicked_twice(self, context: ToolContext) -> Hit | None:
+        """Return where the line is that a double click is on; None where it is on none."""
+        pointer, pressed = context.pointer, self._pressed
+        if not pointer.is_double or pointer.shift or pointer.ctrl or pointer.alt or pressed is None:
+            return None
+        view, hit = pressed
+        return hit if view is context.view else None
 
     def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for a guide."""
@@ -245,11 +256,13 @@ class SelectTool(Tool):
         return box.centre if box is not None else None
 
     def _is_on_pivot(self, context: ToolContext) -> bool:
-        """Whether a press takes the pivot; one that nobody chose gives way to points and handles."""
+        """Whether a press takes the pivot; one that nobody chose gives way to points, handles and lines."""
         hit, box = context.hit, self._box(context)
+        # The middle of a straight segment whose ends are selected is that of their box.
+        is_beside = _is_below_grips(hit) and (hit is None or hit.part is not Part.CURVE)
         place = self._pivot(context, box)
         is_roomy_box = box is not None and is_roomy(box, context.pointer)
-        is_free = context.target.pivot is not None or (is_roomy_box and _is_below_grips(hit))
+        is_free = context.target.pivot is not None or (is_roomy_box and is_beside)
         return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
@@ -260,10 +273,6 @@ class SelectTool(Tool):
 def _is_below_grips(hit: Hit | None) -> bool:
     """Whether a grip of the box comes before what is hit."""
     return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
-
-
-def _tell_place(host: EditingHost, hit: Hit) -> None:
-    host.say(f"t = {words.number(hit.t)} · c(t) = ({words.vector(hit.position)})")
 
 
 def _unselected_place(context: ToolContext, hit: Hit | None) -> Vector | None:
@@ -289,7 +298,7 @@ SELECT = ToolRecord(
         GestureRow("Click a small ring", "select a point of another curve of the shape, as any other"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
-        GestureRow("Click the curve", "tell t and c(t) there; a double click inserts a point"),
+        GestureRow("Click the curve", "select both ends of the segment; Shift: too; double click: insert"),
         GestureRow(
             "Drag inside the box", "move all in it; Shift+drag: rubber band", selected=True, curves=True
         ),

@@ -1,0 +1,34 @@
+"""A click on the line of the curve that is edited: it selects the points at both ends of the segment."""
+
+from __future__ import annotations
+
+from ..document import words
+from ..document.point_group import NO_POINTS, PointGroup, points_of
+from ..view_model.curve_view import CurveView
+from ..view_model.sampling import segment_at
+from . import hints
+from .drag_machine import EditingHost
+from .pointer import Hit, Pointer
+
+
+def click_segment(host: EditingHost, hit: Hit, pointer: Pointer) -> None:
+    """Select the ends of the segment hit, alone, or with Shift too or no longer; say what c(t) is there."""
+    selected, ends = host.selected, _ends_of(host.active_view, host.active_index, hit.t)
+    if ends.parts:
+        selected.set_group(_toggled(selected.group, ends) if pointer.shift else ends)
+    said = f"t = {words.number(hit.t)} · c(t) = ({words.vector(hit.position)})"
+    host.say(f"{hints.selected(selected.group)} · {said}" if ends.parts else said)
+
+
+def _ends_of(view: CurveView, curve: int, t: float) -> PointGroup:
+    """Return the points at both ends of the segment at `t`; none where the curve passes by its points."""
+    if not view.source.family.interpolates:
+        return NO_POINTS
+    start, count = segment_at(view.parameters, t), len(view.source.points)
+    return points_of(curve, {start, (start + 1) % count})
+
+
+def _toggled(before: PointGroup, ends: PointGroup) -> PointGroup:
+    """Return the points selected with both ends, or without them where both are already."""
+    both = before.joined(ends)
+    return before.toggled(ends) if both == before else both
