@@ -11,6 +11,7 @@
 - ``transform``, ``transform_box``: move, scale and rotate; the box with grips.  ``typed_amount``: the number,
   or the two, typed meanwhile.  ``target``: what these act on: selected points, or curves.
   ``transform_drags``: how the drags that do begin.  ``move_pivot``: the mark of what they are about.
+- ``form_tool``: the tools that draw rectangles, ellipses …, and drag the handles of these.
 - ``inserting``: a point inserted on the curve, and what is said about its shape.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.

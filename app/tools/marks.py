@@ -34,6 +34,13 @@ class Ruler(msgspec.Struct, frozen=True):
     text: str
 
 
+class FormMark(msgspec.Struct, frozen=True):
+    """A handle of a form: a disc, or a square for what is its size."""
+
+    place: Vector
+    is_round: bool
+
+
 class GestureMarks(msgspec.Struct, frozen=True):
     """All marks at once; None for what is not there.
 
@@ -65,6 +72,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         The guide under the pointer, or that is dragged: its place in the document.
     gradients
         Those whose places can be dragged.
+    forms
+        The handles of forms.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -81,6 +90,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
     gradients: tuple[Gradient, ...] = ()
+    forms: tuple[FormMark, ...] = ()
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""

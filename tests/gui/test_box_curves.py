@@ -204,8 +204,8 @@ def test_the_radius_of_its_corners_is_typed_after_its_height(drawing):
     drawing.release((2.0, -2.0))
     left, top = at(drawing, FROM)
     assert box_of(drawing.curve) == pytest.approx([left, top - 2, left + 6, top], abs=1e-12)
-    assert [is_line(drawing.curve, segment) for segment in range(8)] == [False, True] * 4
+    assert [is_line(drawing.curve, segment) for segment in range(8)] == [True, False] * 4
     first = drawing.curve.points[0].position
-    assert first == pytest.approx((left, top - 1.5), abs=1e-12)
+    assert first == pytest.approx((left + 0.5, top - 2), abs=1e-12)
     drawing.trigger("undo")
     assert drawing.session.document == before
