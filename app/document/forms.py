@@ -85,7 +85,7 @@ class Rectangle(_InBox, frozen=True):
     fields = (
         FormField("width", "W", "Width of the rectangle along its own side"),
         FormField("height", "H", "Height of the rectangle along its own side"),
-        FormField("rx", "Rx", "Radius of its corners; across alone, where Ry is another one"),
+        FormField("rx", "Rx", "Radius of its corners"),
         FormField("ry", "Ry", "Radius of its corners upwards"),
     )
 
@@ -204,6 +204,15 @@ class Ellipse(_InBox, frozen=True):
         width, height = (2 * half if ctrl or handle == each else size for each, size in (
             ("right", self.width), ("top", self.height)
         ))  # fmt: skip
+        return self._sized_about_middle(width, height)
+
+    def with_number(self, name: str, value: float) -> Self:
+        """Return the form with a number that was typed, about its middle."""
+        sizes = {"width": self.width, "height": self.height, name: value}
+        return self._sized_about_middle(sizes["width"], sizes["height"])
+
+    def _sized_about_middle(self, width: float, height: float) -> Self:
+        x, y = self.middle
         return replace(self, x=x - width / 2, y=y - height / 2, width=width, height=height)
 
 

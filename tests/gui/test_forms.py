@@ -3,6 +3,8 @@
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLineEdit
 
 from app.document.forms import Ellipse, Rectangle
 from app.document.model import Document, make_curve
@@ -146,3 +148,35 @@ def test_a_click_on_another_form_edits_it(rectangle):
     assert rectangle.session.active_index != inner
     assert now(rectangle).form == Rectangle(1, 0, 6, 4)
     assert [mark.place for mark in rectangle.window.canvas.marks.forms] == [(7, 4), (7, 4), (1, 4), (7, 0)]
+
+
+def test_its_own_width_and_radii_are_typed_in_the_transform_panel(rectangle, point_locale):
+    change(rectangle, lambda document, group: mapped(document, group, rotation(30, (1, 0))))
+    rectangle.trigger("openTransform")
+    rectangle.settle()
+
+    def type_into(name, text):
+        edit = rectangle.window.findChild(QLineEdit, name)
+        assert edit.isVisible()
+        edit.setFocus()
+        edit.selectAll()
+        rectangle.type_text(edit, text)
+        QTest.keyClick(edit, Qt.Key.Key_Return)
+        rectangle.settle()
+
+    assert rectangle.window.findChild(QLineEdit, "formRectangleWidth").text() == "6"
+    type_into("formRectangleWidth", "0.5 cm")
+    type_into("formRectangleRx", "1")
+    assert now(rectangle).form == Rectangle(1, 0, 5, 4, 1, 1)
+    assert now(rectangle).by is not IDENTITY
+    assert rectangle.session.undo_stack.undoText() == "Set radius of its corners to 1 mm"
+    type_into("formRectangleRy", "2")
+    assert now(rectangle).form == Rectangle(1, 0, 5, 4, 1, 2)
+    before = rectangle.session.document
+    type_into("formRectangleHeight", "-1")
+    assert rectangle.session.document is before
+    assert "must be greater than 0" in rectangle.status
+    rectangle.escape()
+    rectangle.session.change("Open", lambda document: replace(document, curves=(make_curve([(0, 0), (1, 1)]),)))
+    rectangle.settle()
+    assert not rectangle.window.findChild(QLineEdit, "formRectangleWidth").isVisible()
