@@ -140,7 +140,10 @@ class MarksLayer(Layer):
         half = (_GRIP + 0.5) * self.scale
         square = QRectF(x - half, y - half, 2 * half, 2 * half)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        for pen, brush in ((QPen(self.theme.paper, 4.0 * self.scale), self.theme.paper), (self._pen(1.6), self.theme.paper)):
+        for pen, brush in (
+            (QPen(self.theme.paper, 4.0 * self.scale), self.theme.paper),
+            (self._pen(1.6), self.theme.paper),
+        ):
             painter.setPen(pen)
             painter.setBrush(brush)
             (painter.drawEllipse if is_round else painter.drawRect)(square)

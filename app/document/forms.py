@@ -70,7 +70,7 @@ class _InBox(Form, frozen=True):
 
 
 class Rectangle(_InBox, frozen=True):
-    """A rectangle, begun as SVG begins one: behind the corner of its place, along its width.
+    """A rectangle, begun and run through as in SVG: from its upper left corner, clockwise.
 
     Attributes
     ----------
@@ -98,24 +98,26 @@ class Rectangle(_InBox, frozen=True):
 
     @property
     def pieces(self) -> Sequence[Piece]:
-        """How it runs: along its lower side, and on counterclockwise."""
+        """How it runs: along its upper side, and on clockwise."""
         left, low, right, top = self.x, self.y, self.right, self.top
-        corners = ((right, low), (right, top), (left, top), (left, low))
+        corners = ((right, top), (right, low), (left, low), (left, top))
         rx, ry = self.radii
         if not rx:
             return [_line(*each) for each in pairwise((corners[-1], *corners))]
         x_ends, y_ends = _inside(left, right, rx, self.width), _inside(low, top, ry, self.height)
         ends: list[tuple[Vector, Vector]] = [
-            ((x_ends[1], low), (right, y_ends[0])),
-            ((right, y_ends[1]), (x_ends[1], top)),
-            ((x_ends[0], top), (left, y_ends[1])),
-            ((left, y_ends[0]), (x_ends[0], low)),
+            ((x_ends[1], top), (right, y_ends[1])),
+            ((right, y_ends[0]), (x_ends[1], low)),
+            ((x_ends[0], low), (left, y_ends[0])),
+            ((left, y_ends[1]), (x_ends[0], top)),
         ]
         made, at = list[Piece](), ends[-1][1]
         for corner, (before, after) in zip(corners, ends, strict=True):
             if at != before:
                 made.append(_line(at, before))
-            made.append((before, _between(before, corner, _QUARTER), _between(after, corner, _QUARTER), after))
+            made.append(
+                (before, _between(before, corner, _QUARTER), _between(after, corner, _QUARTER), after)
+            )
             at = after
         return made
 
@@ -163,7 +165,7 @@ class Rectangle(_InBox, frozen=True):
 
 
 class Ellipse(_InBox, frozen=True):
-    """An ellipse, begun as SVG begins one: at its right, and on counterclockwise."""
+    """An ellipse, begun and run through as in SVG: from its right, clockwise."""
 
     noun = "ellipse"
     fields = (
@@ -176,10 +178,10 @@ class Ellipse(_InBox, frozen=True):
         """A quarter after the other."""
         (x, y), left, low, right, top = self.middle, self.x, self.y, self.right, self.top
         quarters = (
-            ((right, y), (right, top), (x, top)),
-            ((x, top), (left, top), (left, y)),
-            ((left, y), (left, low), (x, low)),
-            ((x, low), (right, low), (right, y)),
+            ((right, y), (right, low), (x, low)),
+            ((x, low), (left, low), (left, y)),
+            ((left, y), (left, top), (x, top)),
+            ((x, top), (right, top), (right, y)),
         )
         return [
             (start, _between(start, corner, _QUARTER), _between(end, corner, _QUARTER), end)

@@ -161,7 +161,3 @@ def _held_at(context: ToolContext) -> _Held | None:
     ]
     distance, held = min(near, key=lambda each: each[0], default=(math.inf, None))
     return held if distance * pointer.scale <= _REACH else None
-
-
-
-

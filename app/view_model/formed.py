@@ -23,7 +23,8 @@ _NEAR = 1e-7
 """Of the extent of a form: as far may roundings take its control points."""
 _SAME = 1e-9
 _CERTAIN = 12
-"""Digits of the largest number that are no rounding."""
+_NOISE = 1e-13
+"""Digits of the largest number that are no rounding, and how much of it rounding may be."""
 
 
 class Formed(msgspec.Struct, frozen=True):
@@ -73,10 +74,10 @@ def _found(curve: Curve) -> Formed | None:
     shift = there.mean(axis=0) - linear @ middle
     if np.abs(here @ linear.T + shift - there).max() > _NEAR * extent:
         return None
-    return _normal(form, linear, linear @ (form.x, form.y) + shift, float(np.abs(there).max()))
+    return settled(form, linear, linear @ (form.x, form.y) + shift, float(np.abs(there).max()))
 
 
-def _normal(form: AnyForm, linear: FloatArray, place: FloatArray, largest: float) -> Formed | None:
+def settled(form: AnyForm, linear: FloatArray, place: FloatArray, largest: float) -> Formed | None:
     """Return a form that was mapped: as large and at the place that it has now, and the rest of the map."""
     area = abs(float(np.linalg.det(linear)))
     across, up = np.hypot(*linear)
@@ -101,8 +102,10 @@ def _cleaned(form: AnyForm, largest: float) -> AnyForm:
 
 
 def _clean(value: float, largest: float) -> float:
+    """Return a number as the decimal of few digits that it is but for rounding; as it is where it is none."""
     decimals = _CERTAIN - 1 - math.floor(math.log10(max(largest, 1e-300)))
-    return round(value, decimals) + 0.0
+    plain = round(value, decimals) + 0.0
+    return plain if abs(plain - value) <= _NOISE * largest else value
 
 
 def _pieces(curve: Curve) -> FloatArray | None:

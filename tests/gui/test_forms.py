@@ -117,7 +117,9 @@ def test_moved_turned_and_stretched_it_is_one_still(rectangle):
 
 def test_with_a_point_elsewhere_it_is_none_any_more(rectangle):
     group = points_of(rectangle.session.active_index, [0])
-    rectangle.session.change("Move", lambda document: mapped(document, group, replace(IDENTITY, shift=(0.1, 0))))
+    rectangle.session.change(
+        "Move", lambda document: mapped(document, group, replace(IDENTITY, shift=(0.1, 0)))
+    )
     assert now(rectangle) is None
     curves = len(rectangle.session.document.curves)
     rectangle.drag((7, 4), (6, 3))
@@ -177,6 +179,8 @@ def test_its_own_width_and_radii_are_typed_in_the_transform_panel(rectangle, poi
     assert rectangle.session.document is before
     assert "must be greater than 0" in rectangle.status
     rectangle.escape()
-    rectangle.session.change("Open", lambda document: replace(document, curves=(make_curve([(0, 0), (1, 1)]),)))
+    rectangle.session.change(
+        "Open", lambda document: replace(document, curves=(make_curve([(0, 0), (1, 1)]),))
+    )
     rectangle.settle()
     assert not rectangle.window.findChild(QLineEdit, "formRectangleWidth").isVisible()

@@ -46,7 +46,9 @@ class FormRow(QWidget):
     def _edit(self, kind: type[Form], field: FormField) -> NumberEdit:
         name = f"form{kind.noun.title()}{field.name.title().replace('_', '')}"
         how = "a number or an expression" + (", with a unit or without" if field.is_length else "")
-        read = partial(self._read_length, partial(self._number, field.name)) if field.is_length else read_number
+        read = (
+            partial(self._read_length, partial(self._number, field.name)) if field.is_length else read_number
+        )
         edit = NumberEdit(name, field.words, f"{field.words}: {how} (Enter to set)", read)
         edit.entered.connect(partial(self.number_entered.emit, field))
         return edit
