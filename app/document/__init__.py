@@ -7,6 +7,7 @@
 - ``text``: what letters were written as.  ``texts``: the letters of a text.
 - ``kept``: texts and pictures of other programs, which are shown.
 - ``export``: the last export of a document.
+- ``decimals``: numbers added as they are written.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
 - ``steps``: what has changed from one value to the next.
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.
@@ -22,7 +23,8 @@
 - ``guide``: the lines to draw along, and where they meet.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.
-- ``box_curves``: curves that fill a box: rectangles, ellipses.
+- ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``form_edits``: curves made of
+  such.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.

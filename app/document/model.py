@@ -14,6 +14,7 @@ from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, J
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, Requirement, above, at_least, between, printed
+from .forms import AnyForm
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
@@ -203,6 +204,8 @@ class Curve(Value, frozen=True, dict=True):
         The same of other families, which the curve had before and may have again.
     text
         The text that it is a letter of, or a part of one; None for curves that were not written.
+    form
+        What it was drawn as: a rectangle, an ellipse; see ``view_model.formed`` for what it is of that now.
     """
 
     name: str
@@ -221,6 +224,7 @@ class Curve(Value, frozen=True, dict=True):
     settings: ChosenSettings = NO_SETTINGS
     other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
     text: Text | None = None
+    form: AnyForm | None = None
 
     def with_family(self, family: Family) -> Curve:
         """Return this curve with another family, and the settings that it had when it was of that one."""

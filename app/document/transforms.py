@@ -15,6 +15,8 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
+from .decimals import decimal_product as decimal_product  # noqa: PLC0414 - most have them from here
+from .decimals import decimal_sum as decimal_sum  # noqa: PLC0414
 from .derivatives import VECTORS
 from .edits import EditError, placed, with_each_changed, with_each_shifted, with_points_elsewhere
 from .limits import checked_vector
@@ -130,16 +132,6 @@ def _decimal_step(by: float) -> Callable[[float], float]:
         return float
     step = Decimal(repr(by))
     return lambda value: float(Decimal(repr(value)) + step)
-
-
-def decimal_sum(a: float, b: float) -> float:
-    """Return a + b as the decimal numbers that they are written as."""
-    return float(Decimal(repr(a)) + Decimal(repr(b)))
-
-
-def decimal_product(a: float, b: float) -> float:
-    """Return a · b as the decimal numbers that they are written as."""
-    return float(Decimal(repr(a)) * Decimal(repr(b)))
 
 
 def clean_step(least: float) -> float:

@@ -13,6 +13,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ..document.forms import AnyForm
 from ..document.limits import EditError
 from ..document.model import (
     MAX_MAGNITUDE,
@@ -145,6 +146,8 @@ class ImportedPath:
         Whether the last piece ends where the first begins, on purpose.
     deviation
         Largest distance from what the file describes.
+    form
+        What it is drawn as, wherever it lies; None for what is no more than a path.
     """
 
     name: str
@@ -152,6 +155,7 @@ class ImportedPath:
     pieces: FloatArray
     closed: bool
     deviation: float = 0.0
+    form: AnyForm | None = None
 
 
 @dataclass(frozen=True)
@@ -233,6 +237,7 @@ def _made(
         groups=look.groups,
         visible=look.visible,
         locked=look.locked,
+        form=path.form if isinstance(path, ImportedPath) else None,
     )
 
 

@@ -34,6 +34,13 @@ class Ruler(msgspec.Struct, frozen=True):
     text: str
 
 
+class FormMark(msgspec.Struct, frozen=True):
+    """A handle of a form: a disc, or a square for what is its size."""
+
+    place: Vector
+    is_round: bool
+
+
 class GestureMarks(msgspec.Struct, frozen=True):
     """All marks at once; None for what is not there.
 
@@ -65,6 +72,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         The guide under the pointer, or that is dragged: its place in the document.
     gradients, stop
         Those whose places can be dragged; which of them has the stop that is chosen, and which stop that is.
+    forms
+        The handles of forms.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -82,6 +91,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     guide: int | None = None
     gradients: tuple[Gradient, ...] = ()
     stop: tuple[int, int] | None = None
+    forms: tuple[FormMark, ...] = ()
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""

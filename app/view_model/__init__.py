@@ -30,6 +30,7 @@ A curve changed:
   ``wanted``: derivatives set where rules estimate others.  ``rounded``: corners made arcs.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
   ``pen_corners``: the same with corners.
+- ``formed``: what curves are still of the rectangle, the ellipse that they were drawn as.
 - ``convert``: the same curve as one of another family.  ``least_squares``: fewer points for nearly the same.
 - ``reshape``, ``splitting``, ``joining``: other points for the same curve, two curves of one, one of several.
   ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``point_kinds``: the kinds of

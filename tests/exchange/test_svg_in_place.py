@@ -5,9 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from msgspec.structs import replace
+from msgspec.structs import astuple, replace
 
 from app.document.empty_layer import EmptyLayer
+from app.document.form_edits import formed_anew
+from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop
 from app.document.model import Axis, Guide, Page, make_curve
 from app.document.several_curves import stepped, whole_curves
@@ -22,6 +24,7 @@ from app.exchange.svg.in_place.source import Source
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import with_changes
 from app.tasks.progress import silent
+from app.view_model.formed import formed, with_form
 
 DATA = Path(__file__).parents[1] / "data"
 BADGE = (DATA / "overwrite" / "badge.svg").read_bytes()
@@ -340,3 +343,54 @@ def test_a_picture_that_hangs_on_its_curves_is_written_anew(badge):
     data = svg_of(badge).data
     document = read(data, None).document
     assert rewritten(data, document, document).data == data
+
+
+FORMS = b"""<svg xmlns="http://www.w3.org/2000/svg" width="200" height="120" viewBox="0 0 200 120">
+  <!-- Mine. -->
+  <g transform="translate(10 0)">
+    <rect id="box" x="10" y="20" width="60" height="30" rx="8" fill="#dd0000"/>
+    <rect id="turned" x="90" y="20" width="60" height="30" transform="rotate(30 120 35)" fill="#00aa00"/>
+  </g>
+  <circle id="dot" cx="40" cy="90" r="20" fill="#0000dd"/>
+</svg>
+"""
+
+
+def with_number(document, place, name, value):
+    now = formed(document.curves[place])
+    return with_form(document, place, now.form.with_number(name, value), now.by)
+
+
+def test_a_rectangle_stays_one_with_another_radius_and_size():
+    document = read(FORMS, None).document
+    changed = with_number(with_number(document, 0, "rx", 12.0), 0, "width", 70.0)
+    assert differences(FORMS, kept(FORMS, changed, document)) == [
+        '-<rect id="box" x="10" y="20" width="60" height="30" rx="8" fill="#dd0000"/>',
+        '+<rect id="box" x="10" y="20" width="70" height="30" rx="12" fill="#dd0000" ry="12"/>',
+    ]
+    sharp = kept(FORMS, with_number(document, 0, "rx", 0.0), document)
+    assert b'<rect id="box" x="10" y="20" width="60" height="30" fill="#dd0000"/>' in sharp
+
+
+def test_a_turned_rectangle_and_a_circle_stay_what_they_are():
+    document = read(FORMS, None).document
+    changed = with_number(with_number(document, 1, "height", 40.0), 2, "width", 60.0)
+    written = kept(FORMS, changed, document)
+    again = read(written, None).document
+    for one, other in zip(again.curves, changed.curves, strict=True):
+        assert type(one.form) is type(other.form)
+        assert astuple(formed(one).form) == pytest.approx(astuple(formed(other).form))
+    assert b'<ellipse id="dot" cx="40" cy="90" fill="#0000dd" rx="30" ry="20"/>' in written
+    assert b'<rect id="turned" ' in written
+    assert written.count(b"<path") == 0
+    # A point of it elsewhere: it is a path.
+    points = document.curves[0].points
+    bent = replace(document.curves[0], points=(replace(points[0], x=0.0), *points[1:]))
+    assert b'<path id="box" ' in kept(FORMS, document.with_curve(0, bent), document)
+
+
+def test_a_new_rectangle_comes_in_as_one():
+    document = read(FORMS, None).document
+    new = formed_anew(replace(LINE, name="New"), Rectangle(20.0, 60.0, 30.0, 10.0, 2.0, 2.0))
+    written = kept(FORMS, replace(document, curves=(*document.curves, new)), document)
+    assert b'<rect id="New" x="20" y="50" width="30" height="10" rx="2" ry="2"' in written

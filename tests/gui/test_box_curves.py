@@ -63,7 +63,7 @@ def test_a_drag_draws_a_rectangle_of_straight_lines_above_all_others(drawing):
     assert curve.family is HERMITE
     assert curve.is_closed
     assert curve.style == STYLE
-    corners = [(left, low), (right, low), (right, high), (left, high)]
+    corners = [(left, high), (right, high), (right, low), (left, low)]  # as in SVG
     assert [point.position for point in curve.points] == corners
     assert all(is_line(curve, segment) for segment in range(4))
     assert (drawing.session.undo_stack.undoText(), steps(drawing)) == ("Draw rectangle", count + 1)
@@ -110,7 +110,7 @@ def test_snapped_it_lies_on_the_grid_to_the_last_digit(drawing):
     drawing.trigger("rectangleTool")
     drawing.drag((0.1 + off, 0.1 - off), (0.3 + off, 0.7 - off))
     assert [point.position for point in drawing.session.active_curve.points] == [
-        (0.1, 0.1), (0.3, 0.1), (0.3, 0.7), (0.1, 0.7)
+        (0.1, 0.7), (0.3, 0.7), (0.3, 0.1), (0.1, 0.1)
     ]  # fmt: skip
     # With Ctrl, too, which elsewhere turns the switch round; 0.1 + 0.2 is no 0.3 of floats.
     drawing.drag((0.1 + off, -0.1 - off), (0.3 + off, 0.0 - off), keys=CTRL)
@@ -204,8 +204,8 @@ def test_the_radius_of_its_corners_is_typed_after_its_height(drawing):
     drawing.release((2.0, -2.0))
     left, top = at(drawing, FROM)
     assert box_of(drawing.curve) == pytest.approx([left, top - 2, left + 6, top], abs=1e-12)
-    assert [is_line(drawing.curve, segment) for segment in range(8)] == [False, True] * 4
+    assert [is_line(drawing.curve, segment) for segment in range(8)] == [True, False] * 4
     first = drawing.curve.points[0].position
-    assert first == pytest.approx((left, top - 1.5), abs=1e-12)
+    assert first == pytest.approx((left + 0.5, top), abs=1e-12)
     drawing.trigger("undo")
     assert drawing.session.document == before

@@ -38,7 +38,7 @@ def page(editor):
 def test_a_new_line_on_a_page_is_drawn_as_wide_as_its_number_says(page):
     curve = draw_rectangle(page)
     assert curve.style.width == 0.3
-    (left, low), canvas = curve.points[0].position, page.window.canvas
+    (left, low), canvas = curve.points[3].position, page.window.canvas
     canvas.camera.show_box((left - 0.5, left + 0.5), (low + 5, low + 6))
     page.settle()
     assert not page.session.selected.marked
@@ -56,7 +56,7 @@ def test_a_new_line_on_a_page_is_drawn_as_wide_as_its_number_says(page):
 
 def test_what_is_chosen_shows_its_own_colour_beside_the_mark(page):
     curve = draw_rectangle(page)
-    (left, low), canvas = curve.points[0].position, page.window.canvas
+    (left, low), canvas = curve.points[3].position, page.window.canvas
     canvas.camera.show_box((left - 10, left + 30), (low, low + 30))
 
     def seen_with(width):

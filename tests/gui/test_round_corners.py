@@ -49,7 +49,8 @@ def test_a_rectangle_that_was_just_drawn_gets_round_corners(drawing):
     drawing.trigger("rectangleTool")
     drawing.drag((20, -95), (80, -70))
     drawn = session.document
-    low, high = np.array([point.position for point in session.active_curve.points])[[0, 2]]
+    corners = np.array([point.position for point in session.active_curve.points])
+    low, high = corners.min(axis=0), corners.max(axis=0)
     enter(drawing, "5 mm")
     assert drawing.status.startswith("4 corners are round now.")
     assert session.undo_stack.undoText() == f"Round 4 corners of {session.active_curve.name}"

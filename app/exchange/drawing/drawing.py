@@ -21,6 +21,7 @@ from ...document.words import count_of, names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve_view import ParametricCurve, view_of
+from ...view_model.formed import formed
 from ...view_model.refusals import in_words
 from ..errors import ExchangeError
 from .extents import extent_of, painted_extent
@@ -189,6 +190,7 @@ class Drawing(msgspec.Struct, frozen=True):
                 control_points=moved(outline.control_points),
                 points=moved(outline.points),
                 style=_scaled(outline.style, scale).mapped(lambda place: _pair(moved(np.array(place)))),
+                form=None,
             )
             for outline in self.outlines
         )
@@ -371,6 +373,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.groups,
         curve.visible,
         curve.locked,
+        formed(curve),
     )
 
 

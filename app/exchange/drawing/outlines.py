@@ -11,6 +11,7 @@ import msgspec
 from curvecore.arrays import FloatArray
 
 from ...document.style import PLAIN_STYLE, Style
+from ...view_model.formed import Formed
 
 
 class Outline(msgspec.Struct, frozen=True):
@@ -32,6 +33,8 @@ class Outline(msgspec.Struct, frozen=True):
         Stroke and fill; its width is in the unit of the control points.
     shape, groups, visible, locked
         As in `Curve`.
+    form
+        What it is of the form that it was drawn as; None where it is none, or lies elsewhere.
     """
 
     name: str
@@ -44,6 +47,7 @@ class Outline(msgspec.Struct, frozen=True):
     groups: tuple[str, ...] = ()
     visible: bool = True
     locked: bool = False
+    form: Formed | None = None
 
     @property
     def colour(self) -> str:

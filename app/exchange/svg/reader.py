@@ -322,6 +322,7 @@ class SvgReader:
                 moved(subpath.controls, state.matrix),
                 subpath.closed,
                 subpath.deviation * stretch,
+                subpath.form,
             )
             yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale)
             self._miss_beyond(element, path, state)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 
 from ..errors import ExchangeError
 from .basic_shapes import LENGTHS, polyline, shape_of_lengths
+from .form_elements import form_of_lengths
 from .lengths import Viewport, length
 from .path_data import Subpath, read_path_data
 from .xml_tree import tag_of
@@ -37,7 +39,8 @@ def subpaths_of(element: ET.Element, viewport: Viewport, tolerance: float | None
     for name, value in zip(LENGTHS[tag], lengths, strict=True):
         if value is None and element.get(name, "auto").strip() not in ("", "auto"):
             raise UnknownLengthError
-    return shape_of_lengths(tag, lengths, tolerance)
+    form = form_of_lengths(tag, lengths)
+    return [replace(each, form=form) for each in shape_of_lengths(tag, lengths, tolerance)]
 
 
 def length_of(element: ET.Element, name: str, viewport: Viewport) -> float | None:

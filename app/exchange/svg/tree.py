@@ -14,6 +14,7 @@ from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
+from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
@@ -66,13 +67,13 @@ class Tree:
         """Write the outlines of a shape as one path."""
         first = shape[0]
         self._go_into(first.groups)
-        data = path_data(shape)
         style = style_attributes(first.style, self._style, self._usual_width, self._gradients)
         around = [self._layers[name] for name in self._layers_of(first)]
         # What a layer says goes for all in it.
         unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
-        self._write(f'<path{self._called(first.shape or first.name)} d="{data}"{style}{unseen}{locked}/>')
+        tag, runs = _as_form(shape) or ("path", f' d="{path_data(shape)}"')
+        self._write(f"<{tag}{self._called(first.shape or first.name)}{runs}{style}{unseen}{locked}/>")
 
     def close(self) -> None:
         """Close all groups."""
@@ -127,6 +128,20 @@ class Tree:
         """Return a name as an id of its own and, where that is another word, as Inkscape's label."""
         own = self._ids.different(stem(name, "curve"))
         return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
+
+
+def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
+    """Return the tag and the attributes of a shape that SVG has an element for; None for a path."""
+    outline, *others = shape
+    found = element_of(outline.form)
+    if found is None or others:
+        return None
+    tag, attributes, matrix = found
+    if matrix is not None and outline.style.is_placed:
+        # A gradient would turn with it.
+        return None
+    turned = {} if matrix is None else {"transform": matrix_text(matrix)}
+    return tag, "".join(f' {name}="{value}"' for name, value in {**attributes, **turned}.items())
 
 
 class _LayerState:

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
+from ...document.forms import AnyForm
 from ...document.model import Vector
 from ...document.transforms import Reference
 from ...qt.labels import Label
@@ -24,6 +25,7 @@ from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.field_form import FieldForm
 from ...widgets.length_text import read_length
 from ...widgets.tool_buttons import ICON, action_button, tool_button
+from .form_row import FormRow
 from .pivot_chooser import PivotChooser
 
 _CERTAIN = 12
@@ -49,6 +51,8 @@ class Situated(msgspec.Struct, frozen=True):
         That of the document.
     problem
         Why it cannot be changed; empty where it can.
+    form
+        The form that it is, such as a rectangle; None where it is none, or more than that.
     """
 
     what: str
@@ -59,6 +63,7 @@ class Situated(msgspec.Struct, frozen=True):
     angle: float
     unit: str
     problem: str
+    form: AnyForm | None = None
 
 
 class PanelActions(msgspec.Struct, frozen=True):
@@ -81,6 +86,8 @@ class TransformPanel(FieldForm):
         It shall stand at this angle; it shall be turned by one.
     skewed
         It shall be skewed along an axis, by this angle.
+    number_entered
+        A number of the form shall be another one: its field, and the number.
     pivot_chosen
         One of nine places: −1, 0 or 1 across, and up.
     reference_chosen
@@ -92,6 +99,7 @@ class TransformPanel(FieldForm):
     turned_to = Signal(float)
     turned_by = Signal(float)
     skewed = Signal(int, float)
+    number_entered = Signal(object, float)
     pivot_chosen = Signal(int, int)
     reference_chosen = Signal(object)
 
@@ -119,6 +127,7 @@ class TransformPanel(FieldForm):
             _skew_button("Across", "horizontally", "the top goes right"),
             _skew_button("Up", "vertically", "the right side goes up"),
         )
+        self.form_row = FormRow(self._read)
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
         words = ("Measured", "Scaled")
         self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
@@ -167,6 +176,7 @@ class TransformPanel(FieldForm):
         parts: list[Part] = [
             self.what,
             top,
+            self.form_row,
             turn,
             strokes,
             row_of(
@@ -181,7 +191,8 @@ class TransformPanel(FieldForm):
 
     def _connect(self) -> None:
         edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit)
-        self.watch(*edits, self.turn_edit, self.skew_edit)
+        self.watch(*edits, self.turn_edit, self.skew_edit, *self.form_row.edits)
+        self.form_row.number_entered.connect(self.number_entered)
         self.x_edit.entered.connect(partial(self.placed.emit, 0))
         self.y_edit.entered.connect(partial(self.placed.emit, 1))
         self.width_edit.entered.connect(partial(self.sized.emit, 0))
@@ -235,6 +246,7 @@ class TransformPanel(FieldForm):
         for part in (*turns, self.chooser):
             part.setEnabled(is_there)
         self.chooser.render_place(shown.place if bounds is not None else None)
+        self.form_row.render_form(shown.form, shown.problem)
         self.show_problem(shown.problem)
 
     def render_reference(self, reference: Reference) -> None:

@@ -11,6 +11,8 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
+from ...document.edits import EditError
+from ...document.form import FormField
 from ...document.model import Document, Vector
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, scaling, skewing
@@ -18,6 +20,7 @@ from ...document.words import number
 from ...state.window_state import WindowState
 from ...view_model.bounds import NINE
 from ...view_model.curve_view import CurveView
+from ...view_model.formed import Formed, formed, with_form
 from ...view_model.pivot import Anchor, turned_since
 from ...view_model.stretch import stretched
 from ...workbench.context import WindowContext
@@ -65,6 +68,7 @@ class TransformPanelCommands(QObject):
         panel.turned_to.connect(self._turn_to)
         panel.turned_by.connect(self._turn_by)
         panel.skewed.connect(self._skew)
+        panel.number_entered.connect(self._set_number)
         panel.pivot_chosen.connect(self._choose_pivot)
         panel.reference_chosen.connect(lambda reference: self._store.change(align_to=reference))
         panel.refused.connect(self._session.refuse)
@@ -121,11 +125,19 @@ class TransformPanelCommands(QObject):
         words, group = target.words, target.for_keys
         # A name is shown as it is; all else is a sentence's beginning.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
+        _, now = self._formed()
         return transform.panel.Situated(
             what, bounds, (bare[0] > 0.0, bare[1] > 0.0), pivot,
             places[len(places) // 2] if places else None, self._angle(),
-            session.document.unit, target.refusal_of_keys,
+            session.document.unit, target.refusal_of_keys, now.form if now is not None else None,
         )  # fmt: skip
+
+    def _formed(self) -> tuple[int, Formed | None]:
+        """Return the curve that is acted on, and what it is of the form that it was drawn as; −1 and None."""
+        parts, curves = self._target.for_keys.parts, self._session.document.curves
+        if len(parts) != 1 or len(parts[0][1]) != len(curves[parts[0][0]].points):
+            return -1, None
+        return parts[0][0], formed(curves[parts[0][0]])
 
     def _angle(self) -> float:
         now = self._target.anchored()
@@ -155,6 +167,19 @@ class TransformPanelCommands(QObject):
         is_middle = (across, up) == (0, 0)
         self._target.pivot = None if is_middle else self._target.bounds.place(across, up)
         self._render()
+
+    def _set_number(self, field: FormField, value: float) -> None:
+        curve, now = self._formed()
+        if now is None:
+            return
+        try:
+            form = now.form.with_number(field.name, value)
+        except EditError as reason:
+            self._refuse(str(reason))
+            return
+        shown = self._length(value) if field.is_length else number(value)
+        text = f"Set {field.words[0].lower()}{field.words[1:]} to {shown}"
+        self._change(text, lambda document: with_form(document, curve, form, now.by))
 
     def _place(self, axis: int, value: float) -> None:
         group, way = self._target.for_keys, value - self._target.centre[axis]

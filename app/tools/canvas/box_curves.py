@@ -10,24 +10,18 @@ import msgspec
 from msgspec.structs import replace
 
 from ...document import words
-from ...document.box_curves import (
-    Box,
-    BoxPoint,
-    box_curve_place,
-    polygon,
-    quarter_turns,
-    with_box_curve,
-)
+from ...document.edits import EditError
+from ...document.form_edits import drawn_place, with_form_drawn
+from ...document.forms import AnyForm, Ellipse, Rectangle
 from ...document.model import Document, Vector
 from ...document.style import Style
 from ...document.transforms import decimal_sum
-from ...view_model.curve_view import view_of
-from ...view_model.rounded import rounded, with_rounded
 from ..drag import Drag
+from ..form_tool import HANDLE_GESTURES, FormTool
 from ..marks import GestureMarks, Note
 from ..pointer import Hint, Pointer
 from ..snapping import Snapper
-from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+from ..tool import GestureRow, ToolContext, ToolRecord
 from ..typed_amount import TypedAmount
 
 _TYPED = frozenset("0123456789.-") | {"backspace", "tab", "enter"}
@@ -53,8 +47,8 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
         Several of them.
     regular
         What it is in a square, with the article.
-    points
-        Its points in the box from (0, 0) to (1, 1).
+    form
+        Returns it by its lower left corner, its size, and the radius of its corners.
     has_corners
         Whether they are corners between straight lines, which can be round.
     """
@@ -63,7 +57,7 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
     phrase: str
     plural: str
     regular: str
-    points: Sequence[BoxPoint]
+    form: Callable[[Vector, Vector, float], AnyForm]
     has_corners: bool = False
 
     @property
@@ -123,18 +117,17 @@ class DrawInBox(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve."""
-        box = self._box(pointer)
-        made = with_box_curve(self.document, self.active, self.drawn.points, box, self.style, self.layer)
-        if self.typed.further <= 0.0:
-            return made
-        place = box_curve_place(self.document, self.active, self.layer)
-        corners = range(len(self.drawn.points))
-        round_one = rounded(view_of(made.curves[place]), corners, self.typed.further)
-        return with_rounded(made, {place: round_one})
+        start, end = self._box(pointer)
+        (left, right), (low, high) = (sorted(ends) for ends in zip(start, end, strict=True))
+        size = _way((left, low), (right, high))
+        if not all(size):
+            raise EditError("Drag to the side and up or down: the box has no area.")
+        form = self.drawn.form((left, low), size, max(self.typed.further, 0.0))
+        return with_form_drawn(self.document, self.active, form, self.style, self.layer)
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
-        sides = [words.number(side) for side in self._box(pointer).size]
+        sides = [words.number(abs(side)) for side in _way(*self._box(pointer))]
         for at, text in enumerate(self.typed.fields[:2]):
             if text or (self.typed.is_pair and at == self.typed.at):
                 sides[at] = f"{words.with_minus(text)}{'|' if at == self.typed.at else ''}"
@@ -145,7 +138,7 @@ class DrawInBox(Drag, frozen=True):
         mark = "|" if self.typed.at == len(sides) else ""
         return f"{size} · radius {words.with_minus(further)}{mark} {self.unit}".rstrip()
 
-    def _box(self, pointer: Pointer) -> Box:
+    def _box(self, pointer: Pointer) -> tuple[Vector, Vector]:
         end = self.snapper.at(pointer)
         way = _way(self.start, end)
         if pointer.ctrl:
@@ -155,7 +148,7 @@ class DrawInBox(Drag, frozen=True):
         if self.typed.counts:
             way = self._as_typed(way, pointer)
             end = _after(self.start, way)
-        return Box(_after(self.start, (-way[0], -way[1])) if pointer.shift else self.start, end)
+        return (_after(self.start, (-way[0], -way[1])) if pointer.shift else self.start), end
 
     def _as_typed(self, way: Vector, pointer: Pointer) -> Vector:
         """Return a way as long across and up as was typed, towards the pointer; what was not typed stays."""
@@ -182,24 +175,26 @@ def _after(start: Vector, way: Vector) -> Vector:
     return (decimal_sum(start[0], way[0]), decimal_sum(start[1], way[1]))
 
 
-class BoxCurveTool(Tool):
-    """Tool that draws a curve in a box."""
+class BoxCurveTool(FormTool):
+    """Tool that draws a form in a box, and changes forms by their handles."""
 
     def __init__(self, drawn: BoxCurve) -> None:
         self._drawn = drawn
         self._drag: DrawInBox | None = None
 
-    def press(self, context: ToolContext) -> None:
+    def begin(self, context: ToolContext) -> None:
         """Begin at a corner of the box."""
         host, snapper = context.host, context.snappers.for_new(-1)
         start, style = snapper.at(context.pointer), host.model.style
         active, unit, layer = host.active_index, context.settings.unit, host.selected.layer
-        place = box_curve_place(host.document, active, layer)
+        place = drawn_place(host.document, active, layer)
         self._drag = DrawInBox(host.document, active, self._drawn, start, snapper, unit, style, layer=layer)
-        context.drags.press(context.pointer, self._drag, self._say_how(context), active=place)
+        context.drags.press(context.pointer, self._drag, lambda: self.click(context), active=place)
 
-    def _say_how(self, context: ToolContext) -> Callable[[], None]:
-        return lambda: context.host.say(f"{self._drawn.hint}.")
+    @property
+    def how(self) -> str:
+        """What draws one."""
+        return self._drawn.hint
 
     def end(self) -> None:
         """Drop the drag."""
@@ -232,9 +227,8 @@ class BoxCurveTool(Tool):
             return marks
         return replace(marks, note=Note(pointer.position, drag.readout(pointer), drag.start))
 
-    def hover(self, context: ToolContext) -> Hint:
-        """Return what a press here would do."""
-        context.preview_snap(-1)
+    def hint(self, context: ToolContext) -> Hint:
+        """Return what a press beside all handles would do."""
         return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
 
 
@@ -251,6 +245,7 @@ def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) ->
             GestureRow("Drag", f"draw {drawn.phrase} from corner to corner of its box"),
             GestureRow("Ctrl, Shift", f"{drawn.regular}; about the centre"),
             GestureRow("Digits, Tab while dragging", f"type {words.enumerated(drawn.typed)}"),
+            *HANDLE_GESTURES,
         ),
         place=place,
         action=f"{drawn.name}Tool",
@@ -271,7 +266,7 @@ RECTANGLE = _tool(
         phrase="a rectangle",
         plural="rectangles",
         regular="a square",
-        points=polygon((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)),
+        form=lambda place, size, radius: Rectangle(*place, *size, radius, radius),
         has_corners=True,
     ),
     place=26,
@@ -285,7 +280,7 @@ ELLIPSE = _tool(
         phrase="an ellipse",
         plural="ellipses",
         regular="a circle",
-        points=quarter_turns((1.0, 0.5), (0.5, 1.0), (0.0, 0.5), (0.5, 0.0)),
+        form=lambda place, size, _radius: Ellipse(*place, *size),
     ),
     place=27,
     key="O",

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..basic_shapes import LENGTHS
+from ..form_elements import FORMS, element_of, mapped
 from ..matrices import combined, moved, transform_of
 from ..numbers import number
 from ..shapes import SHAPES
@@ -33,6 +34,9 @@ _OF_PROGRAMS = (
     *("randomized", "path-effect", "original-d", "original", "connector-curvature"),
 )
 """What programs note of a shape that is more to them than a path: it would not be true any more."""
+
+NEW_COURSE = "M0 0L1 1"
+"""Where a path runs that was just made, until it is drawn."""
 
 _HANGING = ("clip-path", "mask", "filter", "transform")
 _DIGITS = 10
@@ -139,7 +143,12 @@ def _short(value: float) -> str:
 
 
 def redraw(node: Node, wanted: Wanted, inverse: FloatArray) -> None:
-    """Make an element a path that runs so; its map to the plane of the file is undone by a matrix."""
+    """Make an element run so, as a path or as what it is in SVG.
+
+    Its map to the plane of the file is undone by a matrix.
+    """
+    if _redrawn_as_form(node, wanted, inverse):
+        return
     upside_down = np.array([1.0, -1.0])
     outlines = [
         replace(each, control_points=moved(each.control_points, inverse) * upside_down)
@@ -152,6 +161,35 @@ def redraw(node: Node, wanted: Wanted, inverse: FloatArray) -> None:
             node.drop(name)
     node.rename("path")
     node.set("d", " ".join(path_data(outlines).split()))
+
+
+def _redrawn_as_form(node: Node, wanted: Wanted, inverse: FloatArray) -> bool:
+    """Make an element the rectangle, circle or ellipse that a shape is; return whether it is one.
+
+    What is none in the file stays a path.
+    """
+    if (
+        not (node.tag in FORMS or node.get("d") == NEW_COURSE)
+        or len(wanted.outlines) > 1
+        or wanted.style.is_placed
+    ):
+        return False
+    if any(node.get(each) is not None for each in _HANGING[:3]):
+        return False
+    found = element_of(mapped(wanted.outlines[0].form, inverse))
+    if found is None:
+        return False
+    tag, numbers, matrix = found
+    for name in ("d", *_OF_COURSES):
+        if name not in numbers:
+            node.drop(name)
+    node.rename(tag)
+    for name, text in numbers.items():
+        if node.get(name) != text:
+            node.set(name, text)
+    if matrix is not None:
+        node.set("transform", _transform(combined(transform_of(node.get("transform") or ""), matrix)))
+    return True
 
 
 def can_be_redrawn(node: Node) -> bool:

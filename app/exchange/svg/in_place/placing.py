@@ -11,6 +11,7 @@ from itertools import groupby
 from ...naming import Names
 from ..tree import stem
 from .looks import declare, declares
+from .courses import NEW_COURSE
 from .source import Node, Source
 
 _NOTES = ("title", "desc", "metadata")
@@ -130,7 +131,7 @@ class Placing:
         else:
             node = self._source.new("path")
             node.set("id", self._ids.different(entry.identity or stem(entry.name, "curve")))
-            node.set("d", "M0 0L1 1")
+            node.set("d", NEW_COURSE)
         if entry.name and entry.name != node.get("id"):
             node.set(self._source.inkscape("label"), entry.name)
         return node

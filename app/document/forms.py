@@ -1,0 +1,240 @@
+"""The forms that there are: rectangle, ellipse."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Annotated, Self
+
+from msgspec.structs import replace
+
+from .decimals import decimal_sum
+from .fields import LENGTH, above, at_least
+from .form import Form, FormField, FormHandle, Piece
+from .value import Vector
+
+_QUARTER = 4 / 3 * (math.sqrt(2) - 1)
+"""How far the handles of a quarter of a circle reach, of its radius."""
+
+_APART, _PROPORTIONS, _CIRCLE = "Shift: across and up apart", "Ctrl: keeps proportions", "Ctrl: a circle"
+
+Size = Annotated[float, LENGTH, above(0)]
+Radius = Annotated[float, LENGTH, at_least(0)]
+
+
+class _InBox(Form, frozen=True):
+    """What fills a box; its place is the lower left corner of that.
+
+    Attributes
+    ----------
+    width, height
+        Of the box.
+    """
+
+    width: Size
+    height: Size
+
+    @property
+    def right(self) -> float:
+        """Where its box ends."""
+        return decimal_sum(self.x, self.width)
+
+    @property
+    def top(self) -> float:
+        """Where it ends above."""
+        return decimal_sum(self.y, self.height)
+
+    @property
+    def middle(self) -> Vector:
+        """The middle of the box."""
+        return (self.x / 2 + self.right / 2, self.y / 2 + self.top / 2)
+
+    def scaled(self, across: float, up: float) -> Self:
+        """Return the form so many times as wide and high, about its place."""
+        return replace(self, width=self.width * across, height=self.height * up)
+
+    def _sized(self, fixed: Vector, to: Vector, *, even: bool) -> Self:
+        """Return the form in the box from a corner that stays to another place."""
+        way = [decimal_sum(end, -start) for start, end in zip(fixed, to, strict=True)]
+        if even:
+            grow = max(abs(way[0]) / self.width, abs(way[1]) / self.height)
+            way = [math.copysign(grow * self.width, way[0]), math.copysign(grow * self.height, way[1])]
+        x, y = (
+            start if along >= 0 else decimal_sum(start, along)
+            for start, along in zip(fixed, way, strict=True)
+        )
+        if not all(way):
+            return self
+        return replace(self, x=x, y=y, width=abs(way[0]), height=abs(way[1]))
+
+
+class Rectangle(_InBox, frozen=True):
+    """A rectangle, begun and run through as in SVG: from its upper left corner, clockwise.
+
+    Attributes
+    ----------
+    rx, ry
+        How far its round corners reach across and up; 0 for sharp ones.
+    """
+
+    rx: Radius = 0.0
+    ry: Radius = 0.0
+
+    noun = "rectangle"
+    fields = (
+        FormField("width", "W", "Width of the rectangle along its own side"),
+        FormField("height", "H", "Height of the rectangle along its own side"),
+        FormField("rx", "Rx", "Radius of its corners"),
+        FormField("ry", "Ry", "Radius of its corners upwards"),
+    )
+
+    @property
+    def radii(self) -> Vector:
+        """The radii that its corners have: none is longer than half a side."""
+        if not (self.rx and self.ry):
+            return (0.0, 0.0)
+        return (min(self.rx, self.width / 2), min(self.ry, self.height / 2))
+
+    @property
+    def pieces(self) -> Sequence[Piece]:
+        """How it runs: along its upper side, and on clockwise."""
+        left, low, right, top = self.x, self.y, self.right, self.top
+        corners = ((right, top), (right, low), (left, low), (left, top))
+        rx, ry = self.radii
+        if not rx:
+            return [_line(*each) for each in pairwise((corners[-1], *corners))]
+        x_ends, y_ends = _inside(left, right, rx, self.width), _inside(low, top, ry, self.height)
+        ends: list[tuple[Vector, Vector]] = [
+            ((x_ends[1], top), (right, y_ends[1])),
+            ((right, y_ends[0]), (x_ends[1], low)),
+            ((x_ends[0], low), (left, y_ends[0])),
+            ((left, y_ends[1]), (x_ends[0], top)),
+        ]
+        made, at = list[Piece](), ends[-1][1]
+        for corner, (before, after) in zip(corners, ends, strict=True):
+            if at != before:
+                made.append(_line(at, before))
+            made.append(
+                (before, _between(before, corner, _QUARTER), _between(after, corner, _QUARTER), after)
+            )
+            at = after
+        return made
+
+    @property
+    def handles(self) -> Sequence[FormHandle]:
+        """The radii at the upper right corner, and the two corners beside that."""
+        rx, ry = self.radii
+        return (
+            FormHandle("rx", (decimal_sum(self.right, -rx), self.top), "corner radius", _APART, True),
+            FormHandle("ry", (self.right, decimal_sum(self.top, -ry)), "corner radius", _APART, True),
+            FormHandle("upper left", (self.x, self.top), "size", _PROPORTIONS),
+            FormHandle("lower right", (self.right, self.y), "size", _PROPORTIONS),
+        )
+
+    def dragged(self, handle: str, to: Vector, *, ctrl: bool, shift: bool) -> Self:
+        """Return the form with a handle somewhere else; with Shift each radius is another."""
+        if handle == "upper left":
+            return self._sized((self.right, self.y), to, even=ctrl)
+        if handle == "lower right":
+            return self._sized((self.x, self.top), to, even=ctrl)
+        reach = (decimal_sum(self.right, -to[0]), decimal_sum(self.top, -to[1]))
+        if not shift:
+            radius = min(max(0.0, *reach), self.width / 2, self.height / 2)
+            return replace(self, rx=radius, ry=radius)
+        rx, ry = self.radii
+        if handle == "rx":
+            rx = min(max(0.0, reach[0]), self.width / 2)
+            return replace(self, rx=rx, ry=ry or min(rx, self.height / 2))
+        ry = min(max(0.0, reach[1]), self.height / 2)
+        return replace(self, rx=rx or min(ry, self.width / 2), ry=ry)
+
+    def scaled(self, across: float, up: float) -> Self:
+        """Return the form so many times as wide and high, about its place."""
+        sized = super().scaled(across, up)
+        return replace(sized, rx=self.rx * across, ry=self.ry * up)
+
+    def with_number(self, name: str, value: float) -> Self:
+        """Return the form with a number that was typed: one radius is for both while they are one."""
+        if name in ("rx", "ry"):
+            other = "ry" if name == "rx" else "rx"
+            now = getattr(self, other)
+            is_one = self.rx == self.ry if name == "rx" else not now
+            return replace(self, **{name: value, other: value if is_one else now})
+        return replace(self, **{name: value})
+
+
+class Ellipse(_InBox, frozen=True):
+    """An ellipse, begun and run through as in SVG: from its right, clockwise."""
+
+    noun = "ellipse"
+    fields = (
+        FormField("width", "W", "Width of the ellipse along its own axis"),
+        FormField("height", "H", "Height of the ellipse along its own axis"),
+    )
+
+    @property
+    def pieces(self) -> Sequence[Piece]:
+        """A quarter after the other."""
+        (x, y), left, low, right, top = self.middle, self.x, self.y, self.right, self.top
+        quarters = (
+            ((right, y), (right, low), (x, low)),
+            ((x, low), (left, low), (left, y)),
+            ((left, y), (left, top), (x, top)),
+            ((x, top), (right, top), (right, y)),
+        )
+        return [
+            (start, _between(start, corner, _QUARTER), _between(end, corner, _QUARTER), end)
+            for start, corner, end in quarters
+        ]
+
+    @property
+    def handles(self) -> Sequence[FormHandle]:
+        """Its right and its top: half of the axes."""
+        x, y = self.middle
+        return (
+            FormHandle("right", (self.right, y), "width", _CIRCLE),
+            FormHandle("top", (x, self.top), "height", _CIRCLE),
+        )
+
+    def dragged(self, handle: str, to: Vector, *, ctrl: bool, shift: bool) -> Self:
+        """Return the form with a handle somewhere else, about its middle; with Ctrl it is a circle."""
+        x, y = self.middle
+        half = abs(to[0] - x) if handle == "right" else abs(to[1] - y)
+        if not half:
+            return self
+        width, height = (2 * half if ctrl or handle == each else size for each, size in (
+            ("right", self.width), ("top", self.height)
+        ))  # fmt: skip
+        return self._sized_about_middle(width, height)
+
+    def with_number(self, name: str, value: float) -> Self:
+        """Return the form with a number that was typed, about its middle."""
+        sizes = {"width": self.width, "height": self.height, name: value}
+        return self._sized_about_middle(sizes["width"], sizes["height"])
+
+    def _sized_about_middle(self, width: float, height: float) -> Self:
+        x, y = self.middle
+        return replace(self, x=x - width / 2, y=y - height / 2, width=width, height=height)
+
+
+def _line(start: Vector, end: Vector) -> Piece:
+    (x, y), (to_x, to_y) = start, end
+    across, up = (to_x - x) / 3, (to_y - y) / 3
+    return (start, (x + across, y + up), (to_x - across, to_y - up), end)
+
+
+def _between(start: Vector, end: Vector, share: float) -> Vector:
+    """Return the place that is a share of the way from one to another."""
+    return (start[0] + (end[0] - start[0]) * share, start[1] + (end[1] - start[1]) * share)
+
+
+def _inside(start: float, end: float, radius: float, size: float) -> Vector:
+    """Return where the straight part of a side begins and ends; in the middle where there is none."""
+    if 2 * radius >= size:
+        return ((start + end) / 2,) * 2
+    return (decimal_sum(start, radius), decimal_sum(end, -radius))
+
+
+AnyForm = Rectangle | Ellipse
+"""What a document may say of a curve."""

@@ -1,0 +1,81 @@
+"""The numbers of the form that is chosen: a rectangle's own width and height and its radii."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import get_args
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from ...document.form import Form, FormField
+from ...document.forms import AnyForm
+from ...qt.labels import Label
+from ...widgets.boxes import Part, row_of
+from ...widgets.field_edit import NumberEdit, read_number
+
+ReadLength = Callable[[Callable[[], float], str], float]
+"""Returns the length that a text means, by what tells the one that there is now."""
+
+
+class FormRow(QWidget):
+    """A row of fields for each kind of form; that of the one which is chosen is seen.
+
+    Signals
+    -------
+    number_entered
+        A number of the form shall be another one: its field, and the number.
+    """
+
+    number_entered = Signal(object, float)
+
+    def __init__(self, read_length: ReadLength) -> None:
+        super().__init__()
+        self._read_length = read_length
+        self._form: AnyForm | None = None
+        self._rows = {kind: _Row(kind, self._edit) for kind in get_args(AnyForm)}
+        row_of(*self._rows.values(), spacing=0, margins=(0, 0, 0, 0), parent=self)
+        self.render_form(None, "")
+
+    @property
+    def edits(self) -> list[NumberEdit]:
+        """All fields."""
+        return [edit for row in self._rows.values() for _, edit in row.edits]
+
+    def _edit(self, kind: type[Form], field: FormField) -> NumberEdit:
+        name = f"form{kind.noun.title()}{field.name.title().replace('_', '')}"
+        how = "a number or an expression" + (", with a unit or without" if field.is_length else "")
+        read = (
+            partial(self._read_length, partial(self._number, field.name)) if field.is_length else read_number
+        )
+        edit = NumberEdit(name, field.words, f"{field.words}: {how} (Enter to set)", read)
+        edit.entered.connect(partial(self.number_entered.emit, field))
+        return edit
+
+    def _number(self, name: str) -> float:
+        return float(getattr(self._form, name, 0.0))
+
+    def render_form(self, form: AnyForm | None, problem: str) -> None:
+        """Show the numbers of a form; nothing for None."""
+        self._form = form
+        for kind, row in self._rows.items():
+            row.setVisible(type(form) is kind)
+            if type(form) is kind:
+                for field, edit in row.edits:
+                    show = edit.show_length if field.is_length else edit.show_number
+                    show(float(getattr(form, field.name)))
+                    edit.setEnabled(not problem)
+        self.setVisible(form is not None)
+
+
+class _Row(QWidget):
+    """The fields of a kind of form."""
+
+    def __init__(self, kind: type[Form], make: Callable[[type[Form], FormField], NumberEdit]) -> None:
+        super().__init__()
+        self.edits = [(field, make(kind, field)) for field in kind.fields]
+        parts: list[Part] = [Label(kind.noun.title())]
+        for field, edit in self.edits:
+            parts += [Label(field.label), (edit, 1)]
+        row_of(*parts, spacing=6, margins=(0, 0, 0, 0), parent=self)
