@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QPainter, QPen
 
@@ -14,7 +16,7 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
-from ..plotting.wide_line import WideLine
+from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve_view import CurveView, Polyline
 from .looks import Shape, is_plain, line_of, paint_shape
 
@@ -38,6 +40,7 @@ class EditedShapeLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._shape: Shape = ()
+        self._line = RoundLine()
         self.set_visible(False)
 
     def render(self, shape: Shape) -> None:
@@ -50,7 +53,7 @@ class EditedShapeLayer(Layer):
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the shape."""
         if self._shape:
-            paint_shape(painter, self._shape, shown, self.theme, _WIDTH * self.scale)
+            paint_shape(painter, self._shape, shown, self.theme, _WIDTH * self.scale, self._line)
 
 
 class CurveLayer(Layer):
@@ -129,15 +132,10 @@ class CurveLayer(Layer):
         if self._error_of[0] is not polyline.deviation or self._error_of[1] is not shown:
             self._error_of = (polyline.deviation, shown)
             self.error = polyline.reached * max(shown.sx, shown.sy)
-        self._line.show(polyline.points, shown, _WIDTH * self.scale)
-        if self._is_cased and self._paints_line(view):
-            painter.setPen(self._pen_of(self.theme.paper, _WIDTH + 2 * CASING))
-            self._line.draw(painter)
-        if self._paints_line(view):
-            painter.setPen(self._pen(view))
-            self._line.draw(painter)
-        elif self._is_covered or not view.source.style.has_stroke:
-            painter.setPen(self._pen_of(self.theme.accent, _EDIT_WIDTH))
+        for pen in self._pens(view):
+            # What prints otherwise is no line of its own.
+            self._line.show(polyline.points, shown, _WIDTH * self.scale)
+            painter.setPen(pen)
             self._line.draw(painter)
         if self.said:
             self._paint_word(painter, shown)
@@ -168,6 +166,15 @@ class CurveLayer(Layer):
 
     def _paints_line(self, view: CurveView) -> bool:
         return self._is_thin or is_faint(view) or is_plain(view.source.style)
+
+    def _pens(self, view: CurveView) -> Sequence[QPen]:
+        """Return what the line is drawn with, one over the other."""
+        if self._paints_line(view):
+            casing = [self._pen_of(self.theme.paper, _WIDTH + 2 * CASING)] if self._is_cased else []
+            return (*casing, self._pen(view))
+        if self._is_covered or not view.source.style.has_stroke:
+            return (self._pen_of(self.theme.accent, _EDIT_WIDTH),)
+        return ()
 
     def _pen(self, view: CurveView) -> QPen:
         faint = is_faint(view)

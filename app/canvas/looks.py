@@ -11,6 +11,7 @@ from ..appearance.theme import Theme
 from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
+from ..plotting.wide_line import RoundLine
 from ..view_model.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
@@ -69,11 +70,19 @@ def paint_line(painter: QPainter, view: CurveView, shown: PixelMap, theme: Theme
 
 
 def paint_shape(
-    painter: QPainter, shape: Sequence[CurveView], shown: PixelMap, theme: Theme, usual: float
+    painter: QPainter,
+    shape: Sequence[CurveView],
+    shown: PixelMap,
+    theme: Theme,
+    usual: float,
+    line: RoundLine | None = None,
 ) -> None:
-    """Paint a shape as it prints; `usual` is the width in pixels of a line that has none of its own."""
+    """Paint a shape as it prints; `usual` is the width in pixels of a line that has none of its own.
+
+    Whoever paints many keeps a `line`.
+    """
     style = shape[0].source.style
     width = usual if style.width is None else style.width * shown.sx
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
     parts = [Part(line_of(view, shown).points, view.source.is_closed) for view in shape if view.has_curve]
-    paint_printed(painter, parts, style, ink, shown)
+    paint_printed(painter, parts, style, ink, shown, line)

@@ -16,6 +16,7 @@ from ..plotting.pens import draw_line, pen_of
 from ..plotting.pictures import Sheets, transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.wide_line import RoundLine
 from ..tools.pointer import Hit
 from ..view_model.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE
@@ -205,13 +206,13 @@ class OtherCurvesLayer(Layer):
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint the shapes into the picture."""
-        stroke = Stroke()
+        stroke, line = Stroke(), RoundLine()
         for shape in shapes:
             if self._is_thin or is_plain(shape[0].source.style):
                 for view in shape:
                     self._paint_line(painter, stroke, view, shown)
             else:
-                paint_shape(painter, shape, shown, self.theme, FAINT_WIDTH * self.scale)
+                paint_shape(painter, shape, shown, self.theme, FAINT_WIDTH * self.scale, line)
 
     def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         stroke.show(line_of(view, shown).points, shown)

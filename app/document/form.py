@@ -60,8 +60,8 @@ class FormField(NamedTuple):
 class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     """What a closed curve was drawn as, before it was moved, turned or stretched.
 
-    To add a kind: a subclass in ``forms``, which names itself, says how it runs, and what of it is dragged and
-    typed; and its name in `AnyForm` there.
+    To add a kind: a subclass in ``forms``, which names itself, says how it runs, and what of it is dragged
+    and typed; and its name in `AnyForm` there.
 
     Attributes
     ----------

@@ -19,9 +19,13 @@ from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pictures import transparent
 from .pixel_map import PixelMap
 from .rings import ring_within
+from .wide_line import RoundLine
 
 _NARROW = 4.0
 """Pixels of a line up to which it is cut where others are."""
+
+_FINE = (1.0, 8.0)
+"""Pixels of lines that Qt's stroker takes long for, and whose turns are slight enough to do without it."""
 
 _WIDEST = 1e7
 """Pixels of the widest pen that Qt is given: with it all is covered."""
@@ -57,8 +61,15 @@ class Ink(msgspec.Struct, frozen=True, eq=False):
     ink: QColor
 
 
-def paint_printed(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
-    """Paint a shape: its fill, and its line over that."""
+def paint_printed(
+    painter: QPainter,
+    parts: Sequence[Part],
+    style: Style,
+    ink: Ink,
+    shown: PixelMap,
+    line: RoundLine | None = None,
+) -> None:
+    """Paint a shape: its fill, and its line over that; with `line`, which may be kept for the next shape."""
     is_both = style.has_fill and style.has_stroke
     if style.opacity < 1.0 and is_both:
         _paint_together(painter, parts, style, ink, shown)
@@ -66,7 +77,7 @@ def paint_printed(painter: QPainter, parts: Sequence[Part], style: Style, ink: I
     if style.has_fill:
         _fill(painter, parts, style, ink, shown)
     if style.has_stroke and ink.width > 0:
-        _stroke(painter, parts, style, ink, shown)
+        _stroke(painter, parts, style, ink, shown, line or RoundLine())
 
 
 def _paint_together(
@@ -102,7 +113,9 @@ def _brush(gradient: Gradient, ink: Ink, opacity: float, shown: PixelMap) -> QBr
     return brush_of(gradient, ink.ink, opacity, lambda place: shown.point(*place))
 
 
-def _stroke(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
+def _stroke(
+    painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap, line: RoundLine
+) -> None:
     width = min(ink.width, _WIDEST)
     opacity = style.stroke_opacity * style.opacity
     is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
@@ -119,15 +132,20 @@ def _stroke(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, sh
         _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
     elif is_opaque and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
         painter.setPen(pen)
+        least, most = _FINE
         for part in parts:
+            if least < width <= most:
+                line.show(part.points, shown, width)
+                line.draw(painter)
+                continue
             stroke = Stroke(reach)
             stroke.fill(shown.points(part.points), shown.width, shown.height)
             stroke.draw(painter)
     else:
-        line = QPainterPath()
+        path = QPainterPath()
         for part in parts:
-            _add_line(line, part, shown, reach)
-        painter.strokePath(line, pen)
+            _add_line(path, part, shown, reach)
+        painter.strokePath(path, pen)
 
 
 def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from pyqtgraph.Qt.internals import PrimitiveArray
-from PySide6.QtCore import QLineF, QRectF
+from PySide6.QtCore import QLineF, QPointF, QRectF
 from PySide6.QtGui import QPainter, QPixmap
 
 from curvecore.arrays import FloatArray
@@ -16,7 +16,7 @@ class _Batch:
 
     def __init__(
         self,
-        shape: type[QLineF | QRectF | QPainter.PixmapFragment],
+        shape: type[QLineF | QPointF | QRectF | QPainter.PixmapFragment],
         draw: Callable[..., None],
         numbers: int = 4,
     ) -> None:
@@ -52,6 +52,13 @@ class Segments(_Batch):
 
     def __init__(self) -> None:
         super().__init__(QLineF, QPainter.drawLines)
+
+
+class Points(_Batch):
+    """Many points x, y, as wide as the pen."""
+
+    def __init__(self) -> None:
+        super().__init__(QPointF, QPainter.drawPoints, 2)
 
 
 class Bars(_Batch):

@@ -1,4 +1,4 @@
-"""A wide line in one opaque colour, drawn as separate segments that overlap at the joints.
+"""Wide lines in one opaque colour, drawn as separate segments that overlap at the joints.
 
 Qt's stroker, which joins the segments of a polyline, takes more than twice as long as all else of a frame:
 for a segment by itself Qt has a rasteriser without a path.
@@ -7,14 +7,18 @@ for a segment by itself Qt has a rasteriser without a path.
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtGui import QPainter
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter, QPen
 
 from curvecore.arrays import FloatArray
 
 from .crowds import Crowd
 from .drawing import MARGIN, cut_segments, is_crowd
 from .pixel_map import PixelMap
-from .segments import Segments
+from .segments import Points, Segments
+
+_ComplexArray = NDArray[np.complex128]
 
 _OVERLAP = 0.4
 """Pixels by which both segments reach beyond a joint: less leaves a notch, more a bead at the line's edge."""
@@ -35,22 +39,58 @@ class WideLine:
         self._shown, self._crowd = (points, shown, width), None
         pixels = shown.points(points)
         segments = self._segments.room_for(max(len(pixels) - 1, 0))
-        if not len(segments):
-            return
         segments[:, :2], segments[:, 2:] = pixels[:-1], pixels[1:]
-        if not _are_near(pixels, shown):
+        if len(segments) and not _are_near(pixels, shown):
             near = cut_segments(segments, shown.width, shown.height)
             self._segments.fill(near)
             segments = self._segments.room_for(len(near))
+        if not len(segments):
+            return
         if is_crowd(segments):
             self._crowd = Crowd()
             self._crowd.fill(segments, shown.width, shown.height)
         else:
-            overlap(segments, width)
+            self._join(segments, width)
+
+    def _join(self, segments: FloatArray, width: float) -> None:
+        """Make segments (m, 4) one line."""
+        steps, cosines = overlap(segments)
+        reach_to_corners(segments, steps, cosines, width)
 
     def draw(self, painter: QPainter) -> None:
         """Draw with the painter's pen."""
         (self._crowd or self._segments).draw(painter)
+
+
+class RoundLine(WideLine):
+    """A polyline in pixels with round ends and corners, for a pen that is opaque and wider than a pixel."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        # Its ends, and the corners at which the sides of segments that overlap do not meet.
+        self._discs = Points()
+
+    def _join(self, segments: FloatArray, width: float) -> None:
+        steps, cosines = overlap(segments)
+        starts, ends = segments.view(np.complex128).T
+        discs = np.array([starts[0] + steps[0], ends[-1] - steps[-1]])
+        if _have_corners(cosines, width):
+            sharp = np.flatnonzero(cosines < _least_cosine(width)) + 1
+            discs = np.concatenate([discs, starts[sharp] + steps[sharp]])
+        self._discs.fill(discs.view(np.float64).reshape(-1, 2))
+
+    def draw(self, painter: QPainter) -> None:
+        """Draw with the painter's pen."""
+        if self._crowd or not len(self._segments):
+            super().draw(painter)
+            return
+        rounded = painter.pen()
+        blunt = QPen(rounded)
+        blunt.setCapStyle(Qt.PenCapStyle.FlatCap)
+        painter.setPen(blunt)
+        self._segments.draw(painter)
+        painter.setPen(rounded)
+        self._discs.draw(painter)
 
 
 def _are_near(pixels: FloatArray, shown: PixelMap) -> bool:
@@ -60,10 +100,14 @@ def _are_near(pixels: FloatArray, shown: PixelMap) -> bool:
     return bool(low >= -MARGIN and high <= max(shown.width, shown.height) + MARGIN)
 
 
-def overlap(segments: FloatArray, width: float) -> None:
-    """Make segments (m, 4) longer at both ends, so that no joint of a line `width` wide is seen.
+def overlap(segments: FloatArray) -> tuple[_ComplexArray, FloatArray]:
+    """Make segments (m, 4) longer at both ends, so that no joint of a smooth line is seen.
 
-    At a sharp corner they reach as far as its sides meet, or half the width, whichever is less.
+    Returns
+    -------
+    steps, cosines
+        How far each segment now reaches beyond its end, as complex numbers (m,); the cosines of the turns
+        from one to the next, (m − 1,).
     """
     # As complex numbers, whose size and turn NumPy finds in one step each.
     starts, ends = segments.view(np.complex128).T
@@ -72,14 +116,30 @@ def overlap(segments: FloatArray, width: float) -> None:
     steps *= _OVERLAP / np.maximum(np.abs(steps), 1e-9)
     starts -= steps
     ends += steps
-    # The cosines of the turns, times the square of the overlap.
-    dots = (steps[1:] * steps[:-1].conj()).real
+    return steps, (steps[1:] * steps[:-1].conj()).real / _OVERLAP**2
+
+
+def _least_cosine(width: float) -> float:
+    """Return the cosine of the sharpest turn at which the sides of segments that overlap still meet.
+
+    By a turn of θ they meet half the width times tan θ/2 beyond the joint.
+    """
     share = (2 * _OVERLAP / width) ** 2
-    # By a turn of θ the sides meet half a width times tan θ/2 beyond the joint.
-    if len(dots) and np.minimum.reduce(dots) < (1 - share) / (1 + share) * _OVERLAP**2:
-        cosines = dots / _OVERLAP**2
-        half_turns = np.sqrt(np.maximum(1 - cosines, 0) / np.maximum(1 + cosines, 1e-9))
-        most = max(width / 2, _OVERLAP)
-        further = np.clip(half_turns * (width / 2), _OVERLAP, most) / _OVERLAP - 1
-        starts[1:] -= further * steps[1:]
-        ends[:-1] += further * steps[:-1]
+    return (1 - share) / (1 + share)
+
+
+def _have_corners(cosines: FloatArray, width: float) -> bool:
+    """Whether a line `width` wide has turns at which overlapping is not enough."""
+    return len(cosines) > 0 and bool(np.minimum.reduce(cosines) < _least_cosine(width))
+
+
+def reach_to_corners(segments: FloatArray, steps: _ComplexArray, cosines: FloatArray, width: float) -> None:
+    """Make segments that overlap reach, at a sharp corner, as far as their sides meet, or half the width."""
+    if not _have_corners(cosines, width):
+        return
+    starts, ends = segments.view(np.complex128).T
+    half_turns = np.sqrt(np.maximum(1 - cosines, 0) / np.maximum(1 + cosines, 1e-9))
+    most = max(width / 2, _OVERLAP)
+    further = np.clip(half_turns * (width / 2), _OVERLAP, most) / _OVERLAP - 1
+    starts[1:] -= further * steps[1:]
+    ends[:-1] += further * steps[:-1]

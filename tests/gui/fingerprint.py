@@ -63,6 +63,7 @@ PASSING = {
         "Rulers._marks",
         "Rulers._marks_of",
         "CurveLayer._line",
+        "EditedShapeLayer._line",
     ),
     *(
         "DiskCommands._shown",

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.plotting.drawing import polygon
 from app.plotting.pixel_map import PixelMap
-from app.plotting.wide_line import WideLine
+from app.plotting.wide_line import RoundLine, WideLine
 
 SIZE = 200
 SHOWN = PixelMap(0.0, float(SIZE), 1.0, 1.0, SIZE, SIZE)
@@ -27,14 +27,13 @@ def painted(draw, pen):
     return 1.0 - np.frombuffer(image.constBits(), np.uint8).reshape(SIZE, image.bytesPerLine()) / 255.0
 
 
-def ours_and_qt(points, width):
-    """Return the ink of a polyline drawn as the canvas does, and as Qt joins it."""
-    line = WideLine()
+def ours_and_qt(points, width, *, rounded=False):
+    """Return the ink of a polyline drawn as the canvas does, and as Qt joins it; with round ends or blunt."""
+    line, cap = (RoundLine(), Qt.PenCapStyle.RoundCap) if rounded else (WideLine(), Qt.PenCapStyle.FlatCap)
     line.show(points, SHOWN, width)
-    ours = painted(line.draw, QPen(QColor("black"), width, c=Qt.PenCapStyle.FlatCap))
+    pen = QPen(QColor("black"), width, c=cap, j=Qt.PenJoinStyle.RoundJoin)
     joined = polygon(points[:, 0], SIZE - points[:, 1])
-    pen = QPen(QColor("black"), width, c=Qt.PenCapStyle.FlatCap, j=Qt.PenJoinStyle.RoundJoin)
-    return ours, painted(lambda painter: painter.drawPolyline(joined), pen)
+    return painted(line.draw, pen), painted(lambda painter: painter.drawPolyline(joined), pen)
 
 
 def circle(radius, tolerance=0.1):
@@ -58,10 +57,42 @@ def test_smooth_lines_have_the_ink_of_a_joined_one(points, width):
     assert ours.sum() == pytest.approx(joined.sum(), rel=0.05)
 
 
+ZIGZAG = np.array([[40.0, 40.0], [150.0, 60.0], [45.0, 90.0], [160.0, 160.0]])
+
+
 def test_a_sharp_corner_is_closed():
-    zigzag = np.array([[40.0, 40.0], [150.0, 60.0], [45.0, 90.0], [160.0, 160.0]])
-    ours, joined = ours_and_qt(zigzag, 4.0)
+    ours, joined = ours_and_qt(ZIGZAG, 4.0)
     assert (ours - joined)[joined > 0.9].min() > -0.3
+
+
+@pytest.mark.parametrize("width", [1.5, 3.0, 8.0])
+@pytest.mark.parametrize("points", [wave(40), wave(150), circle(12), circle(80), ZIGZAG])
+def test_round_ends_and_corners_are_those_of_qt(points, width):
+    """Neither lacks any ink, nor does any lie where Qt has none."""
+    ours, joined = ours_and_qt(points, width, rounded=True)
+    assert np.abs(ours - joined)[joined > 0].mean() < 0.06
+    assert (ours - joined)[joined > 0.9].min() > -0.3
+    assert ours[joined == 0].max() < 0.3
+    assert ours.sum() == pytest.approx(joined.sum(), rel=0.05)
+
+
+def test_a_line_with_a_pen_of_its_own_leaves_the_pen_as_it_was():
+    """What is drawn next has the ends of the pen that was set."""
+    pen = QPen(QColor("black"), 8.0, c=Qt.PenCapStyle.RoundCap)
+    line, dot = RoundLine(), polygon(np.array([150.0]), np.array([20.0]))
+
+    def draw(painter):
+        line.show(wave(40), SHOWN, 8.0)
+        line.draw(painter)
+        painter.drawPoints(dot)
+
+    assert painted(draw, pen)[20, 150] == 1.0
+    assert painted(draw, pen)[16, 146] < 0.5
+
+
+def test_a_round_line_that_leaves_the_area_draws_nothing_of_it():
+    away = np.array([[1e6, 100.0], [2e6, 100.0]])
+    assert ours_and_qt(away, 3.0, rounded=True)[0].sum() == 0
 
 
 def test_a_vertex_that_comes_twice_and_none_at_all_are_nothing_to_draw():
