@@ -227,6 +227,10 @@ class Actions(QObject):
         declared = self._declared.get(name)
         return declared is not None and declared.is_on(self._now)
 
+    def follow(self) -> None:
+        """Render, when all is told of which there is news."""
+        self._now.session.telling.then(self.render)
+
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
         now, on = self._now, set[str]()
