@@ -122,7 +122,9 @@ class Action(msgspec.Struct, frozen=True):
 
     def missing(self, is_met: Callable[[Need], bool]) -> Need | None:
         """Return the first of its needs that is not met, those of its section before its own."""
-        return next((each for each in (self.section.needs, self.needs) if not is_met(each)), None)
+        if not is_met(self.section.needs):
+            return self.section.needs
+        return None if is_met(self.needs) else self.needs
 
     def is_on(self, now: Situation, is_met: Callable[[Need], bool] | None = None) -> bool:
         """Whether what it switches is on: of nothing, nothing is.

@@ -33,6 +33,9 @@ from .strips import Strip
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
 
+_USABLE = True, ""
+
+
 class _Alike:
     """Actions that need the same: they can be used, or cannot for one reason, together.
 
@@ -50,7 +53,7 @@ class _Alike:
     def render(self, now: Situation, is_met: Callable[[Need], bool]) -> None:
         """Enable or disable them, where that is news."""
         missing = self._first.missing(is_met)
-        told = missing is None, missing.reason(now) if missing is not None else ""
+        told = _USABLE if missing is None else (False, missing.reason(now))
         if told != self._told:
             self._told = told
             for action in self.actions:
@@ -86,7 +89,7 @@ class Actions(QObject):
         self._handlers = all_declared(command_sets)
         self._declared = {each.action.name: each.action for each in self._handlers}
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
-        self._alike = self._find_alike()
+        self._sort_out()
         self._on = set[str]()
         self._seen: dict[str, Sight] = {}
         self._seen_of: CurveView | None = None
@@ -111,6 +114,13 @@ class Actions(QObject):
         if each.key_needs is not NOTHING or each.key_asks is not None:
             self._gate.guard(action, each.key_needs, each.key_asks)
         return action
+
+    def _sort_out(self) -> None:
+        """Find what has to be asked about each: all the time, so nobody looks through hundreds for it."""
+        declared = [(each, self._actions[name]) for name, each in self._declared.items()]
+        self._switches = [(each, action) for each, action in declared if each.checked is not None]
+        self._titled = [(each.title, action) for each, action in declared if each.title is not None]
+        self._alike = self._find_alike()
 
     def _find_alike(self) -> list[_Alike]:
         found: dict[tuple[int, int], _Alike] = {}
@@ -148,7 +158,7 @@ class Actions(QObject):
             self._hearer.addAction(action)
         if self._theme is not None:
             self.set_theme(self._theme)
-        self._alike = self._find_alike()
+        self._sort_out()
         self.render()
         self.redeclared.emit()
 
@@ -227,19 +237,23 @@ class Actions(QObject):
         declared = self._declared.get(name)
         return declared is not None and declared.is_on(self._now)
 
+    def follow(self) -> None:
+        """Render, when all is told of which there is news."""
+        self._now.session.telling.then(self.render)
+
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
         now, on = self._now, set[str]()
         is_met = _remembering(now)
         for alike in self._alike:
             alike.render(now, is_met)
-        for name, each in self._declared.items():
-            if each.checked is not None:
-                is_on = each.is_on(now, is_met)
-                self._actions[name].setChecked(is_on)
-                on |= {name} if is_on else set()
-            if each.title is not None:
-                self._actions[name].setText(each.title(now))
+        for each, action in self._switches:
+            is_on = each.is_on(now, is_met)
+            action.setChecked(is_on)
+            if is_on:
+                on.add(each.name)
+        for title, action in self._titled:
+            action.setText(title(now))
         if now.view is not self._seen_of:
             for name in self._seen:
                 self._show(name, Sight(self._declared[name].text, self._declared[name].tip))
@@ -285,10 +299,11 @@ def _remembering(now: Situation) -> Callable[[Need], bool]:
     met: dict[int, bool] = {}
 
     def is_met(need: Need) -> bool:
-        found = met.get(id(need))
-        if found is None:
+        try:
+            return met[id(need)]
+        except KeyError:
             found = met[id(need)] = need.is_met(now)
-        return found
+            return found
 
     return is_met
 

@@ -1,7 +1,7 @@
 """The one mutable owner: the current document, its history, the selection and the file behind it.
 
-- ``session``: the QObject with the signals, composed of the plain objects below; `Session.change` is the one
-  door by which the document changes.
+- ``session``: the QObject composed of the plain objects below; `Session.change` is the one door by which the
+  document changes.  ``signals``: what it tells.  ``telling``: several signals of one thing, told as a whole.
 - ``change``: what became of a change, and why one is refused.
 - ``history``: the steps that can be undone.  ``views``: the view-models of the curves shown.
 - ``selection``: selected points and curves, the point under the pointer.  ``scrub_line``: a t that is shown.

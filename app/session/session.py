@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
 from msgspec.structs import replace
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoStack
 
 from ..document.edits import EditError
@@ -23,53 +23,17 @@ from .box import SelectionBox
 from .change import Change, raiser_of, why_locked, why_not_kept
 from .files import Files
 from .history import Beginning, History, State
-from .messages import Message, MessageKind
 from .next_style import Marked
 from .scrub_line import ScrubLine
 from .selection import Selection
+from .signals import SessionSignals
 from .views import Views
 
 _log = logging.getLogger("curvebench.session")
 
 
-class Session(QObject):
+class Session(SessionSignals):
     """Owner of the open document; all that changes it goes through `change`, or is a gesture.
-
-    Signals
-    -------
-    document_changed
-        The document shown is another one: a preview, a change, undo, redo, open or new.
-    active_changed
-        Another curve is edited.
-    selection_changed
-        Another set of points is selected.
-    selected_curves_changed
-        Another set of curves is selected, to be worked on together.
-    hovered_changed
-        The pointer is over another point (its index, or -1), on the canvas or in the basis panel.
-    scrub_changed
-        The scrub line was moved to another t, or put away (None).
-    pivot_changed
-        Another pivot was chosen, or it has gone along with what it was chosen for.
-    layer_changed
-        What is new comes into another layer.
-    grips_changed
-        The grips of the box around what is selected do something else.
-    file_changed
-        The path or the modified mark is another one.
-    opened
-        Another document was opened or begun, or undo or redo has gone back to another one.
-    left
-        A document without a file was left with this work in it; undo or redo goes back to it.
-    saved
-        The document was written to its file.
-    history_changed
-        There is another step to undo or redo.
-    interrupted
-        The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
-        is void, and what has been said about the old one is out of date.
-    message
-        A `Message` for the person.
 
     Attributes
     ----------
@@ -86,23 +50,6 @@ class Session(QObject):
     scrub
         The scrub line.
     """
-
-    document_changed = Signal(object)
-    active_changed = Signal(int)
-    selection_changed = Signal(object)
-    selected_curves_changed = Signal(object)
-    hovered_changed = Signal(int)
-    scrub_changed = Signal(object)
-    pivot_changed = Signal()
-    layer_changed = Signal()
-    grips_changed = Signal()
-    file_changed = Signal()
-    opened = Signal()
-    left = Signal(object)
-    saved = Signal()
-    history_changed = Signal()
-    interrupted = Signal()
-    message = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -237,12 +184,13 @@ class Session(QObject):
         run
             Changes of one run within a second, with nothing between them, are one step: arrow keys.
         """
-        self.interrupt()
-        try:
-            document = edit(self._committed)
-        except EditError as reason:
-            return self._refused(str(reason), raiser_of(reason))
-        return self._make_step(document, text, active, run)
+        with self.telling:
+            self.interrupt()
+            try:
+                document = edit(self._committed)
+            except EditError as reason:
+                return self._refused(str(reason), raiser_of(reason))
+            return self._make_step(document, text, active, run)
 
     def preview(self, document: Document, *, active: int | None = None) -> bool:
         """Show `document` during a gesture; `commit` or `cancel` ends it. Return whether it is shown.
@@ -265,7 +213,8 @@ class Session(QObject):
 
     def commit(self, document: Document, text: str, *, active: int | None = None) -> Change:
         """End the gesture in flight with `document`, as the step `text` of the history; see `change`."""
-        return self._make_step(document, text, active)
+        with self.telling:
+            return self._make_step(document, text, active)
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a locked curve is another one, or no file could hold it."""
@@ -289,18 +238,20 @@ class Session(QObject):
         home, self._home = self._home, None
         if home is None:
             return
-        if home.active != self.active_index:
-            self.selected.enter(home.active)
-        if self.is_previewing:
-            self._show(self._committed)
-        self.selected.restore(home)
+        with self.telling:
+            if home.active != self.active_index:
+                self.selected.enter(home.active)
+            if self.is_previewing:
+                self._show(self._committed)
+            self.selected.restore(home)
 
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
         was_previewing = self.is_previewing
-        self.interrupted.emit()
-        self.cancel()
-        self.selected.settle()
+        with self.telling:
+            self.interrupted.emit()
+            self.cancel()
+            self.selected.settle()
         return was_previewing
 
     def _refused(self, reason: str, by: str) -> Change:
@@ -315,20 +266,19 @@ class Session(QObject):
 
     def _restore_step(self, state: State) -> None:
         before, is_other = self._committed, state.beginning is not self.files.beginning
-        if is_other:
-            if self.files.is_modified and self.files.path is None:
-                self.left.emit(before)
-            self._turn_to(state.beginning)
-        self._restore(state)
-        if is_other:
-            self.selected.begin_opened()
-        if self.history.is_pushing:
-            return
-        if is_other:
+        if is_other and self.files.is_modified and self.files.path is None:
+            self.left.emit(before)
+        with self.telling:
+            if is_other:
+                self._turn_to(state.beginning)
+            self._restore(state)
+            if is_other:
+                self.selected.begin_opened()
+            elif not self.history.is_pushing:
+                self.selected.select_returned(before.curves)
+        if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()
-        else:
-            self.selected.select_returned(before.curves)
 
     def _turn_to(self, beginning: Beginning) -> None:
         """Put away what belonged to the document before this one."""
@@ -370,23 +320,6 @@ class Session(QObject):
         self._views.renew(families)
         self.document_changed.emit(self._shown)
 
-    # Messages
-
-    def say(self, text: str) -> None:
-        """Show a sentence in the status line."""
-        self.message.emit(Message(MessageKind.INFORMATION, text))
-
-    def refuse(self, text: str) -> None:
-        """Say that something was not done, and why: marked, so that it is not taken for a hint."""
-        self.message.emit(Message(MessageKind.REFUSAL, text))
-
-    def offer(self, text: str, *actions: str) -> None:
-        """Show a sentence above the canvas, and beside it a button for each action of these names.
-
-        Without a sentence, the one that was there goes: the action has done it.
-        """
-        self.message.emit(Message(MessageKind.OFFER, text, actions))
-
     # Files
 
     def new(self) -> None:
@@ -403,11 +336,12 @@ class Session(QObject):
 
     def begin(self, state: State, path: Path | None, views: Sequence[CurveView] = ()) -> None:
         """Go on with another document, whose history begins here; its views may be given."""
-        self._turn_to(state.beginning)
-        self.files.path = path
-        self._restore(state, views)
-        self.selected.begin_opened()
-        self.undo_stack.clear()
-        self.undo_stack.setClean()
-        self.file_changed.emit()
+        with self.telling:
+            self._turn_to(state.beginning)
+            self.files.path = path
+            self._restore(state, views)
+            self.selected.begin_opened()
+            self.undo_stack.clear()
+            self.undo_stack.setClean()
+            self.file_changed.emit()
         self.opened.emit()

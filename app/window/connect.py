@@ -147,8 +147,7 @@ class Commands:
             show()
 
     def render(self, view: CurveView) -> None:
-        """Check and enable actions, and show the line on the canvas, as `view` has it."""
-        self._context.actions.render()
+        """Show in panels, and in the line on the canvas, what there is with `view`."""
         for render in self._render:
             render(view)
         self.messages.render(view)

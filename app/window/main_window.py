@@ -118,7 +118,7 @@ class MainWindow(Guarded, QMainWindow):
             session.grips_changed,
             clipboard.changed,
         ):
-            changed.connect(self.actions_by_name.render)
+            changed.connect(self.actions_by_name.follow)
 
     def _build_parts(self) -> None:
         session, actions = self.session, self.actions_by_name

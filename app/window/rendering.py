@@ -28,7 +28,7 @@ class Rendering(QObject):
         # The document that is drawn, and its curve that is edited.
         self._drawn: tuple[Document, int] | None = None
         self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
-        self._panels_due.timeout.connect(self._render_panels)
+        self._panels_due.timeout.connect(self._render_rest)
         self._connect()
         self._render_document()
         self._render_file()
@@ -65,7 +65,7 @@ class Rendering(QObject):
             self._commands.wake()
         self._commands.follow(view)
         if not session.is_previewing:
-            self._render_panels()
+            self._render_rest()
         elif not self._panels_due.isActive():
             self._panels_due.start()
 
@@ -77,8 +77,12 @@ class Rendering(QObject):
             return False
         return reshaped(drawn[0], document) in ([], [active])
 
+    def _render_rest(self) -> None:
+        """Render what need not follow a drag frame by frame: once, when all is told of which there is news."""
+        self._context.actions.follow()
+        self._session.telling.then(self._render_panels)
+
     def _render_panels(self) -> None:
-        """Render what need not follow a drag frame by frame."""
         self._panels_due.stop()
         self._commands.render(self._session.active_view)
 
@@ -100,9 +104,8 @@ class Rendering(QObject):
 
     def _render_commands(self) -> None:
         """Check and enable actions; those of a document that the panels do not show yet, together with it."""
-        view = self._session.active_view
-        if view is self._rendered:
-            self._commands.render(view)
+        if self._session.telling or self._session.active_view is self._rendered:
+            self._render_rest()
 
     def _render_scrub(self, t: float | None) -> None:
         self._canvas.drawing.set_scrub(t)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import enum
 import sys
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from operator import is_
 from pathlib import PurePath
 from types import BuiltinFunctionType, FunctionType, MethodType
 
@@ -19,6 +20,9 @@ _FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType)
 _PLAIN = (bool, int, float, str, bytes, type(None), enum.Enum, PurePath)
 
 _ABSENT = object()
+
+_MANY = 20
+"""Size of collections of which it is remembered what was told."""
 
 _OUR_NAMES = QRegularExpression("^(?!qt_|_q_).")
 
@@ -200,9 +204,45 @@ class _Record:
 _records: dict[int, _Record] = {}
 
 
+class _Listed:
+    """What is told of a collection of records, found out once for as long as it holds these.
+
+    Attributes
+    ----------
+    told
+        What is told of all of them; None where not all are records.
+    others
+        What they refer to beside that, with the places.
+    """
+
+    def __init__(self, value: Collection[object], kind: _Kind) -> None:
+        # Its id is its own as long as it lives.
+        self._value, self._is_dict = value, kind.is_dict
+        self._keys, self._items = self._parts()
+        self.told: tuple[object, ...] | None = None
+        self.others: list[tuple[str, object]] = []
+        if all(_kind_of(each).is_record for each in self._items):
+            records = [(key, _record_of(each)) for key, each in zip(self._keys, self._items, strict=True)]
+            self.told = tuple((key, record.told) for key, record in records)
+            self.others = [(f".{key}{at}", each) for key, record in records for at, each in record.others]
+
+    def _parts(self) -> tuple[list[object], list[object]]:
+        value = self._value
+        return (list(value), list(value.values())) if self._is_dict else ([*range(len(value))], list(value))
+
+    def holds(self) -> bool:
+        """Whether it is what it was."""
+        keys, items = self._parts()
+        return keys == self._keys and all(map(is_, items, self._items))
+
+
+_listed: dict[int, _Listed] = {}
+
+
 def forget() -> None:
     """Let go of the records that were told of, and of the windows that these refer to."""
     _records.clear()
+    _listed.clear()
 
 
 def _record_of(value: object) -> _Record:
@@ -236,9 +276,9 @@ class Fingerprint:
                 action.text().replace("&", ""),
                 action.shortcut().toString(),
             )
-        for dock in window.findChildren(QDockWidget):
-            self.told[f"dock {dock.objectName()}"] = bool(dock.property("hasRoom"))
         for widget in window.findChildren(QWidget, _OUR_NAMES):
+            if isinstance(widget, QDockWidget):
+                self.told[f"dock {widget.objectName()}"] = bool(widget.property("hasRoom"))
             if isinstance(widget, QTabWidget) and widget.currentIndex() > 0:
                 # Whoever shows it again sees the page that was seen last.
                 self.told[f"page of {widget.objectName()}"] = widget.currentIndex()
@@ -270,12 +310,23 @@ class Fingerprint:
 
     def _walk_record(self, place: str, record: _Record) -> None:
         self.told[place] = record.told
-        for within, each in record.others:
+        self._walk_others(place, record.others)
+
+    def _walk_others(self, place: str, others: list[tuple[str, object]]) -> None:
+        for within, each in others:
             if id(each) not in self._seen:
                 self._walk(f"{place}{within}", each, _kind_of(each))
 
-    def _walk_items(self, place: str, value: object, kind: _Kind) -> None:
+    def _walk_items(self, place: str, value: Collection[object], kind: _Kind) -> None:
         self.told[f"{place}.count"] = len(value)
+        if len(value) > _MANY:
+            known = _listed.get(id(value))
+            if known is None or not known.holds():
+                known = _listed[id(value)] = _Listed(value, kind)
+            if known.told is not None:
+                self.told[place] = known.told
+                self._walk_others(place, known.others)
+                return
         for key, each in value.items() if kind.is_dict else enumerate(value):
             known = _kind_of(each)
             if not known.is_opaque and (not kind.is_dict or isinstance(key, _PLAIN)):

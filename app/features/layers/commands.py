@@ -51,7 +51,7 @@ class LayerCommands:
 
     def _follow_layer(self) -> None:
         self._show_layer()
-        self._context.actions.render()
+        self._context.actions.follow()
 
     @action("newLayer", "New Layer", EDIT_LAYERS, "Ctrl+Shift+L", "layers", keywords="add layer")
     @also(CURVE_LIST_MENU(60), LAYER_MENU(20))

@@ -1,0 +1,90 @@
+"""What a session tells, and to whom it says something."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Signal
+
+from .messages import Message, MessageKind
+from .telling import Telling
+
+
+class SessionSignals(QObject):
+    """What a session tells.
+
+    Signals
+    -------
+    document_changed
+        The document shown is another one: a preview, a change, undo, redo, open or new.
+    active_changed
+        Another curve is edited.
+    selection_changed
+        Another set of points is selected.
+    selected_curves_changed
+        Another set of curves is selected, to be worked on together.
+    hovered_changed
+        The pointer is over another point (its index, or -1), on the canvas or in the basis panel.
+    scrub_changed
+        The scrub line was moved to another t, or put away (None).
+    pivot_changed
+        Another pivot was chosen, or it has gone along with what it was chosen for.
+    layer_changed
+        What is new comes into another layer.
+    grips_changed
+        The grips of the box around what is selected do something else.
+    file_changed
+        The path or the modified mark is another one.
+    opened
+        Another document was opened or begun, or undo or redo has gone back to another one.
+    left
+        A document without a file was left with this work in it; undo or redo goes back to it.
+    saved
+        The document was written to its file.
+    history_changed
+        There is another step to undo or redo.
+    interrupted
+        The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
+        is void, and what has been said about the old one is out of date.
+    message
+        A `Message` for the person.
+
+    Attributes
+    ----------
+    telling
+        Entered while several of these tell of one thing.
+    """
+
+    document_changed = Signal(object)
+    active_changed = Signal(int)
+    selection_changed = Signal(object)
+    selected_curves_changed = Signal(object)
+    hovered_changed = Signal(int)
+    scrub_changed = Signal(object)
+    pivot_changed = Signal()
+    layer_changed = Signal()
+    grips_changed = Signal()
+    file_changed = Signal()
+    opened = Signal()
+    left = Signal(object)
+    saved = Signal()
+    history_changed = Signal()
+    interrupted = Signal()
+    message = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.telling = Telling()
+
+    def say(self, text: str) -> None:
+        """Show a sentence in the status line."""
+        self.message.emit(Message(MessageKind.INFORMATION, text))
+
+    def refuse(self, text: str) -> None:
+        """Say that something was not done, and why: marked, so that it is not taken for a hint."""
+        self.message.emit(Message(MessageKind.REFUSAL, text))
+
+    def offer(self, text: str, *actions: str) -> None:
+        """Show a sentence above the canvas, and beside it a button for each action of these names.
+
+        Without a sentence, the one that was there goes: the action has done it.
+        """
+        self.message.emit(Message(MessageKind.OFFER, text, actions))
