@@ -87,6 +87,8 @@ class KeptText(Value, frozen=True):
         What of it lies there.
     behind
         Whether it lies behind the curves.
+    groups
+        As in `Curve`.
     """
 
     x: Length
@@ -96,6 +98,7 @@ class KeptText(Value, frozen=True):
     runs: Annotated[tuple[KeptRun, ...], few(MOST_LETTERS, f"be at most {MOST_LETTERS}")]
     anchor: Anchor = Anchor.START
     behind: bool = False
+    groups: tuple[str, ...] = ()
 
     @property
     def words(self) -> str:
@@ -118,6 +121,8 @@ class KeptPicture(Value, frozen=True):
         From 0 to 1.
     behind
         Whether it lies behind the curves.
+    groups
+        As in `Curve`.
     """
 
     x: Length
@@ -127,3 +132,4 @@ class KeptPicture(Value, frozen=True):
     data: Annotated[str, _DATA] = ""
     opacity: Annotated[float, SHARE] = 1.0
     behind: bool = False
+    groups: tuple[str, ...] = ()
