@@ -242,3 +242,26 @@ def test_an_exported_drawing_has_them_and_reads_back_the_same():
     again = read_svg(svg_of(document, Options(unit="mm")).data).document
     assert (again.kept_pictures, again.kept_texts) == (document.kept_pictures, document.kept_texts)
     assert len(again.kept_texts[0].runs) == 2
+
+
+@pytest.mark.usefixtures("qapp")
+def test_a_picture_is_cut_by_an_upright_box_and_stays_so():
+    image = f'<image x="10" y="10" width="40" height="40" href="data:image/png;base64,{png(4, 4, "red")}"'
+    clip = '<clipPath id="c"><rect x="20" y="0" width="100" height="30"/></clipPath>'
+    document = kept(f'{clip}{image} clip-path="url(#c)"/>')
+    (picture,) = document.kept_pictures
+    assert picture.part == (0.25, 0.0, 1.0, 0.5)
+    written = QImage.fromData(png_file(document, Options(width=200, style=LIGHT.on_page())).data)
+    red = [place for place in range(200) if written.pixelColor(place, 20) == QColor("red")]
+    assert (red[0], red[-1]) == (20, 49)
+    assert written.pixelColor(30, 31) == QColor("white")
+    again = read_svg(svg_of(document, Options(unit="mm")).data).document
+    assert again.kept_pictures == (picture,)
+    # What a box hides as a whole is not there.
+    assert kept(f'{clip}{image} transform="translate(150 0)" clip-path="url(#c)"/>').kept_pictures != ()
+    assert kept(f'{clip}<g clip-path="url(#c)">{image} transform="translate(0 50)"/></g>').kept_pictures == ()
+
+
+def test_what_else_would_change_its_look_is_told():
+    found = read_svg(file_of(f'{LINE}<text x="1" y="2" filter="url(#f)">a</text>'))
+    assert [each.why for each in found.missed] == ["text is no curve", "a filter changes it"]

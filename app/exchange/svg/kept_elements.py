@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...document.kept import KeptPicture, KeptRun, KeptText
+from msgspec.structs import replace
+
+from ...document.kept import WHOLE, KeptPicture, KeptRun, KeptText
 from ...document.style import NO_PAINT
 from ..drawing.drawing import Drawing
 from .numbers import number
@@ -25,6 +27,15 @@ def _matrix(kept: KeptText | KeptPicture) -> str:
 
 
 def _picture(picture: KeptPicture) -> str:
+    """Return a picture; one that is cut in a box of its own, which shows nothing beyond."""
+    if picture.part != WHOLE:
+        left, top, right, bottom = picture.part
+        across, down = right - left, bottom - top
+        box = " ".join(map(number, (left, top, across, down)))
+        places = zip(("x", "y", "width", "height"), (left, top, across, down), strict=True)
+        said = " ".join(f'{name}="{number(value)}"' for name, value in places)
+        inner = _picture(replace(picture, part=WHOLE, x=0.0, y=0.0, across=(1.0, 0.0), down=(0.0, -1.0)))
+        return f'<g {_matrix(picture)}><svg {said} viewBox="{box}" overflow="hidden">{inner}</svg></g>'
     kind = "png" if picture.data.startswith("iVBOR") else "jpeg"
     opacity = f' opacity="{picture.opacity:g}"' if picture.opacity < 1 else ""
     return (

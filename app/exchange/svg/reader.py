@@ -185,7 +185,10 @@ class SvgReader:
         state = self._entered(element, declared, state)
         if tag in NO_CURVES:
             if state.properties.is_visible:
-                self._miss(element, self._kept.keep(tag, element, state, self._found))
+                flaw = self._kept.keep(tag, element, state, self._found)
+                self._miss(element, flaw)
+                if flaw is not NO_CURVES[tag]:
+                    self._miss_effects(element, declared, state, is_many=False)
             return
         first = len(self._shapes)
         if tag in SHAPES:
