@@ -29,6 +29,17 @@ def seen_kept(document: Document) -> tuple[tuple[KeptText, ...], tuple[KeptPictu
     return of(document.kept_texts), of(document.kept_pictures)
 
 
+def with_kept_if(document: Document, is_meant: Callable[[tuple[str, ...]], bool]) -> Document:
+    """Return the document with those of its texts and pictures whose groups are meant."""
+    if not (document.kept_texts or document.kept_pictures):
+        return document
+    return replace(
+        document,
+        kept_texts=tuple(each for each in document.kept_texts if is_meant(each.groups)),
+        kept_pictures=tuple(each for each in document.kept_pictures if is_meant(each.groups)),
+    )
+
+
 def with_kept_mapped(
     document: Document, curves: Collection[int], place: Callable[[Vector], Vector]
 ) -> Document:

@@ -265,3 +265,10 @@ def test_a_picture_is_cut_by_an_upright_box_and_stays_so():
 def test_what_else_would_change_its_look_is_told():
     found = read_svg(file_of(f'{LINE}<text x="1" y="2" filter="url(#f)">a</text>'))
     assert [each.why for each in found.missed] == ["text is no curve", "a filter changes it"]
+
+
+def test_texts_come_with_the_groups_that_are_taken():
+    found = read_svg(file_of(f'{GROUPED}<g id="rest"><path id="c" d="M0 0H9"/>{LINE}</g>'))
+    counts = [len(found.called([name]).document.kept_texts) for name in ("logo", "rest", "c", "*")]
+    assert counts == [1, 0, 0, 2]
+    assert [each.words for each in found.only([False, False, True, True]).document.kept_texts] == ["beside"]
