@@ -138,6 +138,12 @@ class Canvas(ToolPlot):
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         return self.drawing.hit(pointer, tool)
 
+    def words_of(self, hint: Hint, pointer: Pointer) -> str:
+        # Whoever draws is told what a press does; who points at something, what that is.
+        if hint.grab or not self.tools.tool.finds_other_curves:
+            return hint.text
+        return self.drawing.kept_at(pointer) or hint.text
+
     def place_of(self, pointer: Pointer) -> object:
         """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""
         return self.tools.place() or pointer.position

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from itertools import chain
 from time import perf_counter
 
-from PySide6.QtCore import QRectF, QTimer
+from PySide6.QtCore import QPointF, QRectF, QTimer
 from PySide6.QtGui import QColor, QPainter, QTransform
 
 from ..appearance.colours import curve_colour
 from ..appearance.theme import Theme
 from ..document.kept import KeptPicture, KeptText
+from ..document.model import Vector
 from ..plotting.layers import Layer
 from ..plotting.pictures import Sheets, transparent
 from ..plotting.pixel_map import PixelMap
@@ -22,6 +23,9 @@ _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
 
 _REST_MS = 80
+
+_LONGEST = 40
+"""Letters of a text that are told in the status line."""
 
 _LIGHT = 128
 """Lightness of paper that takes colours as they are."""
@@ -62,6 +66,15 @@ class KeptLayer(Layer):
         for box in chain(map(box_of_text, self._texts), map(box_of_picture, self._pictures)):
             found = found.united(box)
         return found
+
+    def name_at(self, place: Vector) -> str:
+        """Return what lies at a place of the plane, the topmost; empty for nothing."""
+        at = QPointF(*place)
+        words = (each.words for each in reversed(self._texts) if box_of_text(each).contains(at))
+        if text := next(words, ""):
+            line = " ".join(text.split())
+            return f"Text “{line if len(line) <= _LONGEST else f'{line[: _LONGEST - 1]}…'}”"
+        return "Picture" if any(box_of_picture(each).contains(at) for each in self._pictures) else ""
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible."""

@@ -166,6 +166,12 @@ class CanvasScene:
         for layer in self.kept:
             layer.render(texts, pictures)
 
+    def kept_at(self, pointer: Pointer) -> str:
+        """Return what is said of a text or a picture at the pointer that is not edited; empty for none."""
+        found = (layer.name_at(pointer.position) for layer in reversed(self.kept) if layer.is_shown)
+        name = next(filter(None, found), "")
+        return f"{name} of the file: it is shown, and stays as it is." if name else ""
+
     # Ghost
 
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:

@@ -28,6 +28,10 @@ _WORDS = Requirement(
 _DATA = matching("[A-Za-z0-9+/]*={0,2}", "be the file of a picture in Base64")
 
 
+WHOLE: Final = (0.0, 0.0, 1.0, 1.0)
+"""All of a picture."""
+
+
 class Anchor(NamedEnum):
     """Where the place of a text lies along it."""
 
@@ -87,6 +91,8 @@ class KeptText(Value, frozen=True):
         What of it lies there.
     behind
         Whether it lies behind the curves.
+    groups
+        As in `Curve`.
     """
 
     x: Length
@@ -96,6 +102,7 @@ class KeptText(Value, frozen=True):
     runs: Annotated[tuple[KeptRun, ...], few(MOST_LETTERS, f"be at most {MOST_LETTERS}")]
     anchor: Anchor = Anchor.START
     behind: bool = False
+    groups: tuple[str, ...] = ()
 
     @property
     def words(self) -> str:
@@ -114,10 +121,14 @@ class KeptPicture(Value, frozen=True):
         Where its upper edge leads from there, and its left one.
     data
         A PNG or JPEG file in Base64; empty for one that lies elsewhere, whose place is shown.
+    part
+        What of it is seen: left and upper, right and lower edge, each from 0 to 1.
     opacity
         From 0 to 1.
     behind
         Whether it lies behind the curves.
+    groups
+        As in `Curve`.
     """
 
     x: Length
@@ -125,5 +136,7 @@ class KeptPicture(Value, frozen=True):
     across: Annotated[Vector, LENGTH]
     down: Annotated[Vector, LENGTH]
     data: Annotated[str, _DATA] = ""
+    part: Annotated[tuple[float, float, float, float], SHARE] = WHOLE
     opacity: Annotated[float, SHARE] = 1.0
     behind: bool = False
+    groups: tuple[str, ...] = ()

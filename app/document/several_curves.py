@@ -14,6 +14,7 @@ from msgspec.structs import replace
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import move_points
+from .kept_edits import with_kept_mapped
 from .layers import front_of, within, without
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
@@ -88,7 +89,12 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 
 def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
-    """Let gradients go with those shapes of a group that are in it with all their points."""
+    """Let gradients go with those shapes of a group that are in it with all their points.
+
+    What lies in a group with them goes with that, too.
+    """
+    if document.kept_texts or document.kept_pictures:
+        document = with_kept_mapped(document, _whole_shapes(document, group), place)
     curves = document.curves
     # At every move of a drag: what has none costs no call.
     for curve, _ in group.parts:

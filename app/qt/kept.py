@@ -20,7 +20,7 @@ from PySide6.QtGui import (
     QTransform,
 )
 
-from ..document.kept import Anchor, KeptPicture, KeptRun, KeptText
+from ..document.kept import WHOLE, Anchor, KeptPicture, KeptRun, KeptText
 from ..document.style import NO_PAINT
 from .glyphs import has_fonts
 from .picture_data import ImageFileError, decoded
@@ -46,8 +46,9 @@ def box_of_text(text: KeptText) -> QRectF:
 
 
 def box_of_picture(picture: KeptPicture) -> QRectF:
-    """Return the box in the plane that a picture lies in."""
-    return plane_of(picture).mapRect(QRectF(0, 0, 1, 1))
+    """Return the box in the plane that what is seen of a picture lies in."""
+    left, top, right, bottom = picture.part
+    return plane_of(picture).mapRect(QRectF(left, top, right - left, bottom - top))
 
 
 class Inks(NamedTuple):
@@ -85,6 +86,9 @@ def _paint_picture(painter: QPainter, picture: KeptPicture, way: QTransform, ink
         painter.setTransform(way, True)
         painter.setOpacity(painter.opacity() * picture.opacity)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        if picture.part != WHOLE:
+            left, top, right, bottom = picture.part
+            painter.setClipRect(QRectF(left, top, right - left, bottom - top), Qt.ClipOperation.IntersectClip)
         painter.drawImage(QRectF(0, 0, 1, 1), image)
     elif inks.frame is not None:
         painter.setPen(QPen(inks.frame, 1, Qt.PenStyle.DashLine))

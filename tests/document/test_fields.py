@@ -126,7 +126,7 @@ def test_every_length_goes_with_the_unit():
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {f"style.{name}" for name in of_styles}
-    of_pictures = {"image.opacity", "kept_pictures.opacity"}
+    of_pictures = {"image.opacity", "kept_pictures.opacity", "kept_pictures.part"}
     # In units of the text, which goes with the unit as a whole.
     of_runs = {"size", "weight", "spacing", "right", "down", "fill_opacity", "stroke_opacity", "width"}
     of_texts = {f"kept_texts.runs.{name}" for name in of_runs}

@@ -12,12 +12,18 @@ from PySide6.QtCore import QBuffer, QIODevice
 from PySide6.QtGui import QColor, QImage
 
 from app.document.kept import MOST_LETTERS, Anchor
+from app.document.kept_edits import seen_kept
+from app.document.several_curves import mapped, stepped, whole_curves, with_appearance
+from app.document.transforms import Affine
+from app.exchange.corner import from_lower_left
 from app.exchange.drawing.image import pdf_file, png_file
 from app.exchange.drawing.styles import LIGHT
 from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.rescaled import in_unit
+from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
 from app.qt.glyphs import has_fonts
 from app.storage.format import decode, encode
 
@@ -184,3 +190,85 @@ def test_pictures_are_in_what_is_exported_and_those_that_are_not_there_are_told(
     assert image.pixelColor(8, 30) == image.pixelColor(120, 30) == QColor("white")
     assert written.remarks == ("1 picture is not drawn; its file lies elsewhere.",)
     assert b"/Image" in pdf_file(document, Options(unit="mm")).data
+
+
+# Groups
+
+GROUPED = (
+    '<g id="logo"><path id="a" d="M0 0H10V10Z" fill="#00f"/><path id="b" d="M20 0H30V10Z"/>'
+    '<text x="5" y="20" font-size="10">in it</text></g><text x="50" y="60">beside</text>'
+)
+
+
+def test_a_text_goes_with_its_group_as_it_does_in_the_file():
+    data = file_of(GROUPED)
+    begun = from_lower_left(read_svg(data).document)
+    assert [each.groups for each in begun.kept_texts] == [("logo",), ()]
+    # A quarter turn to twice the size; a move.
+    for by in (
+        Affine(-1.0, -2.0, 2.0, -1.0, (7.0, -5.0)),
+        Affine(0.0, 0.0, 0.0, 0.0, (0.0, 0.0), (3.0, 4.0)),
+    ):
+        moved = mapped(begun, whole_curves(begun, {0, 1}), by)
+        written = rewritten(data, moved, begun)
+        again = from_lower_left(read_svg(written.data).document)
+        assert moved.kept_texts[0] != begun.kept_texts[0]
+        assert moved.kept_texts[1] is begun.kept_texts[1]
+        for mine, read in zip(moved.kept_texts, again.kept_texts, strict=True):
+            assert [mine.x, mine.y, *mine.across, *mine.down] == pytest.approx(
+                [read.x, read.y, *read.across, *read.down]
+            )
+
+
+def test_a_text_stays_where_but_a_part_of_its_group_is_moved():
+    begun = read_svg(file_of(GROUPED)).document
+    assert stepped(begun, whole_curves(begun, {0}), (3.0, 4.0)).kept_texts is begun.kept_texts
+
+
+def test_a_text_is_hidden_with_its_group():
+    begun = read_svg(file_of(GROUPED)).document
+    hidden = with_appearance(begun, {0, 1}, visible=False)
+    assert [each.words for each in seen_kept(hidden)[0]] == ["beside"]
+    assert seen_kept(with_appearance(hidden, {1}, visible=True))[0] == begun.kept_texts
+
+
+def test_an_exported_drawing_has_them_and_reads_back_the_same():
+    data = png(4, 4, "red")
+    document = kept(
+        f'<image x="10" y="10" width="40" height="40" opacity="0.5" href="data:image/png;base64,{data}"/>'
+        '<text transform="matrix(0 2 -2 0 50 50)" font-size="9" stroke="#00f"><tspan fill="red">a &lt;b '
+        '</tspan><tspan dy="3" dx="1" letter-spacing="2" font-family="\'A B\', serif">c</tspan></text>'
+    )
+    again = read_svg(svg_of(document, Options(unit="mm")).data).document
+    assert (again.kept_pictures, again.kept_texts) == (document.kept_pictures, document.kept_texts)
+    assert len(again.kept_texts[0].runs) == 2
+
+
+@pytest.mark.usefixtures("qapp")
+def test_a_picture_is_cut_by_an_upright_box_and_stays_so():
+    image = f'<image x="10" y="10" width="40" height="40" href="data:image/png;base64,{png(4, 4, "red")}"'
+    clip = '<clipPath id="c"><rect x="20" y="0" width="100" height="30"/></clipPath>'
+    document = kept(f'{clip}{image} clip-path="url(#c)"/>')
+    (picture,) = document.kept_pictures
+    assert picture.part == (0.25, 0.0, 1.0, 0.5)
+    written = QImage.fromData(png_file(document, Options(width=200, style=LIGHT.on_page())).data)
+    red = [place for place in range(200) if written.pixelColor(place, 20) == QColor("red")]
+    assert (red[0], red[-1]) == (20, 49)
+    assert written.pixelColor(30, 31) == QColor("white")
+    again = read_svg(svg_of(document, Options(unit="mm")).data).document
+    assert again.kept_pictures == (picture,)
+    # What a box hides as a whole is not there.
+    assert kept(f'{clip}{image} transform="translate(150 0)" clip-path="url(#c)"/>').kept_pictures != ()
+    assert kept(f'{clip}<g clip-path="url(#c)">{image} transform="translate(0 50)"/></g>').kept_pictures == ()
+
+
+def test_what_else_would_change_its_look_is_told():
+    found = read_svg(file_of(f'{LINE}<text x="1" y="2" filter="url(#f)">a</text>'))
+    assert [each.why for each in found.missed] == ["text is no curve", "a filter changes it"]
+
+
+def test_texts_come_with_the_groups_that_are_taken():
+    found = read_svg(file_of(f'{GROUPED}<g id="rest"><path id="c" d="M0 0H9"/>{LINE}</g>'))
+    counts = [len(found.called([name]).document.kept_texts) for name in ("logo", "rest", "c", "*")]
+    assert counts == [1, 0, 0, 2]
+    assert [each.words for each in found.only([False, False, True, True]).document.kept_texts] == ["beside"]

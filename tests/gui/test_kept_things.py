@@ -100,3 +100,20 @@ def test_a_drag_copies_one_sheet(drawing, monkeypatch):
     drawing.trigger("zoomIn")
     red(drawing)
     assert len(painted) == 1
+
+
+def test_the_status_line_says_what_it_is(drawing):
+    hints = []
+    drawing.window.context.central.canvas.hint_changed.connect(hints.append)
+    drawing.move((75, 33), held=False)
+    assert "Text" not in hints[-1]
+    drawing.move((15, 35), held=False)
+    assert hints[-1] == "Text “MMM” of the file: it is shown, and stays as it is."
+    drawing.trigger("addTool")
+    drawing.move((16, 35), held=False)
+    assert "Text" not in hints[-1]
+    drawing.trigger("selectTool")
+    drawing.trigger("toggleKept")
+    drawing.move((15, 35), held=False)
+    assert "Text" not in hints[-1]
+    drawing.trigger("toggleKept")

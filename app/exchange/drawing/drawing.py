@@ -15,9 +15,10 @@ from curvecore.bezier.control_points import cubic_path
 
 from ...document.empty_layer import EmptyLayer
 from ...document.kept import KeptPicture, KeptText
+from ...document.kept_edits import seen_kept
 from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
-from ...document.words import count_of, names_of
+from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve_view import ParametricCurve, view_of
@@ -25,6 +26,7 @@ from ...view_model.formed import formed
 from ...view_model.refusals import in_words
 from ..errors import ExchangeError
 from .extents import extent_of, painted_extent
+from .kept_drawn import placed, words_about_missing
 from .outlines import Outline, by_shape
 
 MARGIN = 0.06
@@ -138,16 +140,7 @@ class Drawing(msgspec.Struct, frozen=True):
     @property
     def remarks(self) -> tuple[str, ...]:
         """All that is to be said about a picture of it."""
-        return (*self.left_out, *self.beyond, *self._elsewhere)
-
-    @property
-    def _elsewhere(self) -> tuple[str, ...]:
-        """What is to be said of pictures whose files are not in the document."""
-        count = sum(not each.data for each in self.kept_pictures)
-        if not count:
-            return ()
-        verb, whose = ("is", "its file lies") if count == 1 else ("are", "their files lie")
-        return (f"{count_of(count, 'picture')} {verb} not drawn; {whose} elsewhere.",)
+        return (*self.left_out, *self.beyond, *words_about_missing(self.kept_pictures))
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -204,18 +197,14 @@ class Drawing(msgspec.Struct, frozen=True):
             for each in self.annotations
         )
 
-        def placed(kept: KeptText | KeptPicture) -> KeptText | KeptPicture:
-            x, y = _pair(moved(np.array((kept.x, kept.y))))
-            across, down = (_pair(np.array(way) * scale) for way in (kept.across, kept.down))
-            return replace(kept, x=x, y=y, across=across, down=down)
-
+        place, way = (lambda at: _pair(moved(np.array(at))), lambda at: (at[0] * scale, at[1] * scale))
         return replace(
             self,
             outlines=outlines,
             frame=Frame(0.0, 0.0, width, height),
             annotations=annotations,
-            kept_texts=tuple(map(placed, self.kept_texts)),
-            kept_pictures=tuple(map(placed, self.kept_pictures)),
+            kept_texts=placed(self.kept_texts, place, way),
+            kept_pictures=placed(self.kept_pictures, place, way),
         )
 
 
@@ -257,7 +246,7 @@ def drawing_of(
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
-    page, beyond = document.page, list[str]()
+    (texts, pictures), page, beyond = seen_kept(document), document.page, list[str]()
     if page is None:
         frame = frame_with(outlines)
     else:
@@ -274,8 +263,8 @@ def drawing_of(
         layers=document.layers,
         empty_layers=document.empty_layers,
         guides=document.guides,
-        kept_texts=document.kept_texts,
-        kept_pictures=document.kept_pictures,
+        kept_texts=texts,
+        kept_pictures=pictures,
     )
 
 

@@ -7,6 +7,7 @@
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``kept_things``: what is shown and not edited.  ``kept_texts``, ``kept_pictures``: of either kind.
+  ``kept_elements``: written again.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes

@@ -10,15 +10,18 @@ from urllib.parse import unquote
 
 import numpy as np
 
+from curvecore.arrays import FloatArray
+
 from ...document.kept import MOST_DATA, KeptPicture
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
-from .matrices import Box, combined, fitted_box
+from .matrices import Box, combined, fitted_box, moved
 from .shapes import length_of
 from .state import State
 from .xml_tree import reference_of
 
 _PNG, _JPEG = b"\x89PNG\r\n\x1a\n", b"\xff\xd8"
+_ASKEW = 1e-9
 _FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
 """Markers in a JPEG file behind which its size stands."""
 
@@ -49,9 +52,29 @@ class KeptPictures:
         if not (np.abs(matrix) <= MAX_MAGNITUDE).all() or not np.linalg.det(matrix[:, :2]):
             return None
         self._left -= len(text)
+        part = _seen(matrix, state)
+        if part is None:
+            return None
         (right, other_right, x), (up, other_up, y) = matrix.tolist()
         opacity = round(state.properties.opacity, 6)
-        return KeptPicture(x, y, (right, up), (other_right, other_up), text, opacity)
+        return KeptPicture(x, y, (right, up), (other_right, other_up), text, part, opacity)
+
+
+def _seen(matrix: FloatArray, state: State) -> tuple[float, float, float, float] | None:
+    """Return what of a picture is seen in the boxes around it that lie along its edges; None for nothing."""
+    inverse = np.linalg.inv(np.vstack([matrix, (0.0, 0.0, 1.0)]))[:2]
+    low, high = np.zeros(2), np.ones(2)
+    for window in state.windows:
+        x, y, width, height = window.box
+        by = combined(inverse, window.matrix)
+        if np.count_nonzero(np.abs(by[:, :2]) > _ASKEW * np.abs(by[:, :2]).max()) != 2:
+            continue
+        ends = moved(np.array([(x, y), (x + width, y + height)]), by)
+        low, high = np.maximum(low, ends.min(axis=0)), np.minimum(high, ends.max(axis=0))
+    if not (low < high).all():
+        return None
+    (left, top), (right, bottom) = low.tolist(), high.tolist()
+    return left, top, right, bottom
 
 
 def _place_of(element: ET.Element, state: State, size: tuple[float, float] | None) -> Box | None:

@@ -10,11 +10,23 @@ from msgspec.structs import replace
 
 from ...document.kept import KeptPicture, KeptText
 from ..drawing.extents import extent_of
-from .groups import Drawn
+from .groups import Drawn, Group
 from .kept_pictures import KeptPictures
 from .kept_texts import KeptTexts
 from .paint import Paints
+from .properties import Flaw
 from .state import State
+
+NO_CURVES = {
+    "text": Flaw("text is no curve", "left out, but as paths it would come in"),
+    "flowRoot": Flaw("text is no curve", "left out, but as paths it would come in"),
+    "image": Flaw("a picture is no curve", "left out"),
+    "foreignObject": Flaw("it is of another kind than SVG", "left out"),
+    "script": Flaw("programs are not run", "left out"),
+    "animate": Flaw("motion is not taken over", "it comes in as it begins"),
+}
+NO_CURVES |= dict.fromkeys(("set", "animateMotion", "animateTransform"), NO_CURVES["animate"])
+"""Elements that show something else than curves, and what is said of them where they are not shown."""
 
 _SHOWN = "shown in a new document, but not edited"
 _FRAMED = "its file lies elsewhere: a frame shows where it is"
@@ -25,30 +37,40 @@ class KeptThings:
 
     def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
         self._reads_texts, self._reads_pictures = KeptTexts(paints, declared), KeptPictures()
-        # Each with the number of paths behind it.
-        self._texts: list[tuple[KeptText, int]] = []
-        self._pictures: list[tuple[KeptPicture, int]] = []
+        # Each with the number of paths behind it, and the groups around.
+        self._texts: list[tuple[KeptText, int, tuple[Group, ...]]] = []
+        self._pictures: list[tuple[KeptPicture, int, tuple[Group, ...]]] = []
 
-    def keep(self, tag: str, element: ET.Element, state: State, behind: int) -> str:
-        """Keep what an element shows over so many paths; return what is done with it, empty for nothing."""
-        if tag == "text":
-            lines = self._reads_texts.lines(element, state)
-            self._texts += [(line, behind) for line in lines]
-            return _SHOWN if lines else ""
-        picture = self._reads_pictures.picture(element, state) if tag == "image" else None
-        if picture is None:
-            return ""
-        self._pictures.append((picture, behind))
-        return _SHOWN if picture.data else _FRAMED
+    def keep(self, tag: str, element: ET.Element, state: State, behind: int) -> Flaw:
+        """Keep what an element shows over so many paths; return what is said of it."""
+        flaw = NO_CURVES[tag]
+        if tag == "text" and (lines := self._reads_texts.lines(element, state)):
+            self._texts += [(line, behind, state.groups) for line in lines]
+            return Flaw(flaw.why, _SHOWN)
+        if tag == "image" and (picture := self._reads_pictures.picture(element, state)) is not None:
+            self._pictures.append((picture, behind, state.groups))
+            return Flaw(flaw.why, _SHOWN if picture.data else _FRAMED)
+        return flaw
 
-    def placed(self, drawn: Sequence[Drawn]) -> tuple[tuple[KeptText, ...], tuple[KeptPicture, ...]]:
-        """Return what was kept, each in front of all paths of the file or behind them.
+    def placed(
+        self, drawn: Sequence[Drawn], names: Mapping[Group, str]
+    ) -> tuple[tuple[KeptText, ...], tuple[KeptPicture, ...]]:
+        """Return what was kept, each in front of all paths of the file or behind them, in groups with names.
 
         A text is in front if there is any path behind it, a picture if it covers an area.
         """
         first = next((place for place, each in enumerate(drawn) if each.path.look.visible), len(drawn))
-        texts = tuple(replace(each, behind=place <= first) for each, place in self._texts)
-        pictures = tuple(replace(each, behind=not _covers(each, drawn[:k])) for each, k in self._pictures)
+
+        def named(groups: Sequence[Group]) -> tuple[str, ...]:
+            return tuple(names[group] for group in groups if group in names)
+
+        texts = tuple(
+            replace(each, behind=place <= first, groups=named(groups)) for each, place, groups in self._texts
+        )
+        pictures = tuple(
+            replace(each, behind=not _covers(each, drawn[:place]), groups=named(groups))
+            for each, place, groups in self._pictures
+        )
         return texts, pictures
 
 

@@ -27,7 +27,7 @@ from .clips import clip_box
 from .gradients import Ground
 from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
 from .guides import guides_of
-from .kept_things import KeptThings
+from .kept_things import NO_CURVES, KeptThings
 from .lengths import Viewport
 from .matrices import (
     Box,
@@ -54,15 +54,6 @@ MAX_PATHS = 10_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
-_NO_CURVES = {
-    "text": Flaw("text is no curve", "left out, but as paths it would come in"),
-    "flowRoot": Flaw("text is no curve", "left out, but as paths it would come in"),
-    "image": Flaw("a picture is no curve", "left out"),
-    "foreignObject": Flaw("it is of another kind than SVG", "left out"),
-    "script": Flaw("programs are not run", "left out"),
-    "animate": Flaw("motion is not taken over", "it comes in as it begins"),
-}
-_NO_CURVES |= dict.fromkeys(("set", "animateMotion", "animateTransform"), _NO_CURVES["animate"])
 _EFFECTS = {
     "mask": Flaw("a mask covers some of it", "it comes in whole"),
     "filter": Flaw("a filter changes it", "it comes in without"),
@@ -157,13 +148,14 @@ class SvgReader:
     def all_paths(self) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
         drawn = self.drawn()
-        self.kept_texts, self.kept_pictures = self._kept.placed(drawn)
         seen = [each for each in drawn if is_seen(each)]
         instead = "left out" if seen else "it comes in as a line"
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        return settled(seen or [with_line(each) for each in drawn], self.layers)
+        told = settled(seen or [with_line(each) for each in drawn], self.layers)
+        self.kept_texts, self.kept_pictures = self._kept.placed(drawn, told.names)
+        return told
 
     def drawn(self) -> list[Drawn]:
         """Return all paths of the file, painted or not."""
@@ -191,10 +183,12 @@ class SvgReader:
         declared = self._cascade.of(element)
         anchor = state.anchor or Anchor(element, state)
         state = self._entered(element, declared, state)
-        if tag in _NO_CURVES:
+        if tag in NO_CURVES:
             if state.properties.is_visible:
-                flaw, instead = _NO_CURVES[tag], self._kept.keep(tag, element, state, self._found)
-                self._miss(element, replace(flaw, instead=instead) if instead else flaw)
+                flaw = self._kept.keep(tag, element, state, self._found)
+                self._miss(element, flaw)
+                if flaw is not NO_CURVES[tag]:
+                    self._miss_effects(element, declared, state, is_many=False)
             return
         first = len(self._shapes)
         if tag in SHAPES:

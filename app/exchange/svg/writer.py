@@ -16,6 +16,7 @@ from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .guides import guide_elements
+from .kept_elements import kept_elements
 from .names import INKSCAPE_SPACE, SODIPODI_SPACE
 from .numbers import number
 from .our_own import CLOSE, EXACT, MARK, PAGE
@@ -113,9 +114,11 @@ def svg_text(
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
         *curves.definitions,
+        *kept_elements(drawing, behind=True),
         *(["  <g>"] if in_group else []),
         *curves.lines,
         *(["  </g>"] if in_group else []),
+        *kept_elements(drawing, behind=False),
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
         *_annotations(drawing, style, "basis"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import switch
 from ...actions.needs import Need
 from ...actions.sections import VIEW_MODE
+from ...document.kept_edits import seen_kept
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 
@@ -25,8 +26,7 @@ class KeptCommands:
 
     def show_document(self) -> None:
         """Show the texts and pictures of the document."""
-        document = self._session.document
-        self._canvas.drawing.set_kept(document.kept_texts, document.kept_pictures)
+        self._canvas.drawing.set_kept(*seen_kept(self._session.document))
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.kept_shown != before.kept_shown:
