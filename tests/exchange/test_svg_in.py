@@ -171,6 +171,20 @@ def test_use_and_what_is_not_drawn():
     assert [(c.points[0].x, -c.points[0].y) for c in found] == [(5, 0), (0, 2), (0, 0)]
 
 
+def test_clones_have_names_of_their_own():
+    """As Inkscape calls them: by label or id, or else after what they show."""
+    body = (
+        '<path id="a" d="M0 0L1 0"/><g id="b"><path id="c" d="M0 0L1 1"/><path id="d" d="M0 0L2 1"/></g>'
+        '<use href="#a"/><use href="#a" id="use1"/><use id="use2" href="#use1"/>'
+        '<use href="#a"><title>Twin</title></use><use href="#b"/><use href="#b" id="use3"/>'
+    )
+    found = [(*curve.groups, curve.name) for curve in curves(body)]
+    assert found == [
+        ("a",), ("b", "c"), ("b", "d"), ("Clone of a",), ("use1",), ("use2",), ("Twin",),
+        ("Clone of b", "c"), ("Clone of b", "d"), ("use3", "c"), ("use3", "d"),
+    ]  # fmt: skip
+
+
 def test_what_is_not_displayed_comes_in_hidden():
     body = (
         '<path d="M0 0L1 0"/><path d="M0 0L1 1" display="none"/>'

@@ -111,7 +111,7 @@ def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
     shown = {curve.name: curve for curve in document.curves}
     assert [curve.groups for curve in document.curves if curve.name == "Leaf"] == [
         ("Leaves", "Left pair"),
-        ("Leaves", "Left pair 2"),
+        ("Leaves", "use300"),
     ]
     assert shown["Leaf"].style.fill == "#2e7d32"
     assert {curve.shape for curve in document.curves if curve.style.fill == "#c62828"} == {"path400"}

@@ -145,7 +145,7 @@ def test_names_and_messages_are_shown_as_they_are(planted):
     table.model.refused.emit(f"{NAME} is no number.")
     check("Label pointTableMessage")
     rows = window.commands[CurveListCommands].panel.view
-    place = rows.row_rect(0).center()
+    place = rows.parts.row_rect(0).center()
     QApplication.sendEvent(rows.viewport(), QHelpEvent(QEvent.Type.ToolTip, place, rows.mapToGlobal(place)))
     assert f"“{NAME}”" in tip_shows(QToolTip.text())
 

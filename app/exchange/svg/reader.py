@@ -227,10 +227,11 @@ class SvgReader:
         self, element: ET.Element, tag: str, state: State, depth: int, anchor: Anchor | None
     ) -> Iterator[Drawn]:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
-        if not is_around_copied and (tag == "g" or (depth > 0 and name_of(element))):
+        name, state = state.clone or name_of(element), replace(state, clone="")
+        if not is_around_copied and (tag == "g" or (depth > 0 and name)):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
             visible = state.properties.is_displayed
-            group = Group(self._visited, name_of(element), is_layer, visible, state.is_locked, anchor)
+            group = Group(self._visited, name, is_layer, visible, state.is_locked, anchor)
             state = replace(state, groups=(*state.groups, group))
             if is_layer:
                 self.layers.append(state.groups)
@@ -272,7 +273,9 @@ class SvgReader:
         if reference in state.inside or depth > MAX_DEPTH:
             raise self._broken(element, f"it uses itself by way of “{reference[:40]}”.")
         x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
-        state = replace(state, inside=(*state.inside, reference))
+        # Of several within each other the outermost is what a person sees as the clone.
+        name = state.clone or name_of(element) or f"Clone of {name_of(target)}"
+        state = replace(state, inside=(*state.inside, reference), clone=name)
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (x, y))
             entered = self._entered(target, self._cascade.of(target), state)
@@ -301,7 +304,7 @@ class SvgReader:
         if not drawn:
             return
         self._shapes.append(element)
-        name = name_of(element) or f"{tag.capitalize()} {self._number[element]}"
+        name = state.clone or name_of(element) or f"{tag.capitalize()} {self._number[element]}"
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         look = self._look(element, state, scale, [each.controls for each in drawn], keeps_width=keeps_width)

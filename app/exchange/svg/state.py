@@ -63,6 +63,8 @@ class State:
         Whether Inkscape keeps it from being touched.
     anchor
         The outermost `use` around it.
+    clone
+        What the element is called that a `use` shows; empty for any other.
     """
 
     matrix: FloatArray
@@ -73,3 +75,4 @@ class State:
     windows: tuple[Window, ...] = ()
     is_locked: bool = False
     anchor: Anchor | None = None
+    clone: str = ""

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
-
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
@@ -28,9 +25,7 @@ from ...actions.strips import (
     LAYER_MENU,
 )
 from ...document.curve_tree import Node, NodeKind, counted_nodes
-from ...document.edits import EditError, rename_curve
-from ...document.layers import begun_again, layer_node, looks_of, with_layer_looks
-from ...document.model import Document
+from ...document.layers import begun_again, layer_node
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
     active_after_removal,
@@ -41,20 +36,16 @@ from ...document.several_curves import (
     named,
     remove_curves,
     what_stays,
-    with_appearance,
 )
-from ...document.shape_edits import moved_into, named_anew, objects
-from ...document.shapes import whole_shapes
-from ...document.style_edits import with_style
-from ...tools.drag_machine import CANCELLED
+from ...document.shape_edits import objects
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.highlight import delete_layer, highlighted_curves
 from ...workbench.strip_menu import strip_menu
-from .dropping import Drop
 from .model import Marks
 from .panel import CurveList
+from .row_edits import RowEdits
 
 
 class CurveListCommands:
@@ -70,7 +61,7 @@ class CurveListCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session, self._actions = context, context.session, context.actions
-        self._dock = context.docks["curvesDock"]
+        self._dock, self._rows = context.docks["curvesDock"], RowEdits(context.session)
 
     @Panel("curvesDock", "Curves", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
@@ -78,31 +69,18 @@ class CurveListCommands:
         self.panel = CurveList(parent)
         self.panel.add_buttons(self._actions.in_strip(CURVE_LIST_BUTTONS)[1])
         self.panel.view.deletion_wanted.connect(self._delete_all)
+        self.panel.view.all_wanted.connect(self._choose_all)
         self.panel.menu_requested.connect(self._open_menu)
-        self._connect(self.panel)
+        self._rows.listen(self.panel)
+        session = self._session
+        session.interrupted.connect(self.panel.abandon)
+        session.selected_curves_changed.connect(self._render)
+        session.layer_changed.connect(self._render)
         return self.panel
 
     def _open_menu(self, place: QPoint, node: Node | None) -> None:
         is_layer = node is not None and node.kind is NodeKind.LAYER
         strip_menu(self._context, LAYER_MENU if is_layer else CURVE_LIST_MENU).popup(place)
-
-    def _connect(self, panel: CurveList) -> None:
-        session = self._session
-        panel.view.chosen_entry.connect(self._choose_entry)
-        panel.view.rows_selected.connect(self._choose_rows)
-        panel.view.all_wanted.connect(self._choose_all)
-        panel.view.moved.connect(self._move)
-        panel.model.name_edited.connect(self._set_name)
-        panel.visible_switched.connect(self._switch_row_visible)
-        panel.locked_switched.connect(self._switch_row_locked)
-        panel.colour_chosen.connect(self._paint)
-        panel.fill_chosen.connect(self._fill)
-        panel.colour_looked_at.connect(self._look_at)
-        panel.colour_given_up.connect(self._give_up)
-        session.interrupted.connect(panel.abandon)
-        panel.row_meant.connect(self._choose_meant)
-        session.selected_curves_changed.connect(self._render)
-        session.layer_changed.connect(self._render)
 
     def render(self, view: CurveView) -> None:
         """Show the curves of the document."""
@@ -198,13 +176,13 @@ class CurveListCommands:
     @also(LAYER_MENU(11))
     def _switch_layer_visible(self) -> None:
         """Hide the layer that new curves come into, or show it again."""
-        self._switch_row_visible(self._layer_now)
+        self._rows.switch_row_visible(self._layer_now)
 
     @action("layerLocked", "Lock or Unlock Layer", EDIT_LAYERS, icon="lock", needs=SOME_LAYER)
     @also(LAYER_MENU(12))
     def _switch_layer_locked(self) -> None:
         """Keep the layer that new curves come into safe from changes, or free it again."""
-        self._switch_row_locked(self._layer_now)
+        self._rows.switch_row_locked(self._layer_now)
 
     @property
     def _layer_now(self) -> Node:
@@ -222,7 +200,7 @@ class CurveListCommands:
     @also(CURVE_MENU(21), CHOSEN_MENU(60), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
         """Show or hide the curve, or all that are selected."""
-        self._switch_visible_of(frozenset({self._session.active_index}))
+        self._rows.switch_visible_of(frozenset({self._session.active_index}))
 
     @action(
         "curveLocked",
@@ -236,7 +214,7 @@ class CurveListCommands:
     @also(CURVE_MENU(22), CHOSEN_MENU(61), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
         """Keep the curve, or all that are selected, safe from changes."""
-        self._switch_locked_of(frozenset({self._session.active_index}))
+        self._rows.switch_locked_of(frozenset({self._session.active_index}))
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     @also(CURVE_MENU(20), CURVE_LIST_MENU(11))
@@ -278,124 +256,6 @@ class CurveListCommands:
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
         self._session.selected.set_curves((self._session.active_index,))
-
-    # Clicked, dragged and typed in the list
-
-    def _meant(self, places: frozenset[int]) -> frozenset[int]:
-        """Return the curves that a click on a part of a row is about: all selected ones, or others."""
-        selected = self._session.selected.curves
-        return selected if places <= selected else places
-
-    def _choose_entry(self, node: Node) -> None:
-        """Choose what a row is about; while a curve is edited, edit that of the row, as the arrow does.
-
-        A curve of an opened shape is chosen alone: whoever opened the shape wants a part of it.
-        """
-        selected = self._session.selected
-        if node.kind is NodeKind.CURVE and selected.is_editing:
-            selected.activate(node.places.start)
-        elif node.kind is NodeKind.CURVE:
-            selected.set_curves(node.places)
-        else:
-            selected.choose(node.places)
-        if node.kind is NodeKind.LAYER:
-            selected.set_layer(node.name)
-
-    def _choose_rows(self, places: frozenset[int]) -> None:
-        """Choose these curves together; of none only those who edit one have to stay with it."""
-        selected = self._session.selected
-        if places or selected.is_editing:
-            selected.set_curves(places)
-        else:
-            selected.choose(())
-
-    def _choose_meant(self, node: Node) -> None:
-        session, places = self._session, frozenset(node.places)
-        if not places:
-            self._choose_entry(node)
-            return
-        active = session.active_index if session.active_index in places else max(places)
-        session.selected.set_curves(self._meant(places), active)
-        if node.kind is NodeKind.LAYER:
-            session.selected.set_layer(node.name)
-
-    def _switch_row_visible(self, node: Node) -> None:
-        if node.kind is not NodeKind.LAYER:
-            self._switch_visible_of(frozenset(node.places))
-            return
-        visible, _ = looks_of(self._session.committed, node)
-        self._change_layer("Hide" if visible else "Show", node, visible=not visible)
-
-    def _switch_row_locked(self, node: Node) -> None:
-        if node.kind is not NodeKind.LAYER:
-            self._switch_locked_of(frozenset(node.places))
-            return
-        _, locked = looks_of(self._session.committed, node)
-        self._change_layer("Unlock" if locked else "Lock", node, locked=not locked)
-
-    def _change_layer(self, verb: str, node: Node, **looks: bool) -> None:
-        self._session.change(
-            f"{verb} {node.name}", lambda document: with_layer_looks(document, node.name, **looks)
-        )
-
-    def _switch_visible_of(self, places: frozenset[int]) -> None:
-        visible = not any(self._session.committed.curves[place].visible for place in places)
-        self._change_looks("Show" if visible else "Hide", places, partial(with_appearance, visible=visible))
-
-    def _switch_locked_of(self, places: frozenset[int]) -> None:
-        locked = not all(self._session.committed.curves[place].locked for place in places)
-        self._change_looks("Lock" if locked else "Unlock", places, partial(with_appearance, locked=locked))
-
-    def _paint(self, places: frozenset[int], code: str) -> None:
-        self._change_looks("Colour", places, partial(with_appearance, colour=code))
-
-    def _fill(self, places: frozenset[int], paint: str) -> None:
-        self._change_looks("Fill", places, partial(with_style, fill=paint))
-
-    def _look_at(self, places: frozenset[int], code: str) -> None:
-        session = self._session
-        session.preview(with_appearance(session.committed, self._meant(places), colour=code))
-
-    def _give_up(self) -> None:
-        if self._session.is_previewing:
-            self._session.cancel()
-            self._session.say(CANCELLED)
-
-    def _change_looks(
-        self, verb: str, places: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]
-    ) -> None:
-        session = self._session
-        curves = whole_shapes(session.committed, self._meant(places))
-        session.change(f"{verb} {named(session.committed, curves)}", lambda document: edit(document, curves))
-
-    def _move(self, node: Node, drop: Drop) -> None:
-        session, curves = self._session, self._meant(frozenset(node.places))
-        # All that is in a layer may go from it, and the layer stays.
-        left = () if node.kind is NodeKind.LAYER else session.committed.layers
-        try:
-            moved = moved_into(
-                session.committed, curves, drop.at, drop.container, {*left, *node.around.groups}
-            )
-        except EditError as reason:
-            session.refuse(str(reason))
-            return
-        chosen = [moved.order.index(place) for place in session.selected.curves]
-        active = moved.order.index(session.active_index)
-        if session.change(
-            f"Reorder {named(session.committed, curves)}", lambda _: moved.document, active=active
-        ):
-            session.selected.set_curves(chosen, active)
-
-    def _set_name(self, node: Node, name: str) -> None:
-        def edit(document: Document) -> Document:
-            if node.kind is NodeKind.CURVE:
-                return rename_curve(document, node.places.start, name)
-            return named_anew(document, node, name)
-
-        selected = self._session.selected
-        is_layer_now = node.kind is NodeKind.LAYER and node.name == selected.layer
-        if self._session.change(f"Rename {node.kind.name.lower()}", edit) and is_layer_now:
-            selected.set_layer(name.strip())
 
 
 def _curves(now: Situation) -> str:

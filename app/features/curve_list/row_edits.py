@@ -1,0 +1,160 @@
+"""What is done to rows of the list: clicked, dragged and renamed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from ...document.curve_tree import Node, NodeKind
+from ...document.edits import EditError, rename_curve
+from ...document.layers import looks_of, with_layer_looks
+from ...document.model import Document
+from ...document.several_curves import named, with_appearance
+from ...document.shape_edits import moved_into, named_anew
+from ...document.shapes import whole_shapes
+from ...document.style_edits import with_style
+from ...session import Session
+from ...tools.drag_machine import CANCELLED
+from .dropping import Drop
+from .panel import CurveList
+
+
+class RowEdits:
+    """Edits and choices that a person makes by rows of the list; each is about a node, or some curves."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+
+    def listen(self, panel: CurveList) -> None:
+        """Do what the person means from now on."""
+        panel.view.chosen_entry.connect(self._choose_entry)
+        panel.view.rows_selected.connect(self._choose_rows)
+        panel.view.moved.connect(self._move)
+        panel.row_meant.connect(self._choose_meant)
+        panel.model.name_edited.connect(self._set_name)
+        panel.visible_switched.connect(self.switch_row_visible)
+        panel.locked_switched.connect(self.switch_row_locked)
+        panel.colour_chosen.connect(self._paint)
+        panel.fill_chosen.connect(self._fill)
+        panel.colour_looked_at.connect(self._look_at)
+        panel.colour_given_up.connect(self._give_up)
+
+    def _meant(self, places: frozenset[int]) -> frozenset[int]:
+        """Return the curves that a click on a part of a row is about: all selected ones, or others."""
+        selected = self._session.selected.curves
+        return selected if places <= selected else places
+
+    def _choose_entry(self, node: Node) -> None:
+        """Choose what a row is about; while a curve is edited, edit that of the row, as the arrow does.
+
+        A curve of an opened shape is chosen alone: whoever opened the shape wants a part of it.
+        """
+        selected = self._session.selected
+        if node.kind is NodeKind.CURVE and selected.is_editing:
+            selected.activate(node.places.start)
+        elif node.kind is NodeKind.CURVE:
+            selected.set_curves(node.places)
+        else:
+            selected.choose(node.places)
+        if node.kind is NodeKind.LAYER:
+            selected.set_layer(node.name)
+
+    def _choose_rows(self, places: frozenset[int]) -> None:
+        """Choose these curves together; of none only those who edit one have to stay with it."""
+        selected = self._session.selected
+        if places or selected.is_editing:
+            selected.set_curves(places)
+        else:
+            selected.choose(())
+
+    def _choose_meant(self, node: Node) -> None:
+        session, places = self._session, frozenset(node.places)
+        if not places:
+            self._choose_entry(node)
+            return
+        active = session.active_index if session.active_index in places else max(places)
+        session.selected.set_curves(self._meant(places), active)
+        if node.kind is NodeKind.LAYER:
+            session.selected.set_layer(node.name)
+
+    def switch_row_visible(self, node: Node) -> None:
+        """Hide what a row is about, or show it."""
+        if node.kind is not NodeKind.LAYER:
+            self.switch_visible_of(frozenset(node.places))
+            return
+        visible, _ = looks_of(self._session.committed, node)
+        self._change_layer("Hide" if visible else "Show", node, visible=not visible)
+
+    def switch_row_locked(self, node: Node) -> None:
+        """Lock what a row is about, or free it."""
+        if node.kind is not NodeKind.LAYER:
+            self.switch_locked_of(frozenset(node.places))
+            return
+        _, locked = looks_of(self._session.committed, node)
+        self._change_layer("Unlock" if locked else "Lock", node, locked=not locked)
+
+    def _change_layer(self, verb: str, node: Node, **looks: bool) -> None:
+        self._session.change(
+            f"{verb} {node.name}", lambda document: with_layer_looks(document, node.name, **looks)
+        )
+
+    def switch_visible_of(self, places: frozenset[int]) -> None:
+        """Hide curves with all that are selected with them, or show them where all are hidden."""
+        visible = not any(self._session.committed.curves[place].visible for place in places)
+        self._change_looks("Show" if visible else "Hide", places, partial(with_appearance, visible=visible))
+
+    def switch_locked_of(self, places: frozenset[int]) -> None:
+        """Lock curves with all that are selected with them, or free them where all are locked."""
+        locked = not all(self._session.committed.curves[place].locked for place in places)
+        self._change_looks("Lock" if locked else "Unlock", places, partial(with_appearance, locked=locked))
+
+    def _paint(self, places: frozenset[int], code: str) -> None:
+        self._change_looks("Colour", places, partial(with_appearance, colour=code))
+
+    def _fill(self, places: frozenset[int], paint: str) -> None:
+        self._change_looks("Fill", places, partial(with_style, fill=paint))
+
+    def _look_at(self, places: frozenset[int], code: str) -> None:
+        session = self._session
+        session.preview(with_appearance(session.committed, self._meant(places), colour=code))
+
+    def _give_up(self) -> None:
+        if self._session.is_previewing:
+            self._session.cancel()
+            self._session.say(CANCELLED)
+
+    def _change_looks(
+        self, verb: str, places: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]
+    ) -> None:
+        session = self._session
+        curves = whole_shapes(session.committed, self._meant(places))
+        session.change(f"{verb} {named(session.committed, curves)}", lambda document: edit(document, curves))
+
+    def _move(self, node: Node, drop: Drop) -> None:
+        session, curves = self._session, self._meant(frozenset(node.places))
+        # All that is in a layer may go from it, and the layer stays.
+        left = () if node.kind is NodeKind.LAYER else session.committed.layers
+        try:
+            moved = moved_into(
+                session.committed, curves, drop.at, drop.container, {*left, *node.around.groups}
+            )
+        except EditError as reason:
+            session.refuse(str(reason))
+            return
+        chosen = [moved.order.index(place) for place in session.selected.curves]
+        active = moved.order.index(session.active_index)
+        if session.change(
+            f"Reorder {named(session.committed, curves)}", lambda _: moved.document, active=active
+        ):
+            session.selected.set_curves(chosen, active)
+
+    def _set_name(self, node: Node, name: str) -> None:
+        def edit(document: Document) -> Document:
+            if node.kind is NodeKind.CURVE:
+                return rename_curve(document, node.places.start, name)
+            return named_anew(document, node, name)
+
+        selected = self._session.selected
+        is_layer_now = node.kind is NodeKind.LAYER and node.name == selected.layer
+        if self._session.change(f"Rename {node.kind.name.lower()}", edit) and is_layer_now:
+            selected.set_layer(name.strip())
