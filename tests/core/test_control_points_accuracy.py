@@ -107,7 +107,7 @@ def test_bound(exact, rng, make, n, name, order):
 
 @pytest.mark.parametrize("n", [2, 20, 49, 50])
 def test_bernstein_functions_at_and_beyond_the_ends(n):
-    """Where a power leaves the range of numbers, and where none does; n = 49 is the last with plain products."""
+    """Where powers leave the range of numbers, and where none does; n = 49 is the last of plain products."""
     curve = BezierCurve(np.zeros((n, 1)), np.linspace(0.0, 1.0, n))
     near = 2.0 ** (-900 / (n - 1))
     for t in (0.0, 5e-324, 1e-200, near / 2, 2 * near, 0.3, 1 - 2.0**-53, 1.0, 1e3, -1e9):
