@@ -84,13 +84,15 @@ class ShownHandles:
     def find(self, view: CurveView, selection: frozenset[int], *, free: bool) -> None:
         """Find the handles; `free`, while points are added: at an end one point has them on both sides."""
         count, is_closed = len(view.source.points), view.source.is_closed
-        sides_of = (selection, count, is_closed, free)
+        # Points without derivatives have none, and their sides are not looked for.
+        may_have = selection if view.source.family.derivatives else frozenset[int]()
+        sides_of = (may_have, count, is_closed, free)
         if view is self._view and sides_of == self._sides_of:
             return
         is_one = len(selection) == 1
         # A line stays one while points are dragged.
         if sides_of != self._sides_of or not view.is_followed:
-            indices = [index for index in selection if index < count]
+            indices = [index for index in may_have if index < count]
             sides, facing = sides_at(indices), sides_facing(() if free else indices, count, closed=is_closed)
             self._sides = _joined(_bent(view.source, facing), sides if is_one else _bent(view.source, sides))
         self._view, self._sides_of, self._selection = view, sides_of, selection

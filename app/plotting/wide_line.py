@@ -36,8 +36,12 @@ class WideLine:
         """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
         if self._shown[0] is points and self._shown[1] is shown and self._shown[2] == width:
             return
-        self._shown, self._crowd = (points, shown, width), None
-        pixels = shown.points(points)
+        self._shown = (points, shown, width)
+        self.fill(shown.points(points), shown, width)
+
+    def fill(self, pixels: FloatArray, shown: PixelMap, width: float) -> None:
+        """Take a polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
+        self._crowd = None
         segments = self._segments.room_for(max(len(pixels) - 1, 0))
         segments[:, :2], segments[:, 2:] = pixels[:-1], pixels[1:]
         if len(segments) and not _are_near(pixels, shown):

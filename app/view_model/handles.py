@@ -113,6 +113,9 @@ class PointSides(msgspec.Struct, frozen=True, eq=False):
     ahead: BoolArray
 
 
+NO_SIDES = PointSides(np.empty(0, dtype=np.intp), np.empty(0, dtype=np.bool_))
+
+
 class _Arms(msgspec.Struct, frozen=True, eq=False):
     """Sides of points, and the signed lengths of the segments there; (a,) each."""
 
@@ -133,6 +136,8 @@ def handles_at(view: CurveView, indices: Collection[int], *, free: bool = False)
 
 def sides_at(indices: Collection[int]) -> PointSides:
     """Return both sides of some points."""
+    if not len(indices):
+        return NO_SIDES
     return PointSides(
         np.repeat(np.array(sorted(indices), dtype=np.intp), 2), np.tile([True, False], len(indices))
     )
@@ -143,6 +148,8 @@ def sides_facing(indices: Collection[int], count: int, *, closed: bool) -> Point
 
     Those of the points themselves are left out.
     """
+    if not len(indices):
+        return NO_SIDES
     points = np.array(sorted(indices), dtype=np.intp)
     facing = np.concatenate([points - 1, points + 1])
     if closed:

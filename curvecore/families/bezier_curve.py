@@ -35,6 +35,13 @@ Their roundings, half a unit each and of either sign, come to some sqrt(128) / 3
 _IN_RANGE = 1000
 """Powers of numbers between 0.7 and 1.4 up to this one are neither too large nor too small."""
 
+_PLAIN, _SAFE = 48, 900.0
+"""Degree up to which functions may be plain products; powers of 2 that their factors stay within.
+
+The largest binomial of that degree is below 2**48; inside the domain a product is at least 2**-48 times the
+lesser of its factors.
+"""
+
 _FACTORED = 3
 """Order up to which derivatives of the functions are products; above, differences of such."""
 
@@ -130,17 +137,26 @@ class BezierCurve(ParametricCurve):
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             points = np.ldexp(self.points, -exponent)
-            for part, functions in self._functions(t, order):
-                common = functions.exponent.max(axis=1)
-                values = scale_by_power(functions.mantissa, functions.exponent - common[:, None])
-                curve[part] = scale_by_power(made_finite(values @ points), exponent + common[:, None])
+            for part, at in self._parts(t):
+                values = _in_range(at, self.degree, order)
+                if values is None:
+                    functions = _derivatives(at, self.degree, order)
+                    common = functions.exponent.max(axis=1, keepdims=True)
+                    values = scale_by_power(functions.mantissa, functions.exponent - common)
+                    curve[part] = scale_by_power(made_finite(values @ points), exponent + common)
+                else:
+                    curve[part] = scale_by_power(values @ points, exponent)
         return curve
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.empty((t.size, len(self._parameters)))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            for part, functions in self._functions(t, order):
-                result[part] = scale_by_power(made_finite(functions.mantissa), functions.exponent)
+            for part, at in self._parts(t):
+                values = _in_range(at, self.degree, order)
+                if values is None:
+                    functions = _derivatives(at, self.degree, order)
+                    values = scale_by_power(made_finite(functions.mantissa), functions.exponent)
+                result[part] = values
         return result[:, :, None]
 
     def bezier_pieces(self) -> FloatArray | None:
@@ -208,13 +224,12 @@ class BezierCurve(ParametricCurve):
         inner = start + (self._parameters[1:-1] - first) / (last - first) * (end - start)
         return type(self)(points, np.concatenate(([start], inner, [end])))
 
-    def _functions(self, t: FloatArray, order: int) -> Iterator[tuple[slice, Scaled]]:
-        """Yield the functions part by part, shape (k, n) each, with exponents of their own."""
-        n = len(self._parameters)
-        step = max(1, _CHUNK // n)
+    def _parts(self, t: FloatArray) -> Iterator[tuple[slice, _Coordinates]]:
+        """Yield the parameters part by part, as many at a time as need little room."""
+        step = max(1, _CHUNK // len(self._parameters))
         for begin in range(0, t.size, step):
             part = slice(begin, begin + step)
-            yield part, _derivatives(_Coordinates.of(t[part], *self.domain), n - 1, order)
+            yield part, _Coordinates.of(t[part], *self.domain)
 
 
 class _Coordinates(NamedTuple):
@@ -238,10 +253,40 @@ class _Coordinates(NamedTuple):
         start, end = np.array(first), np.array(last)
         h, exponent = np.frexp(end - start)
         whole = rescaled(difference(end, start), -exponent)
-        column = t[:, None]
-        x = divide(rescaled(difference(column, start), -exponent), whole)
-        y = divide(rescaled(difference(end, column), -exponent), whole)
-        return _Coordinates(x, y, float(h), int(exponent))
+        # Both at once: each step through few numbers takes NumPy as long as the numbers do.
+        upper, lower = np.empty((2, 2, t.size, 1))
+        upper[0, :, 0], lower[0], upper[1], lower[1, :, 0] = t, first, last, t
+        high, low = divide(rescaled(difference(upper, lower), -exponent), whole)
+        return _Coordinates(
+            DoubleDouble(high[0], low[0]), DoubleDouble(high[1], low[1]), float(h), int(exponent)
+        )
+
+
+def _in_range(at: _Coordinates, degree: int, order: int) -> FloatArray | None:
+    """Return the functions, shape (m, degree + 1), where they are products in range; None elsewhere.
+
+    (a + b)**i (c + d)**(N - i) is a**i c**(N - i) (1 + i b / a + (N - i) d / c) to all digits.
+    """
+    if order or degree > _PLAIN:
+        return None
+    bases = np.concatenate([at.x.high, at.y.high], axis=1)
+    sizes = np.abs(bases)
+    most = 2.0 ** (_SAFE / degree)
+    # Powers of 0 are 0, which lies in no range but is right.
+    if not (((sizes <= most) & (sizes >= 1.0 / most)) | (sizes == 0.0)).all():
+        return None
+    low = np.concatenate([at.x.low, at.y.low], axis=1)
+    off = np.divide(low, bases, out=np.zeros_like(bases), where=bases != 0.0)
+    table = np.ones((2, degree + 1, len(bases)))
+    table[:, 1:] = bases.T[:, None]
+    in_x, in_y = np.multiply.accumulate(table, axis=1)
+    i = np.arange(degree + 1.0)[:, None]
+    values: FloatArray = i * (off[:, 0] - off[:, 1])
+    values += 1.0 + degree * off[:, 1]
+    values *= in_x
+    values *= in_y[::-1]
+    values *= np.ldexp(*_binomials(degree))[:, None]
+    return values.T
 
 
 def _derivatives(at: _Coordinates, degree: int, order: int) -> Scaled:

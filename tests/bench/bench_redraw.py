@@ -170,7 +170,7 @@ def test_a_point_of_a_styled_curve_dragged(open_wave, beside, family):
     look = Style(stroke="#d55e00", width=width, fill="#0072b2")
     editor.session.commit(Document((replace(content.curves[0], style=look),)), "Style")
     what = f"{family.title} n = 20, a point, styled"
-    assert beside(what, lambda: drag_point(editor, ["canvas"]), 2.2, functions=False, styled=True)
+    assert beside(what, lambda: drag_point(editor, ["canvas"]), 2.0, functions=False, styled=True)
 
 
 @pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])

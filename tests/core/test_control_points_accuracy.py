@@ -105,6 +105,19 @@ def test_bound(exact, rng, make, n, name, order):
     assert max(c for c in found if c is not None) <= LIMIT
 
 
+@pytest.mark.parametrize("n", [2, 20, 49, 50])
+def test_bernstein_functions_at_and_beyond_the_ends(n):
+    """Where powers leave the range of numbers, and where none does; n = 49 is the last of plain products."""
+    curve = BezierCurve(np.zeros((n, 1)), np.linspace(0.0, 1.0, n))
+    near = 2.0 ** (-900 / (n - 1))
+    for t in (0.0, 5e-324, 1e-200, near / 2, 2 * near, 0.3, 1 - 2.0**-53, 1.0, 1e3, -1e9):
+        x = Fraction(t)
+        for i, computed in enumerate(curve.basis(t)[:, 0].tolist()):
+            exact = comb(n - 1, i) * x**i * (1 - x) ** (n - 1 - i)
+            if exact == 0 or Fraction(1, 10**300) < abs(exact) < 10**300:
+                assert abs(Fraction(computed) - exact) <= LIMIT * 2.0**-53 * abs(exact)
+
+
 @pytest.mark.parametrize("n", [300, 2000])
 def test_bernstein_functions_of_high_degree(exact, rng, n):
     curve = BezierCurve(rng.standard_normal((n, 1)), np.linspace(0.0, 3.0, n))

@@ -24,7 +24,10 @@ from app.document.several_curves import with_appearance
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot
+from app.plotting.drawing import Stroke
+from app.plotting.wide_line import RoundLine, WideLine
 from app.widgets.colour_popup import ColourPopup
+from tests.effort import noted_calls
 
 BLUE, RED, GREEN = "#0072b2", "#d55e00", "#009e73"
 
@@ -650,3 +653,19 @@ def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor,
     assert child(panel, QLabel, "styleSubject").text() == "2 curves"
     enter(editor, panel, "strokeWidth", "0.5")
     assert [curve.style.width for curve in editor.session.document.curves] == [0.5, 0.5]
+
+
+def test_a_fine_line_is_drawn_without_qt_s_stroker_and_not_made_for_the_edited_curve_again(
+    editor, monkeypatch
+):
+    begin(editor, square(0, 0, 4, "Leaf"))
+    width = 3.0 / editor.window.canvas.pixel_map.sx
+    curve = square(0, 0, 4, "Leaf", style=Style(stroke=RED, width=width, fill=BLUE))
+    editor.session.commit(Document((curve,)), "Style")
+    lines, stroked, plain = (
+        noted_calls(monkeypatch, owner, "fill") for owner in (RoundLine, Stroke, WideLine)
+    )
+    editor.drag_point(2, to=(4.5, 4.5))
+    assert pytest.approx(3.0) in [width for *_, width in lines]
+    assert not stroked
+    assert len(plain) == 0

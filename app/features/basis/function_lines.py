@@ -12,9 +12,10 @@ from PySide6.QtGui import QPolygonF
 
 from curvecore.arrays import FloatArray
 
-from ...plotting.drawing import Stroke, polygon, thinned
+from ...plotting.drawing import polygon, thinned
 from ...plotting.pixel_map import PixelMap
 from ...plotting.segments import Segments
+from ...plotting.wide_line import RoundLine
 from ...view_model.basis_view import BasisView
 
 _MOST_EACH = 64
@@ -73,7 +74,7 @@ class FunctionLines:
         self._made: dict[tuple[int, int], tuple[QPolygonF, FloatArray]] = (
             before._made if before is not None else {}
         )
-        self._strokes: dict[tuple[int, int], Stroke] = before._strokes if before is not None else {}
+        self._strokes: dict[tuple[int, int], RoundLine] = before._strokes if before is not None else {}
         self._refined = self._refine() if way is FunctionDrawing.SPANS else {}
         self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._spans: dict[int, Segments] = {}
@@ -165,14 +166,15 @@ class FunctionLines:
         here = slice(*self._basis.first[segment : segment + 2])
         return np.column_stack([self._x[here], self._y[here, side, kind]])
 
-    def stroke(self, index: int, kind: int) -> Stroke:
+    def wide(self, index: int, kind: int, width: float) -> RoundLine:
         """Return one function to be drawn wide and solid."""
         if len(self._strokes) > _MOST_EACH:
             self._strokes.clear()
-        stroke = self._strokes.setdefault((index, kind), Stroke())
-        points = thinned(np.concatenate(self._pieces(index, kind)), _THINNED)
-        stroke.fill(points, self._shown.width, self._shown.height)
-        return stroke
+        line = self._strokes.get((index, kind))
+        if line is None:
+            line = self._strokes[index, kind] = RoundLine()
+        line.fill(thinned(np.concatenate(self._pieces(index, kind)), _THINNED), self._shown, width)
+        return line
 
     def spans(self, kind: int) -> Segments:
         """Return all functions of one kind of a piecewise curve, where they are not zero."""

@@ -159,7 +159,7 @@ class FunctionLayer(Layer):
                 painter.setPen(pens[owner])
                 if kind == 0 and wide > 1:
                     # Qt takes many times as long for one long line that is wide.
-                    self._lines.stroke(knot, kind).draw(painter)
+                    self._lines.wide(knot, kind, wide).draw(painter)
                 else:
                     painter.drawPolyline(self._lines.function(knot, kind))
 
@@ -310,7 +310,10 @@ def _pens(count: int, theme: Theme, opacity: float, width: float, kind: int) -> 
     Their colours are mixed with the paper: Qt draws opaque lines a third faster than translucent ones.
     """
     colours = (mix(colour, theme.paper, opacity) for colour in point_colours(count, theme))
-    return tuple(with_dashes(QPen(colour, width), KIND_DASHES[kind]) for colour in colours)
+    # Ends of one pixel are square at no cost; wider ones are dots.
+    cap = Qt.PenCapStyle.RoundCap if width > 1 and kind == 0 else Qt.PenCapStyle.SquareCap
+    pens = (QPen(colour, width, Qt.PenStyle.SolidLine, cap) for colour in colours)
+    return tuple(with_dashes(pen, KIND_DASHES[kind]) for pen in pens)
 
 
 def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:
