@@ -32,7 +32,7 @@ class Telling:
             show()
 
     def then(self, show: Callable[[], object]) -> None:
-        """Call `show` once when all is told, however often asked; at once, where nothing is being told."""
+        """Call `show` when all is told, once; right now, where nothing is being told."""
         if self:
             self._waiting[show] = None
         else:

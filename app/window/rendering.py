@@ -78,7 +78,7 @@ class Rendering(QObject):
         return reshaped(drawn[0], document) in ([], [active])
 
     def _render_rest(self) -> None:
-        """Render what need not follow a drag frame by frame: once, when all the news is told."""
+        """Render what need not follow a drag frame by frame, when all is told of which there is news."""
         self._context.actions.follow()
         self._session.telling.then(self._render_panels)
 

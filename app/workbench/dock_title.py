@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QWidget
 
 from ..appearance.icons import icon
@@ -37,16 +37,14 @@ class DockTitle(FollowsTheme, QWidget):
         self.float_button.clicked.connect(lambda: dock.setFloating(not dock.isFloating()))
         self.close_button.clicked.connect(dock.close)
         dock.topLevelChanged.connect(self._show_place)
-        # Text is the last to give way where there is little room.
+        # Text is the last to give way where there is little room. It is 80 wide then: its layout says so,
+        # for Qt asks hundreds of times whenever docks are laid out.
         words = Label(title)
-        words.setMinimumWidth(1)
+        words.setMinimumWidth(9)
         buttons = self.float_button, self.close_button
         row_of((words, 1), *buttons, margins=(10, 1, 3, 1), spacing=2, parent=self)
         self.follow_theme()
         self._show_place(dock.isFloating())
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(80, super().minimumSizeHint().height())
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""

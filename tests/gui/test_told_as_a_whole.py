@@ -1,0 +1,57 @@
+"""A step changes the document, the selection and the history: actions and panels are shown once for all."""
+
+import pytest
+
+from app.actions.qactions import Actions
+from app.document import edits
+from app.document.model import Document, make_curve
+from app.families import HERMITE
+from app.window.connect import Commands
+from tests.effort import noted_calls
+
+SQUARE = make_curve([(0, 0), (1, 0), (1, 1), (0, 1)], family=HERMITE)
+LINE = make_curve([(3, 0), (4, 1)], family=HERMITE)
+
+
+@pytest.fixture
+def shown(editor, monkeypatch):
+    """Return the times that actions and panels were rendered, from now on."""
+    editor.session.commit(Document((SQUARE, LINE)), "Begin", active=0)
+    editor.select([1, 2])
+    editor.settle()
+    return noted_calls(monkeypatch, Actions, "render"), noted_calls(monkeypatch, Commands, "render")
+
+
+def delete_points(session):
+    session.change("Delete points", lambda document: edits.delete_points(document, 0, {1, 2}))
+
+
+def delete_curve(session):
+    session.change("Delete curve", lambda document: Document(document.curves[1:]))
+
+
+def drop_a_drag(session):
+    session.preview(edits.move_points(session.document, 0, [1], (0.5, 0.0)))
+    session.cancel()
+
+
+def begin_another(session):
+    session.files.replace(Document((LINE,)), None)
+
+
+@pytest.mark.parametrize("do", [delete_points, delete_curve, drop_a_drag, begin_another])
+def test_all_is_shown_once(editor, shown, do):
+    do(editor.session)
+    actions, panels = shown
+    assert len(actions) == 1
+    assert [view.source for _commands, view in panels] == [editor.session.active_curve]
+
+
+def test_what_is_shown_is_what_is_there_then(editor, shown):
+    delete_points(editor.session)
+    names = editor.window.actions_by_name
+    assert names["undo"].isEnabled()
+    assert "Delete points" in names["undo"].text()
+    editor.session.undo_stack.undo()
+    assert names["redo"].isEnabled()
+    assert len(shown[0]) <= 3, "undo is told of by the session and by the history"
