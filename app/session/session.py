@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from ..document.edits import EditError
+from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
@@ -241,7 +241,7 @@ class Session(QObject):
         try:
             document = edit(self._committed)
         except EditError as reason:
-            return self._refused(str(reason), raiser_of(reason))
+            return self._refused(str(reason), raiser_of(reason), is_so=isinstance(reason, AlreadySoError))
         return self._make_step(document, text, active, run)
 
     def preview(self, document: Document, *, active: int | None = None) -> bool:
@@ -303,11 +303,11 @@ class Session(QObject):
         self.selected.settle()
         return was_previewing
 
-    def _refused(self, reason: str, by: str) -> Change:
+    def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
         """Say why nothing changes; log `by` what, for the reason may name something."""
         _log.info("a change was refused by %s", by)
         self._views.expect(())
-        self.refuse(reason)
+        (self.say if is_so else self.refuse)(reason)
         self.cancel()
         return Change(is_done=False, refusal=reason)
 
