@@ -25,6 +25,7 @@ RESERVED = {
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
 _FULL_NAME, _NEEDS, _REASON, _KEYWORDS = "fullName", "needs", "reason", "keywords"
+_IS_SO = "isSoAlready"
 
 
 class Binding(msgspec.Struct, frozen=True):
@@ -108,8 +109,8 @@ class Keymap(QObject):
             if any(_clash(own, key) for own in binding.action.shortcuts()):
                 yield name
 
-    def why_not(self, keys: QKeyCombination) -> str:
-        """Return why the action with these keys cannot be used now, as a sentence; empty where none has them.
+    def disabled_at(self, keys: QKeyCombination) -> QAction | None:
+        """Return the action with these keys that cannot be used now; None where there is none.
 
         Qt passes the keys of an action that is disabled on, as if they were nobody's.
         """
@@ -117,8 +118,8 @@ class Keymap(QObject):
         key = QKeySequence(QKeyCombination(held, keys.key()))
         for binding in self._bindings.values():
             if not binding.action.isEnabled() and key in binding.action.shortcuts():
-                return why_not(binding.action)
-        return ""
+                return binding.action
+        return None
 
     def assign(self, name: str, keys: Sequence[QKeySequence]) -> None:
         """Give an action these keys, and take them from whoever has them."""
@@ -191,9 +192,18 @@ def say_needs(action: QAction, needs: str) -> None:
     action.setProperty(_NEEDS, needs)
 
 
-def say_reason(action: QAction, reason: str) -> None:
-    """Tell an action why it cannot be used, as a sentence; empty where it only needs something."""
+def say_reason(action: QAction, reason: str, *, is_so: bool = False) -> None:
+    """Tell an action why it cannot be used, as a sentence; empty where it only needs something.
+
+    What it would do `is_so` already, or something is missing.
+    """
     action.setProperty(_REASON, reason)
+    action.setProperty(_IS_SO, is_so)
+
+
+def is_so_already(action: QAction) -> bool:
+    """Whether an action that cannot be used would do what is so already."""
+    return bool(action.property(_IS_SO))
 
 
 def why_not(action: QAction) -> str:

@@ -21,11 +21,14 @@ class Need(msgspec.Struct, frozen=True):
         Whether it is there.
     why
         What is said where it is missing, as a sentence; empty for the usual one.
+    is_so
+        Whether it is missing because what is wanted is so already: that is told, and no refusal.
     """
 
     words: str
     is_met: Callable[[Situation], bool]
     why: Callable[[Situation], str] | None = None
+    is_so: bool = False
 
     def reason(self, now: Situation) -> str:
         """Return what is said where it is missing; empty for the usual sentence."""

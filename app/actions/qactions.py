@@ -54,10 +54,11 @@ class _Alike:
         """Enable or disable them, where that is news."""
         missing = self._first.missing(is_met)
         told = _USABLE if missing is None else (False, missing.reason(now))
+        is_so = missing is not None and missing.is_so
         if told != self._told:
             self._told = told
             for action in self.actions:
-                say_reason(action, told[1])
+                say_reason(action, told[1], is_so=is_so)
                 action.setEnabled(told[0])
                 action.setToolTip(tool_tip(action))
 

@@ -19,6 +19,7 @@ from .derivatives import DERIVATIVES, VECTORS, EstimateRule
 from .kept_handles import stretched as stretched  # noqa: PLC0414
 from .kept_handles import stretched_beside as stretched_beside  # noqa: PLC0414
 from .kept_handles import with_handles_kept
+from .limits import AlreadySoError as AlreadySoError  # noqa: PLC0414
 from .limits import EditError as EditError  # noqa: PLC0414
 from .limits import checked as checked  # noqa: PLC0414
 from .limits import checked_vector, not_after

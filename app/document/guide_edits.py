@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from .limits import EditError, checked
+from .limits import AlreadySoError, EditError, checked
 from .model import Axis, Document, Guide
 from .words import number
 
@@ -26,7 +26,7 @@ def add_guide(
     """Draw a guide more, of these values; refused where there is one."""
     guide = _checked(Guide(axis, position, lean, across))
     if guide in document.guides:
-        raise EditError(f"There is a guide at {place_words(guide)} already.")
+        raise AlreadySoError(f"There is a guide at {place_words(guide)} already.")
     return replace(document, guides=(*document.guides, guide))
 
 

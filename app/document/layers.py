@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from .curve_edits import add_curve, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, Node, NodeKind, layered_tree, layers_around
-from .edits import EditError
+from .edits import AlreadySoError, EditError
 from .empty_layer import EmptyLayer
 from .layer_order import with_tidy_layers
 from .model import Curve, Document
@@ -205,7 +205,7 @@ def stepped_layer(document: Document, layer: str, step: int) -> Document:
     to = beside.index(node) + step
     if not 0 <= to < len(beside):
         where = "front" if step > 0 else "back"
-        raise EditError(f"“{layer}” is the layer at the {where} already.")
+        raise AlreadySoError(f"“{layer}” is the layer at the {where} already.")
     names = [each.name for each in beside]
     names.insert(to, names.pop(to - step))
     other = beside[to]

@@ -12,6 +12,10 @@ class EditError(ValueError):
     """An edit that cannot be done; the message tells the person why."""
 
 
+class AlreadySoError(EditError):
+    """An edit that would change nothing, for what was wanted is so already: it is told, and no refusal."""
+
+
 def checked(value: float, what: str) -> float:
     """Return `value` if a document may hold it."""
     if not math.isfinite(value):

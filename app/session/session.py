@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoStack
 
-from ..document.edits import EditError
+from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
@@ -189,7 +189,8 @@ class Session(SessionSignals):
             try:
                 document = edit(self._committed)
             except EditError as reason:
-                return self._refused(str(reason), raiser_of(reason))
+                is_so = isinstance(reason, AlreadySoError)
+                return self._refused(str(reason), raiser_of(reason), is_so=is_so)
             return self._make_step(document, text, active, run)
 
     def preview(self, document: Document, *, active: int | None = None) -> bool:
@@ -254,11 +255,11 @@ class Session(SessionSignals):
             self.selected.settle()
         return was_previewing
 
-    def _refused(self, reason: str, by: str) -> Change:
+    def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
         """Say why nothing changes; log `by` what, for the reason may name something."""
         _log.info("a change was refused by %s", by)
         self._views.expect(())
-        self.refuse(reason)
+        (self.say if is_so else self.refuse)(reason)
         self.cancel()
         return Change(is_done=False, refusal=reason)
 

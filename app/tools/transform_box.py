@@ -19,8 +19,8 @@ from .pointer import SNAP_KEY, Cursor, Pointer
 from .snapping import Snapper
 from .transform import TransformKind
 
-PADDING = 16.0
-"""Pixels between the box and its grips, which must not lie on points and handles."""
+_BESIDE_POINTS, _BESIDE_CURVES = 16.0, 10.0
+"""Pixels from the box to its grips: a press there must mean neither points and handles, nor a line."""
 
 _ARM = 26.0
 """Pixels from the box to the grip that rotates."""
@@ -70,14 +70,17 @@ class TransformBox(Bounds, frozen=True):
         Along which axes it can be scaled: those in which it has a length beside that of strokes.
     turns
         Whether its grips rotate, at the corners, and skew, and do not scale.
+    pad
+        Pixels from it to its grips.
     """
 
     grows: tuple[bool, bool] = (True, True)
     turns: bool = False
+    pad: float = _BESIDE_POINTS
 
     def holds(self, pointer: Pointer) -> bool:
         """Whether a pointer lies inside; of a flat box, or a tiny one, as near to it as its grips."""
-        least = PADDING / pointer.scale
+        least = self.pad / pointer.scale
         return all(
             abs(at - middle) <= max(size / 2, least)
             for at, middle, size in zip(pointer.position, self.centre, self.size, strict=True)
@@ -85,7 +88,7 @@ class TransformBox(Bounds, frozen=True):
 
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale or skew a side without length."""
-        pad, (left, low), (right, high) = PADDING / scale, self.low, self.high
+        pad, (left, low), (right, high) = self.pad / scale, self.low, self.high
         middle, useful = self.centre, self.grows
         columns, rows = (left - pad, middle[0], right + pad), (low - pad, middle[1], high + pad)
         grips = [
@@ -121,7 +124,9 @@ def box_of(
     bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE, as_drawn=True)
     if bounds is None or bare is None or not any(bare.size):
         return None
-    return TransformBox(bounds.low, bounds.high, (bare.size[0] > 0.0, bare.size[1] > 0.0))
+    grows = (bare.size[0] > 0.0, bare.size[1] > 0.0)
+    pad = _BESIDE_CURVES if group.is_whole else _BESIDE_POINTS
+    return TransformBox(bounds.low, bounds.high, grows, pad=pad)
 
 
 class ScaleBox(Drag, frozen=True):

@@ -28,6 +28,8 @@ A curve changed:
 - ``cutting_out``: segments deleted.  ``retracting``: handles retracted.
 - ``deleting``: points deleted with the shape kept.  ``segment_fit``: one segment for several.
   ``wanted``: derivatives set where rules estimate others.  ``rounded``: corners made arcs.
+  ``corner_arc``, ``touching_arc``: arcs between straight sides, and beside curved ones.  ``curve_with_arcs``:
+  the curve with them.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
   ``pen_corners``: the same with corners.
 - ``formed``: what curves are still of the rectangle, the ellipse that they were drawn as.

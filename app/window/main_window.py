@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from ..actions.clipboard_watch import ClipboardWatch
+from ..actions.keymap import is_so_already, why_not
 from ..actions.qactions import Actions
 from ..actions.situation import Situation
 from ..appearance.icons import app_icon
@@ -219,8 +220,10 @@ class MainWindow(Guarded, QMainWindow):
             self.commands.escape()
             return
         # What has been used by nobody: the keys of an action that is disabled, for one.
-        if why_not := self.actions_by_name.keymap.why_not(event.keyCombination()):
-            self.session.refuse(why_not)
+        disabled = self.actions_by_name.keymap.disabled_at(event.keyCombination())
+        if disabled is not None:
+            tell = self.session.say if is_so_already(disabled) else self.session.refuse
+            tell(why_not(disabled))
             return
         super().keyPressEvent(event)
 

@@ -847,3 +847,25 @@ def test_thousands_of_chosen_curves_are_marked_at_no_cost(editor):
         calls = calls_of(lambda: layer.paint_shapes(painter, canvas.camera.pixel_map, layer._shapes))
     assert len(layer._shapes) == 400
     assert calls < 12 * 400
+
+
+def test_the_box_is_as_large_as_what_it_is_around_and_its_grips_lie_beside_it(five):
+    """They lay sixteen pixels off, where nothing but a line can be pressed."""
+    five.session.selected.choose([0, 1])
+    five.settle()
+    box, scale = five.window.canvas.marks.box, five.window.canvas.pixel_map.sx
+    outline = np.concatenate([five.session.views[at].polyline for at in (0, 1)])
+    assert [*box.low, *box.high] == pytest.approx(
+        [*outline.min(axis=0), *outline.max(axis=0)], abs=0.2 / scale
+    )
+    before = five.session.document.curves[1].points[-1].x
+    x, y = five.grip(1, 1)
+    assert ((x - box.high[0]) * scale, (y - box.high[1]) * scale) == pytest.approx((10.0, 10.0))
+    five.drag((x, y), (x + 1.0, y))
+    assert five.session.undo_stack.undoText() == "Scale 2 curves"
+    assert five.session.document.curves[1].points[-1].x > before + 0.9
+    five.session.selected.activate(0)
+    five.select([0, 1])
+    five.settle()
+    box = five.window.canvas.marks.box
+    assert (five.grip(1, 1)[0] - box.high[0]) * scale == pytest.approx(16.0)

@@ -15,6 +15,7 @@ from app.features.curve_list.commands import CurveListCommands
 
 CTRL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 KEYPAD = Qt.KeyboardModifier.KeypadModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
@@ -50,11 +51,6 @@ NO_SEGMENTS = f"A Lagrange curve is one polynomial and has no segments of its ow
         (Qt.Key.Key_2, ALT, NO_VELOCITIES),
         (Qt.Key.Key_4, ALT, NO_SEGMENTS),
         (Qt.Key.Key_4, ALT | KEYPAD, NO_SEGMENTS),
-        (
-            Qt.Key.Key_PageUp,
-            CTRL | Qt.KeyboardModifier.ShiftModifier,
-            "“Raise Curve” needs a curve in front of this one.",
-        ),
     ],
 )
 def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expected):
@@ -62,6 +58,38 @@ def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expecte
     line.key(key, held)
     assert line.status == expected
     assert line.window.status_line.is_refusal
+
+
+@pytest.mark.parametrize(
+    ("key", "held", "expected"),
+    [
+        (Qt.Key.Key_PageUp, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
+        (Qt.Key.Key_Home, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
+        (Qt.Key.Key_End, CTRL | SHIFT, "Nothing is behind it: it is at the bottom already."),
+        (Qt.Key.Key_4, ALT, "That is straight already."),
+    ],
+)
+def test_what_is_so_already_is_told_and_no_refusal(line, key, held, expected):
+    """Pressed once more, keys were answered by an orange line with a sign."""
+    line.choose_family(HERMITE)
+    line.select([0, 1])
+    line.key(Qt.Key.Key_4, ALT)
+    steps = line.session.undo_stack.count()
+    line.key(key, held)
+    assert (line.status, line.session.undo_stack.count()) == (expected, steps)
+    assert not line.window.status_line.is_refusal
+
+
+def test_all_is_selected_once_more_without_a_word(line):
+    line.key(Qt.Key.Key_A, CTRL)
+    line.key(Qt.Key.Key_A, CTRL)
+    assert len(line.session.selected.points) == 3
+    assert not line.window.status_line.is_refusal
+    line.session.selected.choose([0])
+    for held in (CTRL, CTRL, CTRL | SHIFT, CTRL | SHIFT):
+        line.key(Qt.Key.Key_A, held)
+        assert line.session.selected.chosen == {0}
+        assert not line.window.status_line.is_refusal
 
 
 @pytest.mark.parametrize(

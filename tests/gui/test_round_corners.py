@@ -71,18 +71,18 @@ def test_a_rectangle_that_was_just_drawn_gets_round_corners(drawing):
     assert (field.isVisible(), session.document == drawn) == (False, True)
 
 
-def test_all_corners_of_a_group_and_what_is_left_is_said(drawing):
+def test_all_corners_of_a_group_also_beside_curves_and_where_it_does_not_fit_is_said(drawing):
     drawing.click((30, -30))
     enter(drawing, "1.2 cm")
-    assert drawing.status.startswith(
-        "5 corners are round now; 1.2 cm does not fit at 2 of them, so the largest radius that does "
-        "was taken. 2 corners beside curves were left."
+    assert drawing.status == (
+        "7 corners are round now; 1.2 cm does not fit at 2 of them, so the largest radius that does was "
+        "taken."
     )
-    assert drawing.session.undo_stack.undoText() == "Round 5 corners of Signs"
-    assert (count(drawing, "Tent"), count(drawing, "Door")) == (7, 6)
+    assert drawing.session.undo_stack.undoText() == "Round 7 corners of Signs"
+    assert (count(drawing, "Tent"), count(drawing, "Door")) == (7, 8)
     drawing.click((25, -60))
     enter(drawing, "1")
-    assert drawing.status.startswith("There is no corner between two straight segments to round.")
+    assert drawing.status.startswith("There is no corner to round.")
 
 
 def test_selected_corners_alone_become_arcs_which_are_selected(drawing):

@@ -44,11 +44,21 @@ def places(view, count=400):
     return np.array([view.curve.evaluate(np.linspace(a, b, count)) for a, b in pairwise(t)])
 
 
-def turns(view):
-    """The largest angle between directions before and after a point."""
-    before, after = (each[: len(view.source.points), 1] for each in view.sides)
+def turns(view, among=None):
+    """The largest angle between directions before and after a point, of all or of some."""
+    indices = sorted(range(len(view.source.points)) if among is None else among)
+    before, after = (each[indices, 1] for each in view.sides)
     a, b = (each / np.hypot(*each.T)[:, None] for each in (before, after))
     return float(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).max())
+
+
+def distances(places, line):
+    """How far places are from a polyline, given by its points."""
+    starts, ways = line[:-1], np.diff(line, axis=0)
+    lengths = np.einsum("kd,kd->k", ways, ways)
+    share = np.einsum("mkd,kd->mk", places[:, None] - starts, ways) / lengths
+    near = starts + np.clip(share, 0, 1)[..., None] * ways
+    return np.hypot(*np.moveaxis(places[:, None] - near, 2, 0)).min(axis=1)
 
 
 @pytest.mark.parametrize("rule", ParametrizationKind)
@@ -119,8 +129,8 @@ def test_parameters_set_by_hand_go_on_ascending_over_their_interval(closed):
 
 
 @pytest.mark.parametrize("rule", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.CHEBYSHEV])
-def test_the_rest_of_the_curve_stays_and_corners_beside_curves_are_counted(rule):
-    """A door: an arch by estimates above, straight below; corners where the arch begins are left."""
+def test_the_rest_of_the_curve_stays_as_it_was(rule):
+    """A door: an arch by estimates above, straight below; corners where the arch begins are round, too."""
     door = polygon((0, 0), (4, 0), (4, 6), (3, 9), (1, 9), (0, 6), rule=rule)
     points = list(door.source.points)
     for index in (2, 5):
@@ -129,10 +139,17 @@ def test_the_rest_of_the_curve_stays_and_corners_beside_curves_are_counted(rule)
     for index in (3, 4):
         points[index] = replace(points[index].without_corner(), velocity=None)
     view = view_of(replace(door.source, points=tuple(points)))
-    made = rounded(view, range(6), 1.0)
-    assert (made.radii, made.left) == (pytest.approx((1.0, 1.0)), 2)
+    made = rounded(view, (0, 1), 1.0)
+    assert (made.radii, made.left) == (pytest.approx((1.0, 1.0)), 0)
     old, new = places(view)[2:5], places(checked(made))[4:7]
     assert new == pytest.approx(old, abs=1e-12)
+    # Of all: what is left of the segments that were beside corners is a part of these.
+    after = checked(rounded(view, range(6), 0.1))
+    old, new = places(view, 4001)[2:5], places(after, 21)[[5, 6, 7]]
+    assert new[1] == pytest.approx(old[1][::200], abs=1e-12)
+    for kept, whole in zip(new[[0, 2]], old[[0, 2]], strict=True):
+        assert distances(kept, whole).max() < 1e-6
+    assert turns(after) < 1e-9
 
 
 def test_nothing_is_made_of_what_has_no_corners():
@@ -145,3 +162,79 @@ def test_nothing_is_made_of_what_has_no_corners():
         rounded(view_of(replace(circle, family=LAGRANGE)), range(4), 0.5)
     with pytest.raises(EditError, match="too small"):
         rounded(polygon(*BOX), range(4), 1e-30)
+
+
+def curved(*points, closed=True, family=HERMITE):
+    """The view of corners with a velocity on each side: x, y, that of arrival and that of departure."""
+    made = tuple(
+        Point(float(x), float(y), velocity=before, velocity_after=after, corner=True)
+        for x, y, before, after in points
+    )
+    kind = Parametrization(ParametrizationKind.UNIFORM, start=0.0, end=float(len(made) - (not closed)))
+    return view_of(Curve("Curved", family, kind, made, closed=closed))
+
+
+LEAF = ((0, 0, (-6.0, 3.0), (6.0, 3.0)), (10, 0, (6.0, -3.0), (-6.0, -3.0)))
+HALF_MOON = ((0, 0, (0.0, -9.0), (6.0, 0.0)), (6, 0, (6.0, 0.0), (0.0, 9.0)))
+BOWL = ((0, 0, (2.0, -9.0), (7.0, 4.0)), (8, 1, (6.0, -4.0), (-3.0, 9.0)))
+DROP = ((0, 0, (0.0, 0.0), (0.0, 0.0)), (8, 3, (4.0, 9.0), (-7.0, 5.0)))
+"""Two curved sides; a straight one and a curved; bent outwards; handles retracted into a corner."""
+
+
+@pytest.mark.parametrize("radius", [1e-3, 0.2, 0.5])
+@pytest.mark.parametrize("points", [LEAF, HALF_MOON, BOWL, DROP], ids=["leaf", "moon", "bowl", "drop"])
+@pytest.mark.parametrize(
+    "family", [each for each in FAMILIES if each.derivatives], ids=lambda family: family.name
+)
+def test_beside_curves_the_centre_of_an_arc_is_at_the_radius_from_both_sides(family, points, radius):
+    view = curved(*points, family=family)
+    made = rounded(view, [0], radius)
+    after = checked(made)
+    count = len(made.new)
+    assert (made.radii, made.left, made.new) == ((radius,), 0, frozenset(range(count)))
+    assert turns(after, made.new) < 1e-7
+    lines = places(after)
+    centre = centre_of(lines[0], radius)
+    arc = lines[: count - 1].reshape(-1, 2)
+    assert np.abs(np.hypot(*(arc - centre).T) / radius - 1).max() < WITHIN
+    sides = places(view, 20001)
+    for side in sides:
+        # Chords of 5e-4 stay within 1e-8 of sides whose curvature there is 0.3 at most.
+        assert distances(centre[None], side)[0] == pytest.approx(radius, rel=1e-6, abs=1e-8)
+    # What is left of the sides is a part of them.
+    rest = places(after, 20)[count - 1 :].reshape(-1, 2)
+    assert distances(rest, np.concatenate(sides)[::5]).max() < 1e-6
+
+
+def test_the_largest_arc_beside_curves_is_as_exact():
+    """A half disc of a quarter ellipse each: the arc is asked for larger than anything that fits."""
+    view = curved(*HALF_MOON)
+    made = rounded(view, [0], 1e6)
+    (largest,) = made.radii
+    assert 0.5 < largest < 5
+    assert rounded(view, [0], largest * 0.999).radii == (largest * 0.999,)
+    assert rounded(view, [0], largest * 1.001).radii == (pytest.approx(largest, rel=1e-9),)
+    after = checked(made)
+    centre = centre_of(places(after)[0], largest)
+    # It touches, and neither side is nearer anywhere.
+    for side in places(view, 20001):
+        assert distances(centre[None], side)[0] == pytest.approx(largest, rel=1e-6)
+    both = rounded(view, [0, 1], 1e6)
+    assert len(both.radii) == 2
+    # Where they meet, up to 1e-5 of a side is left out.
+    assert turns(checked(both), both.new) < 1e-5
+
+
+def test_a_corner_whose_sides_cross_at_once_is_left():
+    """They leave room for an arc of a hundredth of a thousandth of their length."""
+    back = math.radians(179)
+    blade = curved((0, 0, (9.0, 0.0), (math.cos(back), math.sin(back))), (-8, -5, (-9.0, 0.0), (0.0, 9.0)))
+    assert (rounded(blade, [0], 1.0).radii, rounded(blade, [0], 1.0).left) == ((), 1)
+
+
+def centre_of(line, radius):
+    """The middle of the circle of a radius on which a line begins and ends, where it lies as near."""
+    start, end = line[0], line[-1]
+    half, middle = (end - start) / 2, (start + end) / 2
+    away = math.sqrt(radius**2 - half @ half) * np.array([-half[1], half[0]]) / math.hypot(*half)
+    return min((middle + away, middle - away), key=lambda c: abs(math.dist(c, line[len(line) // 2]) - radius))

@@ -39,8 +39,18 @@ from .segment_commands import SegmentCommands
 Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
 """Returns the order of curves in which some are elsewhere, towards the front (1) or the back (−1)."""
 
-_CURVE_IN_FRONT = Need("a curve in front of this one", lambda now: _has_curve_beside(now, 1))
-_CURVE_BEHIND = Need("a curve behind this one", lambda now: _has_curve_beside(now, -1))
+_CURVE_IN_FRONT = Need(
+    "a curve in front of this one",
+    lambda now: _has_curve_beside(now, 1),
+    why=lambda _now: "Nothing is in front of it: it is at the top already.",
+    is_so=True,
+)
+_CURVE_BEHIND = Need(
+    "a curve behind this one",
+    lambda now: _has_curve_beside(now, -1),
+    why=lambda _now: "Nothing is behind it: it is at the bottom already.",
+    is_so=True,
+)
 
 
 def _closing(now: Situation) -> str:

@@ -119,12 +119,10 @@ def _outcome(radii: Sequence[float], radius: Distance, left: int) -> str:
 
 def _why_none(left: int) -> str:
     """Say why nothing is to be rounded."""
-    if left:
-        return f"{_left(left)} Only those between two straight segments become arcs."
-    return "There is no corner between two straight segments to round."
+    return _left(left) or "There is no corner to round."
 
 
 def _left(count: int) -> str:
     if not count:
         return ""
-    return f"{count_of(count, 'corner')} beside curves {'was' if count == 1 else 'were'} left."
+    return f"{count_of(count, 'corner')} {'was' if count == 1 else 'were'} left: no arc touches both sides."

@@ -10,7 +10,7 @@ from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from ...actions.situation import Situation
 from ...actions.strips import POINT_BUTTONS, POINT_MENU
 from ...document.curve_edits import replace_curve
-from ...document.edits import EditError
+from ...document.edits import AlreadySoError, EditError
 from ...document.lines import ends_of
 from ...document.model import Curve, Document
 from ...document.point_group import PointGroup, points_of, some_points
@@ -174,7 +174,7 @@ class TangentCommands:
         def edit(document: Document) -> Document:
             changed = group.changed(document, one)
             if idle and changed == document:
-                raise EditError(idle)
+                raise AlreadySoError(idle)
             return changed
 
         return self._session.change(text, edit).is_done
