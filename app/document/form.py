@@ -49,19 +49,22 @@ class FormField(NamedTuple):
         A short name before the box, and what it is.
     is_length
         Whether it may have a unit.
+    limits
+        The least and the largest that it can be; None for any length that there is.
     """
 
     name: str
     label: str
     words: str
     is_length: bool = True
+    limits: tuple[float, float] | None = None
 
 
 class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     """What a closed curve was drawn as, before it was moved, turned or stretched.
 
-    To add a kind: a subclass in ``forms``, which names itself, says how it runs, and what of it is dragged and
-    typed; and its name in `AnyForm` there.
+    To add a kind: a subclass in ``forms``, which names itself, says how it runs, and what of it is dragged
+    and typed; and its name in `AnyForm` there.
 
     Attributes
     ----------

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
-from msgspec.structs import replace
 from app.document.model import Page
 from app.exchange.corner import from_lower_left
 from app.exchange.options import Options

@@ -19,9 +19,9 @@ from svgelements import SVGLexicalParser
 
 from curvecore.arrays import FloatArray
 
+from ...document.forms import AnyForm
 from ..arcs import arc_between
 from ..cubics_in import lines
-from ...document.forms import AnyForm
 from ..errors import ExchangeError
 
 _GAP = r"[ \t\r\n\f]*"

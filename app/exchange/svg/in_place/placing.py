@@ -10,8 +10,8 @@ from itertools import groupby
 
 from ...naming import Names
 from ..tree import stem
-from .looks import declare, declares
 from .courses import NEW_COURSE
+from .looks import declare, declares
 from .source import Node, Source
 
 _NOTES = ("title", "desc", "metadata")
