@@ -99,7 +99,8 @@ class Gestures(RuleBasedStateMachine):
             # Whole curves are chosen, or none: no point of them.
             assert selected.chosen in (set(), selected.curves)
             assert not selected.points
-            assert self.tool.record is SELECT
+            # Only a tool that finds other curves leaves it so that none is edited.
+            assert self.tool.tool.finds_other_curves
 
     @invariant()
     def the_document_can_be_saved(self):
