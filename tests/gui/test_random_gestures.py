@@ -99,8 +99,7 @@ class Gestures(RuleBasedStateMachine):
             # Whole curves are chosen, or none: no point of them.
             assert selected.chosen in (set(), selected.curves)
             assert not selected.points
-            # Only a tool that finds other curves leaves it so that none is edited.
-            assert self.tool.tool.finds_other_curves
+            assert self.tool.record is SELECT
 
     @invariant()
     def the_document_can_be_saved(self):
