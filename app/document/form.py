@@ -49,12 +49,15 @@ class FormField(NamedTuple):
         A short name before the box, and what it is.
     is_length
         Whether it may have a unit.
+    limits
+        The least and the largest that it can be; None for any length that there is.
     """
 
     name: str
     label: str
     words: str
     is_length: bool = True
+    limits: tuple[float, float] | None = None
 
 
 class Form(Value, frozen=True, tag_field="kind", tag=str.lower):

@@ -1,4 +1,4 @@
-"""The forms that there are: rectangle, ellipse."""
+"""The forms that there are: rectangle, ellipse, star."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Annotated, Self
 from msgspec.structs import replace
 
 from .decimals import decimal_sum
-from .fields import LENGTH, above, at_least
+from .fields import LENGTH, Requirement, above, at_least, between
 from .form import Form, FormField, FormHandle, Piece
 from .value import Vector
 
@@ -18,6 +18,12 @@ _QUARTER = 4 / 3 * (math.sqrt(2) - 1)
 """How far the handles of a quarter of a circle reach, of its radius."""
 
 _APART, _PROPORTIONS, _CIRCLE = "Shift: across and up apart", "Ctrl: keeps proportions", "Ctrl: a circle"
+_STEPS = "Ctrl: steps of 15°"
+
+CORNERS, RATIOS = (3, 1000), (0.01, 1.0)
+"""How many corners a star can have, and how far its inner ones can be away."""
+
+_WHOLE = Requirement(lambda value: value == round(value), "be a whole number")
 
 Size = Annotated[float, LENGTH, above(0)]
 Radius = Annotated[float, LENGTH, at_least(0)]
@@ -218,6 +224,84 @@ class Ellipse(_InBox, frozen=True):
         return replace(self, x=x - width / 2, y=y - height / 2, width=width, height=height)
 
 
+class Star(Form, frozen=True):
+    """A star about its place; with a ratio of 1 the polygon of its corners.
+
+    Attributes
+    ----------
+    radius
+        How far its corners are away.
+    corners
+        How many there are.
+    ratio
+        How far the inner ones are away, of that.
+    angle
+        Degrees from the x axis to the first, counterclockwise.
+    """
+
+    radius: Size
+    corners: Annotated[float, between(*CORNERS), _WHOLE] = 5.0
+    ratio: Annotated[float, between(*RATIOS)] = 0.5
+    angle: float = 90.0
+
+    noun = "star"
+    stretches = False
+    fields = (
+        FormField("corners", "Corners", "Number of corners", is_length=False, limits=CORNERS),
+        FormField(
+            "ratio", "Ratio", "Inner radius by the outer one; 1 is a polygon", is_length=False, limits=RATIOS
+        ),
+        FormField("radius", "R", "Radius of the corners"),
+    )
+
+    @property
+    def is_polygon(self) -> bool:
+        """Whether it has no inner corners."""
+        return self.ratio >= 1.0
+
+    def _at(self, step: float, radius: float) -> Vector:
+        """Return the place so many corners on, and so far away."""
+        angle = math.radians(self.angle + 360.0 * step / self.corners)
+        return (self.x + radius * math.cos(angle), self.y + radius * math.sin(angle))
+
+    @property
+    def pieces(self) -> Sequence[Piece]:
+        """How it runs: from its first corner, counterclockwise."""
+        places = list[Vector]()
+        for step in range(round(self.corners)):
+            places.append(self._at(step, self.radius))
+            if not self.is_polygon:
+                places.append(self._at(step + 0.5, self.radius * self.ratio))
+        return [_line(*each) for each in pairwise((*places, places[0]))]
+
+    @property
+    def handles(self) -> Sequence[FormHandle]:
+        """Its first corner, and the inner one behind that."""
+        return (
+            FormHandle("corner", self._at(0, self.radius), "radius and angle", _STEPS),
+            FormHandle("inner", self._at(0.5, self.radius * self.ratio), "ratio", "", True),
+        )
+
+    def dragged(self, handle: str, to: Vector, *, ctrl: bool, shift: bool) -> Self:
+        """Return the form with a handle somewhere else; with Ctrl its angle goes in steps."""
+        way = (to[0] - self.x, to[1] - self.y)
+        far = math.hypot(*way)
+        if not far:
+            return self
+        if handle == "inner":
+            return replace(self, ratio=min(max(far / self.radius, RATIOS[0]), RATIOS[1]))
+        angle = math.degrees(math.atan2(way[1], way[0]))
+        return replace(self, radius=far, angle=15.0 * round(angle / 15.0) if ctrl else angle)
+
+    def scaled(self, across: float, up: float) -> Self:
+        """Return the form so many times as large, about its place."""
+        return replace(self, radius=self.radius * math.sqrt(across * up))
+
+    def with_number(self, name: str, value: float) -> Self:
+        """Return the form with a number that was typed."""
+        return replace(self, **{name: float(round(value)) if name == "corners" else value})
+
+
 def _line(start: Vector, end: Vector) -> Piece:
     (x, y), (to_x, to_y) = start, end
     across, up = (to_x - x) / 3, (to_y - y) / 3
@@ -236,5 +320,5 @@ def _inside(start: float, end: float, radius: float, size: float) -> Vector:
     return (decimal_sum(start, radius), decimal_sum(end, -radius))
 
 
-AnyForm = Rectangle | Ellipse
+AnyForm = Rectangle | Ellipse | Star
 """What a document may say of a curve."""

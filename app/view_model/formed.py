@@ -1,4 +1,4 @@
-"""What curves are still of the forms that they were drawn as, moved, turned and stretched, too."""
+"""What curves are still of the forms that they were drawn as; moved and turned ones are recognised."""
 
 from __future__ import annotations
 

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
+from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop
 from app.document.kept import KeptPicture, KeptRun, KeptText
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
@@ -35,6 +36,7 @@ FULL = Document(
             ),
             style=Style(width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT),
             text=Text("I", "Sans", 1.0, 2.0, 3.0),
+            form=Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5),
         ),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),

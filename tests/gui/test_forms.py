@@ -6,11 +6,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
-from app.document.forms import Ellipse, Rectangle
+from app.document.forms import Ellipse, Rectangle, Star
 from app.document.model import Document, make_curve
 from app.document.point_group import points_of
 from app.document.several_curves import mapped, whole_curves
 from app.document.transforms import IDENTITY, flipping, rotation, scaling, skewing
+from app.exchange.svg.writer import svg_of
 from app.storage.format import decode, encode
 from app.view_model.formed import Formed, formed
 
@@ -49,6 +50,16 @@ def steps(editor):
 def change(editor, edit):
     group = whole_curves(editor.session.document, [editor.session.active_index])
     assert editor.session.change("Map", lambda document: edit(document, group))
+
+
+def type_into(editor, name, text):
+    edit = editor.window.findChild(QLineEdit, name)
+    assert edit.isVisible()
+    edit.setFocus()
+    edit.selectAll()
+    editor.type_text(edit, text)
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    editor.settle()
 
 
 def test_a_rectangle_knows_what_it_was_drawn_as_also_in_a_file(rectangle):
@@ -157,25 +168,16 @@ def test_its_own_width_and_radii_are_typed_in_the_transform_panel(rectangle, poi
     rectangle.trigger("openTransform")
     rectangle.settle()
 
-    def type_into(name, text):
-        edit = rectangle.window.findChild(QLineEdit, name)
-        assert edit.isVisible()
-        edit.setFocus()
-        edit.selectAll()
-        rectangle.type_text(edit, text)
-        QTest.keyClick(edit, Qt.Key.Key_Return)
-        rectangle.settle()
-
     assert rectangle.window.findChild(QLineEdit, "formRectangleWidth").text() == "6"
-    type_into("formRectangleWidth", "0.5 cm")
-    type_into("formRectangleRx", "1")
+    type_into(rectangle, "formRectangleWidth", "0.5 cm")
+    type_into(rectangle, "formRectangleRx", "1")
     assert now(rectangle).form == Rectangle(1, 0, 5, 4, 1, 1)
     assert now(rectangle).by is not IDENTITY
     assert rectangle.session.undo_stack.undoText() == "Set radius of its corners to 1 mm"
-    type_into("formRectangleRy", "2")
+    type_into(rectangle, "formRectangleRy", "2")
     assert now(rectangle).form == Rectangle(1, 0, 5, 4, 1, 2)
     before = rectangle.session.document
-    type_into("formRectangleHeight", "-1")
+    type_into(rectangle, "formRectangleHeight", "-1")
     assert rectangle.session.document is before
     assert "must be greater than 0" in rectangle.status
     rectangle.escape()
@@ -184,3 +186,50 @@ def test_its_own_width_and_radii_are_typed_in_the_transform_panel(rectangle, poi
     )
     rectangle.settle()
     assert not rectangle.window.findChild(QLineEdit, "formRectangleWidth").isVisible()
+
+
+def test_a_star_is_drawn_from_its_middle_and_stays_one(drawing):
+    drawing.trigger("starTool")
+    drawing.press((4, 2))
+    drawing.move((4, 3))
+    drawing.key(Qt.Key.Key_6)
+    drawing.key(Qt.Key.Key_Tab)
+    drawing.type_amount(".5")
+    assert drawing.status.startswith("6 corners · ratio .5| · radius 1 mm")
+    assert len(drawing.curve.points) == 12  # live
+    drawing.move((6, 2))
+    drawing.release((6, 2))
+    assert drawing.curve.form == Star(4, 2, 2, 6, 0.5, 0)
+    assert drawing.session.undo_stack.undoText() == "Draw star"
+    assert [point.position for point in drawing.curve.points][::6] == [(6, 2), (2, pytest.approx(2))]
+    drawing.drag((6, 2), (6, 4), keys=CTRL)
+    assert now(drawing).form.angle == 45
+    assert now(drawing).form.radius == pytest.approx(8**0.5)
+    assert drawing.session.undo_stack.undoText() == f"Change radius and angle of “{drawing.curve.name}”"
+    change(drawing, lambda document, group: mapped(document, group, rotation(-45, (4, 2))))
+    change(drawing, lambda document, group: mapped(document, group, scaling(0.5, 0.5, (4, 2))))
+    assert now(drawing).form.radius == pytest.approx(2**0.5)
+    count = len(drawing.session.document.curves)
+    drawing.drag((-0.5, 0), (0, 0))
+    assert (drawing.curve.form.corners, drawing.curve.form.ratio) == (6, 0.5), "the next one is like it"
+    assert len(drawing.session.document.curves) == count + 1
+
+
+def test_corners_and_ratio_of_a_star_are_typed_later_and_a_ratio_of_1_is_a_polygon(drawing, point_locale):
+    drawing.trigger("starTool")
+    drawing.drag((4, 2), (4, 4))
+    assert drawing.curve.form == Star(4, 2, 2, 5, 0.5, 90)
+    drawing.trigger("openTransform")
+    drawing.settle()
+    type_into(drawing, "formStarCorners", "8")
+    type_into(drawing, "formStarRatio", "1")
+    assert now(drawing).form == Star(4, 2, 2, 8, 1.0, 90)
+    assert len(drawing.curve.points) == 8
+    before = drawing.session.document
+    type_into(drawing, "formStarCorners", "2")
+    assert drawing.session.document is before
+    assert "from 3 to 1000" in drawing.status
+    drawing.escape()
+    text = svg_of(before).text
+    assert "<path" in text
+    assert decode(encode(before)) == before

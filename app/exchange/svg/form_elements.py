@@ -29,7 +29,9 @@ def form_of_lengths(tag: str, lengths: list[float | None]) -> AnyForm | None:
     if tag == "rect":
         x, y, width, height = values[:4]
         rx, ry = (own if own is not None else other or 0.0 for own, other in (lengths[4:], lengths[:3:-1]))
-        form: AnyForm = Rectangle(x, -(y + height), width, height, min(rx, width / 2), min(ry, height / 2))
+        form: Rectangle | Ellipse = Rectangle(
+            x, -(y + height), width, height, min(rx, width / 2), min(ry, height / 2)
+        )
     elif tag in ("circle", "ellipse"):
         first, second = lengths[2], lengths[-1]
         rx, ry = (

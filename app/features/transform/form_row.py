@@ -9,8 +9,10 @@ from typing import get_args
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from ...document.expression import ExpressionError
 from ...document.form import Form, FormField
 from ...document.forms import AnyForm
+from ...document.words import number
 from ...qt.labels import Label
 from ...widgets.boxes import Part, row_of
 from ...widgets.field_edit import NumberEdit, read_number
@@ -46,9 +48,8 @@ class FormRow(QWidget):
     def _edit(self, kind: type[Form], field: FormField) -> NumberEdit:
         name = f"form{kind.noun.title()}{field.name.title().replace('_', '')}"
         how = "a number or an expression" + (", with a unit or without" if field.is_length else "")
-        read = (
-            partial(self._read_length, partial(self._number, field.name)) if field.is_length else read_number
-        )
+        length = partial(self._read_length, partial(self._number, field.name))
+        read = length if field.is_length else partial(_within, field)
         edit = NumberEdit(name, field.words, f"{field.words}: {how} (Enter to set)", read)
         edit.entered.connect(partial(self.number_entered.emit, field))
         return edit
@@ -67,6 +68,21 @@ class FormRow(QWidget):
                     show(float(getattr(form, field.name)))
                     edit.setEnabled(not problem)
         self.setVisible(form is not None)
+
+
+def _within(field: FormField, text: str) -> float:
+    """Return the number that a text means.
+
+    Raises
+    ------
+    ExpressionError
+        If it is none, or not within the limits of a field.
+    """
+    value = read_number(text)
+    if field.limits is not None and not field.limits[0] <= value <= field.limits[1]:
+        least, most = map(number, field.limits)
+        raise ExpressionError(f"{field.words.partition(';')[0]}: from {least} to {most}.")
+    return value
 
 
 class _Row(QWidget):
