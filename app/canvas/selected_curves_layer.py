@@ -17,7 +17,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
 from ..view_model.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
-from .looks import Shape, is_plain, line_of, paint_line, printed_width
+from .looks import Shape, line_of, paint_line, printed_width
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
@@ -66,9 +66,9 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         stroke = Stroke()
         for view in views:
             painter.setOpacity(opacity_of(view))
-            stroke.show(line_of(view, shown).points, shown)
-            is_line = self._is_thin or is_plain(view.source.style)
-            width = printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
+            style, is_line = self.looks.style_of(view), self.looks.is_line(view)
+            stroke.show(line_of(view, shown, style).points, shown)
+            width = printed_width(style, shown, _WIDTH * self.scale) / self.scale
             has_halo = (is_line or 0 < width < _WIDE) and len(self._views) <= _HALOS_UP_TO
             if has_halo:
                 painter.setPen(self._line(halo, max(_HALO, width + _HALO - _WIDTH)))
@@ -79,7 +79,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
                 pens = [(self._colour(view), _WIDTH) if is_seen else (self.theme.handle, FAINT_WIDTH)]
             elif has_halo:
                 # Over a fine line no other one would leave any of its colour.
-                paint_line(painter, view, shown, self.theme, _WIDTH * self.scale)
+                paint_line(painter, view, style, shown, self.theme, _WIDTH * self.scale)
                 pens = []
             else:
                 casing = [(self.theme.paper, _CASED)] if width >= _WIDE else []
