@@ -237,15 +237,25 @@ def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == [bad]
 
 
-def test_what_is_no_document_is_sent_to_convert(tmp_path, capsys):
-    """It was said of a table that it is not JSON."""
-    reads = "reads documents, “curvebench convert” other formats, too."
-    for name, text in (("a.csv", "0,0\n1,1\n"), ("a.json", "[[0, 0], [1, 1]]")):
-        path = tmp_path / name
+def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
+    """It was said of a table that it is not JSON, and of an SVG that another command reads it."""
+    svg = (
+        '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
+        '<path id="r1" d="M2 2L10 2L10 10Z" fill="#00ff00"/><image href="x.png" width="3" height="3"/></svg>'
+    )
+    for name, text in (("a.csv", "0,0\n1,1\n"), ("a.json", "[[0, 0], [1, 1]]"), ("in.svg", svg)):
+        path, drawn, converted = tmp_path / name, tmp_path / "drawn.png", tmp_path / "converted.png"
         path.write_text(text, encoding="utf-8")
-        for command in (["info"], ["render", "-o", "a.svg"], ["render", "-o", "a.gif"]):
-            line = refusal(capsys, *command, str(path))
-            assert line == f"“{path}” is no document (*.curve.json): “curvebench {command[0]}” {reads}"
+        assert main(["render", str(path), "-o", str(drawn)]) == 0
+        said = capsys.readouterr().err
+        assert ("image" in said) is (name == "in.svg")
+        assert main(["convert", str(path), str(converted)]) == 0
+        assert drawn.read_bytes() == converted.read_bytes()
+        capsys.readouterr()
+        assert main(["info", str(path), "--json"]) == 0
+        assert len(json.loads(capsys.readouterr().out)["curves"]) == 1
+    assert main(["render", str(tmp_path / "a.csv"), "-o", str(tmp_path / "a.gif"), "--seconds", "0.2"]) == 0
+    capsys.readouterr()
     assert refusal(capsys, "info", str(tmp_path / "gone.csv")).startswith("There is no file “")
     broken = tmp_path / "a.json"
     broken.write_text('{"format": "curvebench", "version": 2, "curves": 3}', encoding="utf-8")

@@ -18,7 +18,7 @@ from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve_view import CurveView, Polyline
-from .looks import Shape, is_plain, line_of, paint_shape
+from .looks import Looks, Shape, line_of, paint_shape
 
 CASING = 1.0
 """Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
@@ -41,7 +41,13 @@ class EditedShapeLayer(Layer):
         super().__init__(plot)
         self._shape: Shape = ()
         self._line = RoundLine()
+        self._looks = Looks()
         self.set_visible(False)
+
+    def set_looks(self, looks: Looks) -> None:
+        """Draw lines so from the next paint on."""
+        self._looks = looks
+        self.update()
 
     def render(self, shape: Shape) -> None:
         """Draw the curves of the shape from the next paint on; without any, nothing."""
@@ -53,7 +59,9 @@ class EditedShapeLayer(Layer):
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the shape."""
         if self._shape:
-            paint_shape(painter, self._shape, shown, self.theme, _WIDTH * self.scale, self._line)
+            style = self._looks.style_of(self._shape[0])
+            usual = _WIDTH * self.scale
+            paint_shape(painter, self._shape, style, shown, self.theme, usual, self._line)
 
 
 class CurveLayer(Layer):
@@ -72,7 +80,8 @@ class CurveLayer(Layer):
         self._view: CurveView | None = None
         self._line, self._ghost_stroke = WideLine(), Stroke()
         self._ghost: FloatArray | None = None
-        self._ghost_held = self._is_cased = self._is_thin = self._is_covered = False
+        self._ghost_held = self._is_cased = self._is_covered = False
+        self._looks = Looks()
         # The pen of the last frame, and what it was made for.
         self._made_for: tuple[object, ...] = ()
         self._made = QPen()
@@ -119,7 +128,7 @@ class CurveLayer(Layer):
         """Return the curve as it is drawn, None without one."""
         if self._view is None or not self._view.has_curve:
             return None
-        return line_of(self._view, shown)
+        return line_of(self._view, shown, self._looks.style_of(self._view))
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw ghost and curve."""
@@ -154,9 +163,9 @@ class CurveLayer(Layer):
         self._is_cased = cased
         self.update()
 
-    def set_thin(self, thin: bool) -> None:
-        """Draw a plain line, whatever the style."""
-        self._is_thin = thin
+    def set_looks(self, looks: Looks) -> None:
+        """Draw the line so from the next paint on."""
+        self._looks = looks
         self.update()
 
     def set_covered(self, covered: bool) -> None:
@@ -165,7 +174,7 @@ class CurveLayer(Layer):
         self.update()
 
     def _paints_line(self, view: CurveView) -> bool:
-        return self._is_thin or is_faint(view) or is_plain(view.source.style)
+        return is_faint(view) or self._looks.is_line(view)
 
     def _pens(self, view: CurveView) -> Sequence[QPen]:
         """Return what the line is drawn with, one over the other."""

@@ -15,7 +15,7 @@ from ..view_model.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
 from .line_finder import LineFinder, is_on_line
-from .looks import Shape, is_plain
+from .looks import Looks, Shape
 from .other_curves_layer import OtherCurvesLayer
 from .selected_curves_layer import SelectedCurvesLayer, SiblingCurvesLayer
 
@@ -40,6 +40,8 @@ class DrawnCurves:
         The shape that is edited, as it prints; the line of the active curve.
     areas
         The insides of what is filled.
+    looks
+        How lines are drawn.
     """
 
     def __init__(self, plot: PlotWidget) -> None:
@@ -51,7 +53,7 @@ class DrawnCurves:
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
         self._locked = LineFinder()
-        self._is_thin = False
+        self.looks = Looks()
         # The places of the curves of the edited shape, where it is no plain line.
         self._edited_places = range(0)
         self._shown: tuple[Sequence[CurveView], int | None, frozenset[int], frozenset[int]]
@@ -130,7 +132,7 @@ class DrawnCurves:
         is_layered = False
         for places in shapes([view.source for view in views]):
             shape = tuple(views[place] for place in places)
-            is_line = self._is_thin or is_plain(shape[0].source.style)
+            is_line = self.looks.is_line(shape[0])
             if active in places and not is_line and not is_faint(views[active]):
                 edited, is_layered = shape, True
                 continue
@@ -148,7 +150,7 @@ class DrawnCurves:
         """Return the curve at `pixel`, neither edited nor locked; lines that are thin have no insides."""
         _, active, *_ = self._shown
         line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
-        return line if self._is_thin else self.areas.hit(pixel, shown, active, line)
+        return line if self.looks.is_thin else self.areas.hit(pixel, shown, active, line)
 
     def locked_at(self, pixel: Vector, shown: PixelMap) -> int:
         """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
@@ -161,7 +163,7 @@ class DrawnCurves:
         It is the one whose line is hit, or else the first.
         """
         views, *_ = self._shown
-        areas = set() if self._is_thin else {each.start for each in self.areas.all_at(pixel, shown)}
+        areas = set() if self.looks.is_thin else {each.start for each in self.areas.all_at(pixel, shown)}
         found = []
         for places in reversed([*shapes([view.source for view in views])]):
             if views[places.start].source.locked:
@@ -172,11 +174,13 @@ class DrawnCurves:
                 found.append(place)
         return found
 
-    def set_thin(self, thin: bool) -> None:
-        """Draw plain lines, whatever the styles."""
-        self._is_thin = thin
-        for layer in (self.others, self.above, self.selected, self.curve):
-            layer.set_thin(thin)
+    def set_looks(self, looks: Looks) -> None:
+        """Draw lines so."""
+        if looks == self.looks:
+            return
+        self.looks = looks
+        for layer in (self.others, self.edited, self.above, self.selected, self.curve):
+            layer.set_looks(looks)
         self._render_all()
 
     def set_cased(self, cased: bool) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import msgspec
 from PySide6.QtGui import QPainter
 
 from ..appearance.colours import curve_colour, fill_colour
@@ -26,8 +27,31 @@ Shape = tuple[CurveView, ...]
 """The curves of a shape, in order."""
 
 
-def is_plain(style: Style) -> bool:
-    """Whether a style is a line of the usual width, whatever its colour."""
+class Looks(msgspec.Struct, frozen=True):
+    """How curves look: as they print, or as lines to edit.
+
+    Attributes
+    ----------
+    is_thin
+        Whether all of them are thin lines.
+    usual_width
+        Width in the plane, on a page, of a line that has none of its own; 0 without a page, where such a line
+        is equally wide at every zoom.
+    """
+
+    is_thin: bool = False
+    usual_width: float = 0.0
+
+    def style_of(self, view: CurveView) -> Style:
+        """Return the style of a curve with the width that its line prints with."""
+        return view.source.style.with_usual_width(self.usual_width)
+
+    def is_line(self, view: CurveView) -> bool:
+        """Whether a curve is a line of the same width at every zoom, whatever its colour."""
+        return self.is_thin or (not self.usual_width and _is_plain(view.source.style))
+
+
+def _is_plain(style: Style) -> bool:
     return style is PLAIN_STYLE or (
         style.width is None
         and style.fill == NO_PAINT
@@ -40,10 +64,10 @@ def is_plain(style: Style) -> bool:
     )
 
 
-def line_of(view: CurveView, shown: PixelMap) -> Polyline:
-    """Return a curve as a polyline of the plane, exact enough to be drawn as wide as it is."""
+def line_of(view: CurveView, shown: PixelMap, style: Style | None = None) -> Polyline:
+    """Return a curve as a polyline of the plane, exact enough for the width of its line, or of a `style`."""
     scale = max(shown.sx, shown.sy)
-    width = view.source.style.width or 0.0
+    width = (style or view.source.style).width or 0.0
     if width * scale <= _WIDE:
         return view.flattened(TOLERANCE / scale, shown.box)
     # Where the middle turns by some angle the edge turns with a larger radius.
@@ -60,29 +84,31 @@ def printed_width(style: Style, shown: PixelMap, usual: float) -> float:
     return usual if style.width is None else style.width * shown.sx
 
 
-def paint_line(painter: QPainter, view: CurveView, shown: PixelMap, theme: Theme, usual: float) -> None:
-    """Paint the line of a curve as it prints, without its inside."""
-    style = view.source.style
+def paint_line(
+    painter: QPainter, view: CurveView, style: Style, shown: PixelMap, theme: Theme, usual: float
+) -> None:
+    """Paint the line of a curve in a style, without its inside; `usual` as for `paint_shape`."""
     width = printed_width(style, shown, usual)
     ink = Ink(curve_colour(style.stroke, theme), theme.curve, width, theme.curve)
-    part = Part(line_of(view, shown).points, view.source.is_closed)
+    part = Part(line_of(view, shown, style).points, view.source.is_closed)
     paint_printed(painter, [part], style.with_fields({"fill": NO_PAINT}), ink, shown)
 
 
 def paint_shape(
     painter: QPainter,
     shape: Sequence[CurveView],
+    style: Style,
     shown: PixelMap,
     theme: Theme,
     usual: float,
     line: RoundLine | None = None,
 ) -> None:
-    """Paint a shape as it prints; `usual` is the width in pixels of a line that has none of its own.
+    """Paint a shape in a style; `usual` is the width in pixels of a line that has none of its own.
 
     Whoever paints many keeps a `line`.
     """
-    style = shape[0].source.style
     width = usual if style.width is None else style.width * shown.sx
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
-    parts = [Part(line_of(view, shown).points, view.source.is_closed) for view in shape if view.has_curve]
+    seen = (view for view in shape if view.has_curve)
+    parts = [Part(line_of(view, shown, style).points, view.source.is_closed) for view in seen]
     paint_printed(painter, parts, style, ink, shown, line)

@@ -22,7 +22,7 @@ from ..view_model.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
 from .line_finder import LineFinder, pixels_of
-from .looks import Shape, is_plain, line_of, paint_shape
+from .looks import Looks, Shape, line_of, paint_shape
 from .sections import Section, loose_places, sections_of
 
 _SLOW = 0.008
@@ -56,7 +56,7 @@ class OtherCurvesLayer(Layer):
     def __init__(self, plot: PlotWidget, *, z: float | None = None) -> None:
         super().__init__(plot, z=z)
         self._is_cased = False
-        self._is_thin = False
+        self.looks = Looks()
         self._views: list[tuple[int, CurveView]] = []
         self._drawn: dict[int, Shape] = {}
         self._shapes: list[Shape] = []
@@ -112,10 +112,11 @@ class OtherCurvesLayer(Layer):
             self._is_cased, self._picture = cased, None
             self.update()
 
-    def set_thin(self, thin: bool) -> None:
-        """Draw plain lines, whatever the styles."""
-        if thin != self._is_thin:
-            self._is_thin, self._picture = thin, None
+    def set_looks(self, looks: Looks) -> None:
+        """Draw lines so."""
+        if looks != self.looks:
+            self.looks, self._picture = looks, None
+            self._kept.clear()
             self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
@@ -208,11 +209,12 @@ class OtherCurvesLayer(Layer):
         """Paint the shapes into the picture."""
         stroke, line = Stroke(), RoundLine()
         for shape in shapes:
-            if self._is_thin or is_plain(shape[0].source.style):
+            if self.looks.is_line(shape[0]):
                 for view in shape:
                     self._paint_line(painter, stroke, view, shown)
             else:
-                paint_shape(painter, shape, shown, self.theme, FAINT_WIDTH * self.scale, line)
+                style = self.looks.style_of(shape[0])
+                paint_shape(painter, shape, style, shown, self.theme, FAINT_WIDTH * self.scale, line)
 
     def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         stroke.show(line_of(view, shown).points, shown)

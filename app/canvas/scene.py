@@ -270,7 +270,9 @@ class CanvasScene:
     def colour_at(self, pointer: Pointer) -> str:
         """Return the colour at the pointer as it prints, or of the picture to trace, "#rrggbb"."""
         shown, pixel = self._plot.pixel_map, pointer.pixel
-        return self._colours.at(self.views, pixel, shown, self.image.colour_at(pixel, shown))
+        return self._colours.at(
+            self.views, self.curves.looks, pixel, shown, self.image.colour_at(pixel, shown)
+        )
 
     @property
     def area(self) -> QRect:

@@ -14,10 +14,11 @@ from ..appearance.colours import curve_colour, fill_colour
 from ..appearance.theme import PRINTED
 from ..document.model import Vector
 from ..document.shapes import shapes
+from ..document.style import Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
 from ..view_model.curve_view import CurveView
-from .looks import Shape, line_of
+from .looks import Looks, Shape, line_of
 
 _LEAST = 5.0
 """Pixels of a line, at least: nobody points at a hairline exactly."""
@@ -32,12 +33,15 @@ class SeenColours:
     def __init__(self) -> None:
         self._views: Sequence[CurveView] = ()
         self._shapes: list[Shape] = []
+        self._looks = Looks()
         self._boxes = np.empty((0, 2, 2))
 
-    def at(self, views: Sequence[CurveView], pixel: Vector, shown: PixelMap, below: QColor | None) -> str:
+    def at(
+        self, views: Sequence[CurveView], looks: Looks, pixel: Vector, shown: PixelMap, below: QColor | None
+    ) -> str:
         """Return the colour at a pixel, "#rrggbb"; `below` is that of a picture there, None for none."""
-        if views is not self._views:
-            self._find(views)
+        if views is not self._views or looks != self._looks:
+            self._find(views, looks)
         # A picture of this pixel alone: all that is painted is cut to it.
         left, top = shown.plane(pixel[0] - 0.5, pixel[1] - 0.5)
         spot = PixelMap(left, top, shown.sx, shown.sy, 1.0, 1.0)
@@ -48,17 +52,18 @@ class SeenColours:
                 painter.fillRect(0, 0, 1, 1, below)
             for shape in self._near(pixel, shown):
                 painter.save()
-                _paint(painter, shape, shown, spot)
+                _paint(painter, shape, looks.style_of(shape[0]), shown, spot)
                 painter.restore()
         return picture.pixelColor(0, 0).name()
 
-    def _find(self, views: Sequence[CurveView]) -> None:
+    def _find(self, views: Sequence[CurveView], looks: Looks) -> None:
         found = [
             tuple(views[place] for place in places if views[place].source.visible and views[place].has_curve)
             for places in shapes([view.source for view in views])
         ]
-        self._views, self._shapes = views, [shape for shape in found if shape]
-        self._boxes = np.array([_box(shape) for shape in self._shapes]).reshape(-1, 2, 2)
+        self._views, self._looks, self._shapes = views, looks, [shape for shape in found if shape]
+        boxes = [_box(shape, looks.style_of(shape[0])) for shape in self._shapes]
+        self._boxes = np.array(boxes).reshape(-1, 2, 2)
 
     def _near(self, pixel: Vector, shown: PixelMap) -> list[Shape]:
         """Return the shapes that may cover a pixel, the hindmost first."""
@@ -67,16 +72,14 @@ class SeenColours:
         return [self._shapes[number] for number in np.flatnonzero(is_near).tolist()]
 
 
-def _box(shape: Shape) -> FloatArray:
-    """Return a box that a shape does not leave, nor its line with its miters."""
-    style = shape[0].source.style
+def _box(shape: Shape, style: Style) -> FloatArray:
+    """Return a box that a shape in a style does not leave, nor its line with its miters."""
     lines = np.vstack([view.drawn_box for view in shape])
     overhang = (style.width or 0.0) * max(1.0, style.miter_limit)
     return np.array([lines.min(axis=0) - overhang, lines.max(axis=0) + overhang])
 
 
-def _paint(painter: QPainter, shape: Shape, shown: PixelMap, spot: PixelMap) -> None:
-    style = shape[0].source.style
+def _paint(painter: QPainter, shape: Shape, style: Style, shown: PixelMap, spot: PixelMap) -> None:
     width = _LEAST if style.width is None else style.width * shown.sx
     if 0.0 < width < _LEAST:
         # So near to each other nobody means one dash or the gap after it.

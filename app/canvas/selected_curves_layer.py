@@ -17,7 +17,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
 from ..view_model.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
-from .looks import Shape, is_plain, line_of, paint_line, printed_width
+from .looks import Looks, Shape, line_of, paint_line, printed_width
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
@@ -71,7 +71,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
                 stroke.show(line_of(view, shown).points, shown)
                 self._paint_line_of(painter, stroke, view, has_halo=not is_many)
             elif not is_many:
-                stroke.show(line_of(view, shown).points, shown)
+                stroke.show(line_of(view, shown, self.looks.style_of(view)).points, shown)
                 self._paint_over_print(painter, stroke, view, shown)
         if is_many:
             self._paint_boxes(painter, shown, views)
@@ -80,7 +80,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def _is_line(self, view: CurveView) -> bool:
         """Whether a curve is drawn here as a line, and not what it prints marked."""
-        return self._is_thin or is_plain(view.source.style) or not view.source.visible
+        return self.looks.is_line(view) or not view.source.visible
 
     def _paint_line_of(self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool) -> None:
         """Paint the line of a curve that has no looks of its own, or is hidden."""
@@ -94,11 +94,12 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def _paint_over_print(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         """Mark what a curve prints: a fine line by a halo; a wide one, or an inside, by a thin line on it."""
-        width = printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
+        style = self.looks.style_of(view)
+        width = printed_width(style, shown, _WIDTH * self.scale) / self.scale
         if 0 < width < _WIDE:
             self._paint_halo(painter, stroke, view, width)
             # Over a fine line no other one would leave any of its colour.
-            paint_line(painter, view, shown, self.theme, _WIDTH * self.scale)
+            paint_line(painter, view, style, shown, self.theme, _WIDTH * self.scale)
             return
         casing = [(self.theme.paper, _CASED)] if width >= _WIDE else []
         for pen in [*casing, (self.theme.accent, _OVER_PRINT)]:
@@ -118,7 +119,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(self.theme.accent, max(round(self.scale), 1)))
-        painter.drawRects(_frames_of(views, shown, self.scale))
+        painter.drawRects(_frames_of(views, self.looks, shown, self.scale))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
 
     def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
@@ -152,10 +153,10 @@ def _ring(painter: QPainter, radius: float, _form: int) -> None:
     painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
 
 
-def _frames_of(views: Sequence[CurveView], shown: PixelMap, scale: float) -> list[QRect]:
+def _frames_of(views: Sequence[CurveView], looks: Looks, shown: PixelMap, scale: float) -> list[QRect]:
     """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
     corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
-    widths = [printed_width(view.source.style, shown, _WIDTH * scale) for view in views]
+    widths = [printed_width(looks.style_of(view), shown, _WIDTH * scale) for view in views]
     pads = _BESIDE * scale + np.array(widths)[:, None] / 2
     names = [view.source.shape for view in views]
     starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]

@@ -78,7 +78,11 @@ def _command_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser("curvebench")
     commands = parser.add_subparsers(dest="command", required=True)
     add = partial(commands.add_parser, parents=[common_options()])
-    render = add("render", help="write a picture", description="Write a picture of a document.")
+    render = add(
+        "render",
+        help="write a picture",
+        description="Write a picture of a document, or of a file that convert reads.",
+    )
     render.add_argument("file", metavar="FILE")
     render.add_argument(
         "-o",
@@ -107,14 +111,16 @@ def _command_parser() -> argparse.ArgumentParser:
 
 
 def _document_of(options: argparse.Namespace) -> Document:
-    """Return the document that a command is about, or say which command takes files of other formats."""
+    """Return the document that a command is about, or what a file of another format holds."""
     try:
         return load_document(options.file)
     except RefusalError:
         if not can_import(Path(options.file)):
             raise
-        reads = f"“curvebench {options.command}” reads documents, “curvebench convert” other formats, too"
-        raise RefusalError(f"“{options.file}” is no document (*.curve.json): {reads}.") from None
+    with _told_on_terminals() as report:
+        source = import_file(options.file, ImportOptions(), report=report)
+    _tell(source.sentences)
+    return source.document
 
 
 def _drawn_document(options: argparse.Namespace) -> Document:

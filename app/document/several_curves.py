@@ -181,7 +181,7 @@ def alone(document: Document, curves: Collection[int]) -> Document:
 
 def _with_width(curve: Curve, usual: float) -> Curve:
     style = curve.style
-    return curve if style.width is not None else replace(curve, style=replace(style, width=usual))
+    return curve if style.width is not None else replace(curve, style=style.with_usual_width(usual))
 
 
 def in_order(document: Document, order: Sequence[int]) -> Document:

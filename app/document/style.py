@@ -66,7 +66,8 @@ class Style(Value, frozen=True):
     stroke, stroke_opacity
         Paint of the line.
     width
-        Of the line, in the unit of the document; None for a line of the usual width, whatever the zoom.
+        Of the line, in the unit of the document; None for a line of the usual width: that of
+        the page, or without one the same at every zoom.
     cap, join, miter_limit
         Ends and corners of the line; longer miters than the limit times the width become bevels.
     dash, dash_offset
@@ -118,6 +119,10 @@ class Style(Value, frozen=True):
         """Return the style with other values; another colour takes the place of a gradient."""
         flat = {GRADIENTS[name]: None for name in fields if name in GRADIENTS}
         return replace(self, **{**flat, **fields})
+
+    def with_usual_width(self, width: float) -> Style:
+        """Return the style with this width where its line has none of its own; 0 leaves it so."""
+        return replace(self, width=width) if width and self.width is None else self
 
     def with_gradient(self, paint: str, gradient: Gradient) -> Style:
         """Return the style with a gradient as its "fill" or "stroke"."""

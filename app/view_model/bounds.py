@@ -10,7 +10,6 @@ from typing import Final
 
 import msgspec
 import numpy as np
-from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
@@ -88,8 +87,7 @@ class Strokes(msgspec.Struct, frozen=True):
 
     def printed(self, style: Style) -> Style:
         """Return a style with the width that its line has on the page."""
-        is_usual = self.side and style.width is None
-        return replace(style, width=USUAL_WIDTH * self.side) if is_usual else style
+        return style.with_usual_width(USUAL_WIDTH * self.side)
 
 
 BARE: Final = Strokes(measured=False, scaled=False)

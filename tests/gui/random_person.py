@@ -43,7 +43,7 @@ from shiboken6 import isValid
 from app.plotting.plot_widget import PlotWidget
 
 _PAUSE_MS = 5
-NOT_DONE = {"quit"}
+NOT_DONE = {"quit", "closeWindow"}
 """What ends the program."""
 
 KEYS = (

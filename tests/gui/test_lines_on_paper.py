@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+from msgspec.structs import replace
+from pixels import pixels_of
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
+from app.document.model import Document, Page, make_curve
+from app.document.plane_edits import set_page
+from app.document.style import Style
 from app.document.style_edits import with_style
+from app.families import HERMITE
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -98,3 +105,69 @@ def test_a_width_is_a_clean_one_of_each_unit_and_none_without_paper(editor):
     # Neither does a line that was drawn on paper say how wide one is elsewhere.
     draw_rectangle(editor, (0, 0), (1, 1))
     assert draw_rectangle(editor, (2, 0), (3, 1)).style.width is None
+
+
+# Lines without a width of their own: as wide as one that says how wide they print.
+
+
+@pytest.fixture
+def automatic(editor):
+    """Two waves on a page, red and blue, whose lines have no width of their own."""
+    waves = (((1, 2), (5, 8), (9, 2)), ((1, 1), (5, 8.1), (9, 1)))
+    curves = [
+        replace(make_curve(wave, name=colour, family=HERMITE), style=Style(stroke=colour))
+        for wave, colour in zip(waves, ("#d00000", "#0000d0"), strict=True)
+    ]
+    editor.session.new()
+    editor.session.commit(Document(tuple(curves), unit="mm", page=Page(0.0, 0.0, 10.0, 10.0)), "Begin")
+    editor.fit()
+    return editor
+
+
+def picture_of(editor):
+    editor.settle()
+    return pixels_of(editor.window.canvas.viewport().grab().toImage())
+
+
+def differ(one, other):
+    """Whether pictures differ by more than edges do whose lines are cut into other pieces."""
+    shades = [
+        (each[..., None] >> np.array([16, 8, 0])) & 0xFF for each in (one.astype(int), other.astype(int))
+    ]
+    return abs(shades[0] - shades[1]).max() > 16
+
+
+@pytest.mark.parametrize("is_near", [False, True])
+@pytest.mark.parametrize("chosen", [None, (), (0,), (0, 1)])
+def test_an_automatic_line_on_a_page_is_as_wide_as_it_prints(automatic, chosen, is_near):
+    session, canvas = automatic.session, automatic.window.canvas
+
+    def picture():
+        if chosen is not None:
+            session.selected.choose(chosen)
+        return picture_of(automatic)
+
+    if is_near:
+        canvas.camera.show_box((4.5, 5.5), (7.5, 8.5))
+    before, width = picture(), session.document.page.usual_width
+    assert width * canvas.pixel_map.sx > (8 if is_near else 1)
+    session.change("Width", lambda document: with_style(document, {0, 1}, width=width))
+    assert not differ(picture(), before)
+    session.change("Width", lambda document: with_style(document, {0, 1}, width=1.2 * width))
+    assert differ(picture(), before)
+
+
+def test_a_page_widens_the_lines_that_are_there_and_undo_takes_it_back(automatic):
+    session, canvas = automatic.session, automatic.window.canvas
+    session.change("Page", lambda document: set_page(document, Page(0.0, 0.0, 100.0, 100.0)))
+    canvas.camera.show_box((3.0, 7.0), (6.0, 10.0))
+
+    def thickness():
+        """Return how many pixels are blue above one another where the wave turns."""
+        session.selected.choose(())
+        column = picture_of(automatic)[:, round(canvas.to_pixel(5.0, 8.0).x())]
+        return int((column == 0x0000D0).sum())
+
+    wide = thickness()
+    automatic.trigger("undo")
+    assert 8 * thickness() < wide < 16 * thickness()

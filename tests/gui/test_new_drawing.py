@@ -11,7 +11,9 @@ from app.cli.lifecycle import Lifecycle
 from app.document.model import Document, Page
 from app.document.style import Style
 from app.families import HERMITE, LAGRANGE
+from app.testing import Editor
 from app.window.main_window import MainWindow
+from app.workbench.document_files import DocumentFiles
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -96,3 +98,35 @@ def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(editor, 
         other.deleteLater()
     finally:
         lifecycle.stop()
+
+
+def test_close_closes_its_window_and_quit_all_of_them_unless_one_is_kept(qtbot, qapp, monkeypatch):
+    first, second = Editor(qtbot), Editor(qtbot)
+    answers, asked = [QMessageBox.StandardButton.Cancel], []
+
+    def ask(files):
+        asked.append(files._window)
+        return answers[0]
+
+    monkeypatch.setattr(DocumentFiles, "_ask_about_changes", ask)
+    second.drag_point(1, to=(0.5, 0.2))
+    second.key(Qt.Key.Key_W, CTRL)
+    assert asked == [second.window]
+    assert first.window.isVisible()
+    assert second.window.isVisible()
+    first.window.activateWindow()
+    first.settle()
+    first.drag_point(1, to=(0.5, 0.2))
+    answers[0] = QMessageBox.StandardButton.Discard
+    first.key(Qt.Key.Key_W, CTRL)
+    assert asked == [second.window, first.window]
+    assert not first.window.isVisible()
+    assert second.window.isVisible()
+    third = Editor(qtbot)
+    answers[0] = QMessageBox.StandardButton.Cancel
+    third.key(Qt.Key.Key_Q, CTRL)
+    assert (third.window.isVisible(), second.window.isVisible()) == (False, True)
+    answers[0] = QMessageBox.StandardButton.Discard
+    fourth = Editor(qtbot)
+    fourth.key(Qt.Key.Key_Q, CTRL)
+    assert (fourth.window.isVisible(), second.window.isVisible()) == (False, False)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from PySide6.QtWidgets import QApplication, QMainWindow
+
 from ...actions.declaration import action, also
 from ...actions.sections import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE
 from ...actions.strips import TOOLBAR
@@ -68,10 +70,20 @@ class DocumentCommands:
         """Save the document under another name."""
         self._context.files.ask_and_save()
 
+    @action("closeWindow", "Close", FILE_QUIT, "Ctrl+W", "close", full_name="Close Window")
+    def _close(self) -> None:
+        """Close this document and its window; the last one ends the program."""
+        self._context.window.close()
+
     @action("quit", "Quit", FILE_QUIT, "Ctrl+Q", "quit")
     def _quit(self) -> None:
-        """Close the window."""
-        self._context.window.close()
+        """Close all windows, this one first, unless the question about changes keeps one open."""
+        others = [
+            each
+            for each in QApplication.topLevelWidgets()
+            if isinstance(each, QMainWindow) and each.isVisible() and each is not self._context.window
+        ]
+        all(window.close() for window in (self._context.window, *others))
 
 
 COMMAND_SETS = (DocumentCommands, WorkCommands)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import action, switch
 from ...actions.sections import VIEW_MODE
 from ...appearance.theme import LIGHT, PRINTED, Theme
+from ...canvas.looks import Looks
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 
@@ -16,7 +17,6 @@ class StyleViewCommands:
         self._store, self._canvas = context.store, context.central.canvas
         self._session, self._theme = context.session, LIGHT
         self._store.changed.connect(self._show_state)
-        self._canvas.drawing.curves.set_thin(self._store.state.thin_lines)
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`, unless the paper is as it prints."""
@@ -24,13 +24,19 @@ class StyleViewCommands:
         self._show_paper()
 
     def show_document(self) -> None:
-        """Show paper as documents with a page, or without, have it."""
+        """Show paper as documents with a page, or without, have it, and lines as wide as they print there."""
         self._show_paper()
+        self._show_looks()
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.thin_lines != before.thin_lines:
-            self._canvas.drawing.curves.set_thin(after.thin_lines)
+            self._show_looks()
         self._show_paper()
+
+    def _show_looks(self) -> None:
+        page = self._session.document.page
+        width = page.usual_width if page is not None else 0.0
+        self._canvas.drawing.curves.set_looks(Looks(self._store.state.thin_lines, width))
 
     def _show_paper(self) -> None:
         wanted = PRINTED if self._store.state.prints(self._session.document) else self._theme
