@@ -97,13 +97,15 @@ def test_bending_can_be_cancelled(arch):
     assert arch.session.document is document
 
 
-def test_a_click_on_the_curve_selects_nothing_and_tells_the_point(arch):
+def test_a_click_on_the_curve_selects_the_ends_of_its_segment_and_tells_the_point(arch):
     document = arch.session.document
     t, place = middle(arch)
     arch.click(place)
-    assert arch.session.selection == frozenset()
+    assert arch.session.selection == {1, 2}
     assert arch.session.document is document
-    shown = float(arch.status.partition(" · ")[0].removeprefix("t = "))
+    ends, shown, _ = arch.status.split(" · ")
+    assert ends == "2 points selected"
+    shown = float(shown.removeprefix("t = "))
     assert shown == pytest.approx(t, abs=2e-3)
     assert "c(t) = (" in arch.status
 
@@ -113,11 +115,12 @@ def test_the_status_line_says_before_the_press_whether_the_points_stay(arch, fam
     arch.choose_family(family)
     line, place = arch.window.status_line, middle(arch)[1]
     arch.hover(place)
+    clicks = f"Click: select both ends · {INSERTS}" if family.interpolates else INSERTS
     if not family.derivatives:
-        assert line.hint == f"Drag to bend; this family has no handles: the {family.point}s move · {INSERTS}"
+        assert line.hint == f"Drag to bend; this family has no handles: the {family.point}s move · {clicks}"
         return
     keys = "Alt: points come along · Ctrl: points alone"
-    assert line.hint == f"Drag to bend; the points stay · {keys} · {INSERTS}"
+    assert line.hint == f"Drag to bend; the points stay · {keys} · {clicks}"
     # While a key is held, what it does.
     arch.move(place, held=False, keys=ALT)
     assert line.hint == "Drag to bend; the points come along"

@@ -99,7 +99,8 @@ class Gestures(RuleBasedStateMachine):
             # Whole curves are chosen, or none: no point of them.
             assert selected.chosen in (set(), selected.curves)
             assert not selected.points
-            assert self.tool.record is SELECT
+            # Tools that begin no curve and find no other ones have a curve that is edited.
+            assert self.tool.tool.finds_other_curves or self.tool.record.beginning
 
     @invariant()
     def the_document_can_be_saved(self):
