@@ -64,9 +64,7 @@ class ChoosingCommands:
         alike = curves_alike(document, session.selected.marked, look)
         free = whole_shapes(document, alike & free_curves(document))
         if not free:
-            session.refuse(
-                f"All with {look.words} is hidden or locked; the list shows and unlocks it."
-            )
+            session.refuse(f"All with {look.words} is hidden or locked; the list shows and unlocks it.")
             return
         session.selected.choose(free)
         left = "" if alike <= free else "; what is hidden or locked is not"
