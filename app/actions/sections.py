@@ -105,6 +105,7 @@ EDIT_CLIPBOARD = EDIT.section()
 EDIT_COPY_AS = EDIT.section("Copy and Paste Special", is_separated=False)
 EDIT_DERIVATIVES = EDIT.section("Copy and Paste Special")
 EDIT_STYLE = EDIT.section("Copy and Paste Special")
+EDIT_SIZE = EDIT.section("Copy and Paste Special")
 EDIT_PROGRAM = EDIT.section()
 
 CURVE = Menu("Curve", interrupts=True, needs=CHOSEN)

@@ -19,10 +19,9 @@ from ...document.several_curves import named
 from ...document.shapes import shape_of
 from ...document.style import Style
 from ...storage.field_check import check_fields
-from ...storage.format import decode
 from ...storage.format_error import FormatError
 from ...view_model.shape_boxes import box_of_first_shape, box_of_shape
-from ...workbench.clipboard import CURVES, POINTS, clipboard_data, drawing_in, put_on_clipboard
+from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard
 from ...workbench.context import WindowContext
 
 if TYPE_CHECKING:
@@ -108,8 +107,8 @@ def _style_in(data: QMimeData) -> Style | None:
             found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
             check_fields(found, "style")
             return found
-        for kind in filter(data.hasFormat, (CURVES, POINTS)):
-            return _style_of_first(decode(bytes(data.data(kind).data())))
+        if copied := own_in(data):
+            return _style_of_first(copied)
     except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
         pass
     return None

@@ -19,6 +19,7 @@ from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
 from .panel_commands import TransformPanelCommands
+from .size_commands import PasteSizeCommands
 
 
 class _Transform(NamedTuple):
@@ -234,4 +235,4 @@ class SelectionCommands:
         """Let strokes get wider, or thinner, with the curves that they are of."""
 
 
-COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands)
+COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands, PasteSizeCommands)
