@@ -53,7 +53,8 @@ def resized(
         _refuse_length(document, length, axis, bounds.size[axis] - bare.size[axis], strokes)
         factors[axis] = length / bounds.size[axis]
     even = axes[0] if keeps_proportions and len(axes) == 1 else None
-    by = scaling(*((factors[even],) * 2 if even is not None else factors), about)
+    x, y = factors if even is None else (factors[even], factors[even])
+    by = scaling(x, y, about)
     corners = by.point(bounds.low), by.point(bounds.high)
     return stretched(document, views, group, corners, strokes, even=even, about=about)
 

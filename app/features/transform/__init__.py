@@ -1,7 +1,7 @@
 """Transforms of points and curves: move, scale, rotate, mirror, align, distribute.
 
 - ``commands``: the actions.  ``align_commands``: those that align and distribute.
-- ``size_commands``: the size of what was copied.
+- ``repeat_commands``: the last transform once more.  ``size_commands``: the size of what was copied.
 - ``panel``: the same in numbers.  ``panel_commands``: keeps it in step.  ``pivot_chooser``: nine places.
 """
 

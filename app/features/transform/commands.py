@@ -19,6 +19,7 @@ from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
 from .panel_commands import TransformPanelCommands
+from .repeat_commands import RepeatCommands
 from .size_commands import PasteSizeCommands
 
 
@@ -235,4 +236,4 @@ class SelectionCommands:
         """Let strokes get wider, or thinner, with the curves that they are of."""
 
 
-COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands, PasteSizeCommands)
+COMMAND_SETS = (SelectionCommands, RepeatCommands, AlignCommands, TransformPanelCommands, PasteSizeCommands)
