@@ -7,6 +7,8 @@ import math
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit, QToolButton, QWidget
 
 from app.document.model import Document, make_curve
 from app.document.transforms import rotation
@@ -125,3 +127,73 @@ def test_points_edited_one_by_one_are_no_transform_and_nothing_is_done_before_on
     assert middle == "Rotate Petal by 30° again"
     way, old = points(petal)[2] - points(petal)[0], before[2] - before[0]
     assert math.degrees(math.atan2(*way[::-1]) - math.atan2(*old[::-1])) == pytest.approx(30)
+
+
+# Copies around
+
+
+def field(editor, name):
+    found = editor.window.findChild(QLineEdit, name)
+    assert found is not None
+    return found
+
+
+def enter(editor, edit, text):
+    edit.setFocus()
+    edit.selectAll()
+    editor.type_text(edit, text)
+
+
+def test_petals_are_typed_seen_meanwhile_and_one_step(petal):
+    session, start, before = petal.session, points(petal), petal.session.document
+    petal.window.canvas.tools.target.pivot = (0.0, 0.0)
+    petal.key(Key.Key_C, ALT | SHIFT)
+    assert QApplication.focusWidget() is field(petal, "copiesCount")
+    QTest.keyClicks(QApplication.focusWidget(), "6")
+    petal.settle()
+    assert field(petal, "copiesAngle").text() == "60", "all around, until another angle is typed"
+    assert len(session.document.curves) == 7
+    assert session.is_previewing
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Escape)
+    petal.settle()
+    assert session.document is before
+    assert session.selected.chosen == {0}
+
+    petal.key(Key.Key_C, ALT | SHIFT)
+    QTest.keyClicks(QApplication.focusWidget(), "4")
+    enter(petal, field(petal, "copiesAngle"), "360/5")
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Return)
+    petal.settle()
+    assert session.undo_stack.undoText() == "4 of Petal, each by 72°"
+    petals = sorted(session.selected.chosen)
+    assert [session.document.curves[place].name for place in petals] == [
+        "Petal", "Petal copy", "Petal copy 2", "Petal copy 3",
+    ]  # fmt: skip
+    for number, place in enumerate(petals):
+        assert points(petal, place) == pytest.approx(turned(start, 72 * number), abs=1e-12)
+    petal.key(Key.Key_Z, CTRL)
+    assert session.document == before
+
+
+def test_a_row_has_a_step_with_its_unit_and_what_cannot_be_is_told_in_the_field(petal):
+    petal.set_unit("mm")
+    session, start = petal.session, points(petal)
+    session.selected.choose([0, 1])
+    petal.run_command("Copies Around")
+    button = petal.window.findChild(QToolButton, "copiesWay")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    enter(petal, field(petal, "copiesCount"), "1")
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Return)
+    frame = petal.window.findChild(QWidget, "copiesField")
+    assert "from 2 to" in frame.remark
+    assert not session.is_previewing
+    enter(petal, field(petal, "copiesCount"), "3")
+    enter(petal, field(petal, "copiesX"), "1 cm")
+    enter(petal, field(petal, "copiesY"), "-2")
+    assert session.is_previewing
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Return)
+    petal.settle()
+    assert session.undo_stack.undoText() == "3 of 2 curves, each by 10, \N{MINUS SIGN}2"
+    assert len(session.selected.chosen) == 6
+    found = {curve.name: place for place, curve in enumerate(session.document.curves)}
+    assert points(petal, found["Petal copy 2"]) == pytest.approx(start + np.array([20, -4]))
