@@ -33,7 +33,7 @@ FULL = Document(
                 Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
             ),
             style=Style(width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT),
-            text=Text("I", "Sans", 1.0, 2.0, 3.0),
+            text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
         ),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
@@ -122,6 +122,7 @@ def test_every_length_goes_with_the_unit():
     of_stops = {"offset", "opacity"}
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
+    of_curves |= {"text.letter_spacing", "text.line_spacing"}
     of_curves |= {f"style.{name}" for name in of_styles}
     of_pictures = {"image.opacity"}
     assert stays == {f"curves.{name}" for name in of_curves} | of_pictures
