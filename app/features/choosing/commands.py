@@ -54,7 +54,7 @@ class ChoosingCommands:
             EDIT_SAME,
             icon=f"select-same-{each.name.lower()}",
             tip=f"Choose all that is seen and free and has the same {each.tip}",
-            full_name=f"Select Same {each.title}",
+            full_name=f"Select All with the Same {each.title}",
             needs=CHOSEN,
             keywords="similar alike colour color style matching",
         ),

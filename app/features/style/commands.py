@@ -293,6 +293,7 @@ class StyleCommands:
         CURVE_STYLE,
         "Shift+X",
         "swap",
+        full_name="Style: Swap Fill and Stroke",
         keywords="exchange switch colour colors paint outline reverse",
     )
     def _swap(self) -> None:

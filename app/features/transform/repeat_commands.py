@@ -29,7 +29,7 @@ class RepeatCommands:
         "transform-again",
         full_name="Repeat the Last Transform",
         needs=CHOSEN,
-        keywords="again transform redo same move rotate scale skew flip",
+        keywords="again transform same move rotate scale skew flip",
     )
     def _repeat(self) -> None:
         """Move, rotate, scale, skew or flip what is selected or chosen as it was done last."""
