@@ -129,6 +129,19 @@ class Style(Value, frozen=True):
         return replace(self, **{paint: gradient.mean, GRADIENTS[paint]: gradient})
 
     @property
+    def swapped(self) -> Style:
+        """The style whose inside is painted as the line was, and whose line as the inside was."""
+        return replace(
+            self,
+            stroke=self.fill,
+            stroke_gradient=self.fill_gradient,
+            stroke_opacity=self.fill_opacity,
+            fill=self.stroke,
+            fill_gradient=self.stroke_gradient,
+            fill_opacity=self.stroke_opacity,
+        )
+
+    @property
     def is_placed(self) -> bool:
         """Whether it hangs on places of the plane."""
         return self.fill_gradient is not None or self.stroke_gradient is not None

@@ -29,6 +29,13 @@ def with_style(document: Document, curves: Collection[int], **fields: object) ->
     )
 
 
+def with_paints_swapped(document: Document, curves: Collection[int]) -> Document:
+    """Paint the insides of curves as their lines were, and their lines as their insides were."""
+    return with_each(
+        document, whole_shapes(document, curves), lambda curve: replace(curve, style=curve.style.swapped)
+    )
+
+
 def common_values(styles: Iterable[Style]) -> dict[str, object]:
     """Return the values that all of the styles have, by their fields; what differs is left out.
 

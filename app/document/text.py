@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from typing import Annotated, Final, NamedTuple
 
-from .fields import Requirement, above, printed
+from .fields import Requirement, above, between, printed
 from .guide import Length
 from .value import Value
+from .words import NamedEnum
 
 LONGEST_TEXT: Final = 300
 _LONGEST_FONT = 255
@@ -14,6 +15,39 @@ _LONGEST_FONT = 255
 _WORDS = Requirement(
     lambda words: len(words) <= LONGEST_TEXT, f"be a text of at most {LONGEST_TEXT} letters", shown=len
 )
+
+
+LETTER_SPACING: Final = (-1.0, 10.0)
+"""Shares of the size between which what is added between letters lies."""
+
+LINE_SPACING: Final = (0.1, 10.0)
+"""The same for the way from line to line, in multiples of that of the font."""
+
+
+class TextAlign(NamedEnum):
+    """Part of each line that stands where a text was begun.
+
+    Attributes
+    ----------
+    share
+        How much of the line lies before it.
+    """
+
+    def __init__(self, value: str, label: str = "", share: float = 0.0) -> None:
+        super().__init__(value, label)
+        self.share = share
+
+    LEFT = "left", "Left", 0.0
+    CENTRE = "centre", "Centre", 0.5
+    RIGHT = "right", "Right", 1.0
+
+
+class Setting(NamedTuple):
+    """How the letters of a text stand to each other; see `Text`."""
+
+    letter_spacing: float = 0.0
+    line_spacing: float = 1.0
+    align: TextAlign = TextAlign.LEFT
 
 
 class Text(Value, frozen=True):
@@ -26,13 +60,20 @@ class Text(Value, frozen=True):
     font
         Family of the font.
     x, y
-        Where the baseline of the first line begins, before the letters were moved or turned.
+        Where the baseline of the first line begins, or has its middle or end by `align`, before the letters
+        were moved or turned.
     size
         What an em is long.
     bold, italic
         The style of the font.
     begins
         Whether it begins with the curve that has this: copies of it may lie side by side.
+    letter_spacing
+        What is added between letters, in sizes.
+    line_spacing
+        The way from line to line, in multiples of that of the font.
+    align
+        Which part of each line stands at x.
     """
 
     words: Annotated[str, _WORDS]
@@ -43,3 +84,11 @@ class Text(Value, frozen=True):
     bold: bool = False
     italic: bool = False
     begins: bool = False
+    letter_spacing: Annotated[float, between(*LETTER_SPACING)] = 0.0
+    line_spacing: Annotated[float, between(*LINE_SPACING)] = 1.0
+    align: TextAlign = TextAlign.LEFT
+
+    @property
+    def setting(self) -> Setting:
+        """How the letters stand to each other."""
+        return Setting(self.letter_spacing, self.line_spacing, self.align)

@@ -24,6 +24,7 @@ FEATURES = (
     "rules",
     "own_families",
     "points",
+    "choosing",
     "transform",
     "clipboard",
     "basis",

@@ -26,7 +26,9 @@ from PySide6.QtGui import (
 from curvecore.arrays import FloatArray
 
 from ..document.model import Vector
+from ..document.text import Setting
 
+_USUAL = Setting()
 _WIDE = 1e7
 """Width of a line, in units of the font, that no text reaches."""
 
@@ -121,18 +123,22 @@ def has_family(family: str) -> bool:
     return QFontDatabase.hasFamily(family)
 
 
-def outlines_of(text: str, face: Face) -> Outlines:
+def outlines_of(text: str, face: Face, setting: Setting = _USUAL) -> Outlines:
     """Return the outlines of a text of one or more lines, kerned and with the ligatures of the font.
 
-    Letters that the font lacks are of another that has them.
+    Letters that the font lacks are of another that has them; letters with space between them have no
+    ligatures.
     """
     font = _in_its_own_units(face)
     if font is None:
         return NO_OUTLINES
+    between = setting.letter_spacing * font.pixelSize()
+    if between:
+        font.setLetterSpacing(QFont.SpacingType.AbsoluteSpacing, between)
     glyphs, missing = list[Glyph](), dict[str, None]()
-    spacing = QFontMetricsF(font).lineSpacing()
+    spacing = QFontMetricsF(font).lineSpacing() * setting.line_spacing
     for number, line in enumerate(text.split("\n")):
-        for drawn in _drawn(line, font):
+        for drawn in _drawn(line, font, setting.align.share):
             if drawn.is_missing:
                 missing[drawn.letters] = None
             elif contours := tuple(drawn.contours(number * spacing)):
@@ -161,8 +167,11 @@ def _in_its_own_units(face: Face) -> QFont | None:
     return font
 
 
-def _drawn(line: str, font: QFont) -> Iterator[_Drawn]:
-    """Yield the letters of a line from the first to the last, those together that the font draws as one."""
+def _drawn(line: str, font: QFont, share: float) -> Iterator[_Drawn]:
+    """Yield the letters of a line from the first to the last, those together that the font draws as one.
+
+    So much of the line is before where it was asked for.
+    """
     layout, option = QTextLayout(line, font), QTextOption()
     option.setUseDesignMetrics(True)
     option.setWrapMode(QTextOption.WrapMode.NoWrap)
@@ -175,7 +184,9 @@ def _drawn(line: str, font: QFont) -> Iterator[_Drawn]:
         return
     laid.setLineWidth(_WIDE)
     layout.endLayout()
-    origin = QPointF(laid.naturalTextRect().left(), laid.ascent())
+    # What comes behind each letter comes behind the last one, too.
+    width = laid.naturalTextRect().width() - font.letterSpacing()
+    origin = QPointF(laid.naturalTextRect().left() + share * width, laid.ascent())
     # Qt counts in words of 16 bits; and of letters of several fonts the runs tell wrong places in the text.
     words, at = line.encode("utf-16-le", "surrogatepass"), 0
     before: _Drawn | None = None

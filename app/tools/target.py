@@ -108,12 +108,16 @@ class TransformTarget:
         group, box = self._now()
         if box is not None:
             return box
-        return self._bounds_of(group or self.for_keys, self._strokes())
+        return self.bounds_of(group or self.for_keys)
 
     @property
     def bare_bounds(self) -> Bounds:
         """The same without strokes."""
         return self._bounds_of(self.for_keys, BARE)
+
+    def bounds_of(self, group: PointGroup) -> Bounds:
+        """Return the bounds of a group, measured as those of the target; there must be points."""
+        return self._bounds_of(group, self._strokes())
 
     def _bounds_of(self, group: PointGroup, strokes: Strokes) -> Bounds:
         bounds = bounds_of(self._host.views, group, strokes, as_drawn=self._host.is_previewing)

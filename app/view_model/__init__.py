@@ -42,7 +42,9 @@ A curve changed:
   ``cubics``, ``cubic_joints``: curves as cubic pieces, and back.
 - ``bounds``: the box of points or curves.  ``stroked``: with strokes.  ``stretch``: what fills another.
 - ``fixed_point``: equations whose values take a while.  ``shape_boxes``: the box of a whole shape.
-  ``alignment``: curves by theirs.  ``pivot``: the place that transforms are about, and what they did.
+  ``resizing``: a width, a height.  ``alignment``: curves by theirs.  ``pivot``: the place that transforms are
+  about, and what they did.  ``last_transform``: the last of them, done again.
+  ``copies``: many in a circle or a row.
 - ``pasting``: points carried from one curve to another.  ``arrivals``: curves from elsewhere.
 - ``point_columns``: the columns of the point table.
 

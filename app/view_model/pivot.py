@@ -73,7 +73,7 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
             return IDENTITY
         if self.group.parts != now.group.parts or before.shape != after.shape:
             return None
-        by = _map_between(before, after)
+        by = map_between(before, after)
         return by if by is IDENTITY else self._as_boxes(by, now)
 
     def _as_boxes(self, by: Affine, now: Anchor) -> Affine:
@@ -124,7 +124,7 @@ def turned_since(anchor: Anchor, now: Anchor) -> float | None:
     return round(degrees, 9) + 0.0
 
 
-def _map_between(before: FloatArray, after: FloatArray) -> Affine:
+def map_between(before: FloatArray, after: FloatArray) -> Affine:
     """Return the map of one set of points to another, that which changes shape least; none without one."""
     centre: FloatArray = before.mean(axis=0)
     shift: FloatArray = (after - centre).mean(axis=0)

@@ -10,6 +10,8 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
 from .. import exchange
+from ..document.model import Document
+from ..storage.format import decode
 
 if TYPE_CHECKING:
     from ..exchange.svg.fragments import Fragment
@@ -27,6 +29,18 @@ POINTS = "application/x-curvebench-points"
 def clipboard_data() -> QMimeData:
     """Return what the clipboard holds; nothing where nothing was ever copied."""
     return QGuiApplication.clipboard().mimeData() or QMimeData()
+
+
+def own_in(data: QMimeData) -> Document | None:
+    """Return the curves that were copied in this program, or the points as one of them; None for neither.
+
+    Raises
+    ------
+    FormatError
+        If they cannot be read.
+    """
+    kind = next(filter(data.hasFormat, (CURVES, POINTS)), None)
+    return None if kind is None else decode(bytes(data.data(kind).data()))
 
 
 def drawing_in(data: QMimeData) -> Fragment | None:

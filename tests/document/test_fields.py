@@ -35,7 +35,7 @@ FULL = Document(
                 Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
             ),
             style=Style(width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT),
-            text=Text("I", "Sans", 1.0, 2.0, 3.0),
+            text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
             form=Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5),
         ),
     ),
@@ -127,6 +127,7 @@ def test_every_length_goes_with_the_unit():
     of_stops = {"offset", "opacity"}
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
+    of_curves |= {"text.letter_spacing", "text.line_spacing"}
     of_curves |= {f"style.{name}" for name in of_styles}
     of_pictures = {"image.opacity", "kept_pictures.opacity", "kept_pictures.part"}
     # In units of the text, which goes with the unit as a whole.

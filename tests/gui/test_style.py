@@ -19,9 +19,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.appearance.theme import LIGHT, ThemeMode
+from app.document.gradient import Gradient, Stop
 from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
-from app.document.style import FillRule, LineCap, LineJoin, Style
+from app.document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot
 from app.plotting.drawing import Stroke
@@ -669,3 +670,39 @@ def test_a_fine_line_is_drawn_without_qt_s_stroker_and_not_made_for_the_edited_c
     assert pytest.approx(3.0) in [width for *_, width in lines]
     assert not stroked
     assert len(plain) == 0
+
+
+# Swapped
+
+
+def test_fill_and_stroke_change_places_with_their_gradients_and_opacities_for_all_that_is_chosen(
+    editor, panel
+):
+    fading = Gradient((Stop(0.0, RED), Stop(1.0, BLUE, 0.5)), end=(3.0, 0.0))
+    looks = (
+        Style(fill=RED, fill_opacity=0.5, stroke=BLUE, width=0.3, opacity=0.8),
+        Style(stroke=GREEN).with_gradient("fill", fading),
+        Style(fill=RED, stroke=NO_PAINT),
+    )
+    curves = tuple(
+        replace(curve, style=look) for curve, look in zip(editor.session.document.curves, looks, strict=True)
+    )
+    begin(editor, *curves, unit="cm")
+    editor.session.selected.choose({0, 1, 2})
+    click(panel, "swapFillAndStrokeButton")
+    first, second, third = (curve.style for curve in editor.session.document.curves)
+    assert first == Style(fill=BLUE, stroke=RED, stroke_opacity=0.5, width=0.3, opacity=0.8)
+    assert (second.stroke_gradient, second.fill, second.fill_gradient) == (fading, GREEN, None)
+    assert (third.fill, third.stroke) == (NO_PAINT, RED)
+    assert editor.session.undo_stack.undoText() == "Swap fill and stroke of 3 curves"
+    editor.key(Qt.Key.Key_X, Qt.KeyboardModifier.ShiftModifier)
+    assert editor.session.document == Document(curves, unit="cm")
+
+
+def test_what_is_drawn_next_has_its_paints_swapped_where_nothing_is_chosen(editor, panel):
+    editor.session.selected.choose(())
+    before, style = editor.session.document, editor.session.model.style
+    editor.key(Qt.Key.Key_X, Qt.KeyboardModifier.ShiftModifier)
+    now = editor.session.model.style
+    assert (now.fill, now.stroke) == (style.stroke, style.fill) != (style.fill, style.stroke)
+    assert editor.session.document is before

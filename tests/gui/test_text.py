@@ -13,13 +13,14 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QToolButton
 
 from app.document.edits import move_points
 from app.document.lines import is_line
 from app.document.model import Document, make_curve
 from app.document.several_curves import mapped, remove_curves, whole_curves
 from app.document.style import NO_PAINT, PLAIN_STYLE, FillRule
+from app.document.text import TextAlign
 from app.document.transforms import Affine
 from app.families import HERMITE
 from app.features.text.commands import TextCommands
@@ -176,7 +177,7 @@ def test_escape_gives_it_up_and_a_click_elsewhere_makes_it(drawing):
     drawing.click(AT)
     assert field(drawing).text == ""
     write(drawing, "I")
-    drawing.click((5.0, -1.0))
+    drawing.click((5.0, 3.5))
     assert drawing.session.undo_stack.undoText() == "Add Text “I”"
     assert field(drawing).isVisible()
     # Nothing typed makes nothing.
@@ -395,3 +396,62 @@ def test_a_file_tells_of_a_text_and_copies_are_texts_of_their_own(drawing, tmp_p
     press(drawing, Qt.Key.Key_Return)
     assert [curve.name for curve in letters(drawing)] == ["I", "V", "V"]
     assert [curve.groups for curve in letters(drawing)] == [(), ("VV",), ("VV",)]
+
+
+def type_per_cent(editor, name, text):
+    edit = field(editor).findChild(QLineEdit, name)
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, text)
+    press(editor, Qt.Key.Key_Return)
+
+
+def lefts(editor, start, size=2.0):
+    """Where letters begin, and their baselines, in units of the font."""
+    found = [np.array(places(curve, start, size)) for curve in letters(editor)]
+    return [(float(each[:, 0].min()), float(each[:, 1].min())) for each in found]
+
+
+def test_letters_are_spaced_and_lines_centred_live_and_again_when_the_text_is_edited(drawing, tmp_path):
+    session, path = drawing.session, tmp_path / "set.curve.json"
+    start = begin(drawing)
+    write(drawing, "II")
+    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    write(drawing, "I")
+    (left, _), (second, _), (_, lower) = plain = lefts(drawing, start)
+    advance = second - left
+    type_per_cent(drawing, "textLetterSpacing", "25")
+    type_per_cent(drawing, "textLineSpacing", "150 %")
+    assert lefts(drawing, start) == close_to([plain[0], (second + 250, 0), (left, 1.5 * lower)])
+    QTest.mouseClick(field(drawing).findChild(QToolButton, "textAlign_centre"), Qt.MouseButton.LeftButton)
+    drawing.settle()
+    # The space behind the last letter is none of the line's.
+    upper, short = -(2 * advance + 250) / 2, -advance / 2
+    centred = close_to([(upper + left, 0), (upper + second + 250, 0), (short + left, 1.5 * lower)])
+    assert lefts(drawing, start) == centred
+    assert field(drawing).isVisible()
+    field(drawing).words.setFocus()
+    press(drawing, Qt.Key.Key_Return)
+    made = session.document
+    assert lefts(drawing, start) == centred
+
+    session.save(path)
+    session.new()
+    session.open(path)
+    assert session.document == made
+    session.selected.choose(range(1, 4))
+    drawing.trigger("editText")
+    assert field(drawing).setting == (0.25, 1.5, TextAlign.CENTRE)
+    # As it was: nothing is done.
+    press(drawing, Qt.Key.Key_Return)
+    assert session.document == made
+    drawing.trigger("editText")
+    QTest.mouseClick(field(drawing).findChild(QToolButton, "textAlign_right"), Qt.MouseButton.LeftButton)
+    type_per_cent(drawing, "textLetterSpacing", "-200")
+    assert "From −100 %" in field(drawing).findChild(QLabel, "textRemark").text()
+    type_per_cent(drawing, "textLetterSpacing", "0")
+    field(drawing).words.setFocus()
+    press(drawing, Qt.Key.Key_Return)
+    right = [(left - 2 * advance, 0), (second - 2 * advance, 0), (left - advance, 1.5 * lower)]
+    assert lefts(drawing, start) == close_to(right)
+    assert session.undo_stack.undoText() == "Edit Text “II I”"

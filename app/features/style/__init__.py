@@ -1,6 +1,7 @@
 """Style: stroke and fill of all selected curves, copied and pasted, and how the canvas shows them.
 
-- ``commands``: the panel in the window, Copy Style and Paste Style.
+- ``commands``: the panel in the window, and Swap Fill and Stroke.
+- ``clipboard_commands``: Copy Style and Paste Style.
 - ``view_commands``: thin lines, and paper as it prints.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
 - ``gradient_field``: the kind of a paint, and what a gradient has.  ``stop_bar``: its stops.

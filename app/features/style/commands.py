@@ -1,63 +1,48 @@
-"""The panel of styles in the window, and styles on the clipboard."""
+"""The panel of styles in the window."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
-from PySide6.QtCore import QMimeData
 from PySide6.QtWidgets import QWidget
 
-from ... import exchange
 from ...actions.declaration import action, also
-from ...actions.needs import CHOSEN
-from ...actions.sections import CURVE_STYLE, EDIT_STYLE
+from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
 from ...document.gradient import Spread, Stop
 from ...document.gradient_edits import (
     PaintKind,
-    in_unit_box,
-    out_of_unit_box,
     with_gradient,
     with_paint_kind,
-    with_shape_styles,
     with_stops,
 )
 from ...document.model import Document, make_curve
 from ...document.several_curves import named
-from ...document.shapes import shape_of, whole_shapes
+from ...document.shapes import whole_shapes
 from ...document.style import GRADIENTS, Style
-from ...document.style_edits import STYLE_WORDS, with_style
+from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...features import style
 from ...session.change import why_not_kept
-from ...storage.field_check import check_fields
-from ...storage.format import decode
-from ...storage.format_error import FormatError
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve_view import CurveView
 from ...view_model.palette import adjustment_of
-from ...view_model.shape_boxes import box_of_first_shape, box_of_shape
+from ...view_model.shape_boxes import box_of_shape
 from ...widgets.percent_field import STEPS
-from ...workbench.clipboard import CURVES, POINTS, clipboard_data, drawing_in, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
+from .clipboard_commands import StyleClipboardCommands
 from .view_commands import StyleViewCommands
 
 if TYPE_CHECKING:
-    from ...exchange.cubics_in import Imported
     from .gradient_field import GradientField
     from .panel import StylePanel
 
-STYLE = "application/x-curvebench-style"
-"""MIME type of a style, as JSON."""
-
-_NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there, and so does copied SVG."
 _DRAWN_NEXT = "What is drawn next"
 _HOW_TO_CHOOSE = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
 _NO_SHAPE_YET = "A gradient is laid over a shape; draw or choose one first."
@@ -87,7 +72,8 @@ class StyleCommands:
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
         actions = self._context.actions
         droppers = {"fill": actions["eyedropperTool"], "stroke": actions["strokeEyedropperTool"]}
-        panel = self._panel = style.panel.StylePanel(buttons, actions["gradientTool"], droppers, parent)
+        tools = style.panel.PanelTools(actions["gradientTool"], actions["swapFillAndStroke"], droppers)
+        panel = self._panel = style.panel.StylePanel(buttons, tools, parent)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
@@ -220,8 +206,9 @@ class StyleCommands:
         edit: Callable[[Document, frozenset[int]], Document],
         *,
         is_step: bool = False,
+        what: str = "",
     ) -> None:
-        """Change the selected curves; the step is named by the fields of the styles."""
+        """Change the selected curves; the step is named by the fields of the styles, or says `what`."""
         session, curves, fields = self._session, self._curves, list(fields)
         if not curves:
             self._set_next(edit)
@@ -230,7 +217,7 @@ class StyleCommands:
             # The document before what was looked at, which locked curves may have refused.
             session.cancel()
         run = ("style", curves, *fields) if is_step else None
-        change = session.change(self._words(fields), lambda document: edit(document, curves), run=run)
+        change = session.change(self._words(fields, what), lambda document: edit(document, curves), run=run)
         if change.refusal and self._panel is not None:
             self._panel.refuse(change.refusal)
         self._render()
@@ -248,8 +235,8 @@ class StyleCommands:
             self._panel.refuse(refusal)
         self._render()
 
-    def _words(self, fields: Iterable[str]) -> str:
-        what = " and ".join(STYLE_WORDS[name] for name in fields)
+    def _words(self, fields: Iterable[str], what: str = "") -> str:
+        what = what or " and ".join(STYLE_WORDS[name] for name in fields)
         return f"{what} of {named(self._session.committed, self._curves) if self._curves else _DRAWN_NEXT}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
@@ -301,86 +288,17 @@ class StyleCommands:
             self._panel.fill.edit.setFocus()
 
     @action(
-        "copyStyle",
-        "Copy Style",
-        EDIT_STYLE,
-        "Ctrl+Alt+Shift+C",
-        "style-copy",
-        keywords="colour format painter",
-        needs=CHOSEN,
+        "swapFillAndStroke",
+        "Swap Fill and Stroke",
+        CURVE_STYLE,
+        "Shift+X",
+        "swap",
+        full_name="Style: Swap Fill and Stroke",
+        keywords="exchange switch colour colors paint outline reverse",
     )
-    @also(CHOSEN_MENU(21))
-    def _copy(self) -> None:
-        """Copy stroke and fill of the curve that is edited."""
-        session, data = self._session, QMimeData()
-        shape = shape_of(session.document, session.active_index)
-        copied = in_unit_box(session.active_curve.style, box_of_shape(session.views, shape))
-        data.setData(STYLE, msgspec.json.encode(copied))
-        put_on_clipboard(data)
-        session.say(f"Copied the style of “{session.active_curve.name}”.")
-
-    @action(
-        "pasteStyle",
-        "Paste Style",
-        EDIT_STYLE,
-        "Ctrl+Shift+V",
-        "style-paste",
-        keywords="colour format painter",
-        needs=CHOSEN,
-    )
-    @also(CHOSEN_MENU(22))
-    def _paste(self) -> None:
-        """Give the curve, or all that are selected, the stroke and the fill that were copied.
-
-        Of curves, or of an SVG, those of the first.
-        """
-        data = clipboard_data()
-        fragment = None if any(map(data.hasFormat, (STYLE, CURVES))) else drawing_in(data)
-        if fragment is not None and not fragment.is_bare:
-            read = partial(exchange.svg.fragments.read_fragment, fragment)
-            self._context.work.start("Reading the style", read, self._give_first, Path("The style"), "pasted")
-        elif found := _style_in(data):
-            self._give(found)
-        else:
-            self._session.refuse(_NOTHING_TO_PASTE)
-
-    def _give_first(self, drawing: Imported) -> None:
-        """Give the style of the first element of a drawing, in the unit of the document."""
-        unit = self._session.document.unit
-        self._give(_style_of_first(exchange.rescaled.in_unit(drawing.document, unit)))
-
-    def _give(self, found: Style) -> None:
-        """Give a style, its gradients laid over each shape as they lay over that which it was copied from."""
-        session, curves = self._session, self._session.selected.marked
-        subject = named(session.document, curves)
-        words = f"Paste style to {subject}"
-        views = session.views
-
-        def fitted(shape: range, _style: Style) -> Style:
-            return out_of_unit_box(found, box_of_shape(views, shape)) if found.is_placed else found
-
-        if session.change(words, lambda document: with_shape_styles(document, curves, fitted)):
-            session.say(f"Pasted the style to {subject}.")
+    def _swap(self) -> None:
+        """Paint the inside as the line is now, and the line as the inside, with their opacities."""
+        self._edit(GRADIENTS, with_paints_swapped, what="Swap fill and stroke")
 
 
-def _style_in(data: QMimeData) -> Style | None:
-    """Return the style that was copied, or that of the first of the curves that were; None without either."""
-    try:
-        if data.hasFormat(STYLE):
-            found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
-            check_fields(found, "style")
-            return found
-        for kind in filter(data.hasFormat, (CURVES, POINTS)):
-            return _style_of_first(decode(bytes(data.data(kind).data())))
-    except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
-        pass
-    return None
-
-
-def _style_of_first(document: Document) -> Style:
-    """Return the style of the first shape, as one for a shape in the unit box."""
-    style = document.curves[0].style
-    return in_unit_box(style, box_of_first_shape(document.curves)) if style.is_placed else style
-
-
-COMMAND_SETS = (StyleCommands, StyleViewCommands)
+COMMAND_SETS = (StyleCommands, StyleClipboardCommands, StyleViewCommands)

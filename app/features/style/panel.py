@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QShowEvent
@@ -32,6 +33,14 @@ _NARROW = 50
 
 _LEAST_WIDTH = 1e-9
 """Width of a line that counts as none: the first step from there is a tenth of the unit."""
+
+
+class PanelTools(NamedTuple):
+    """Actions beside the fields: the tool for gradients, the swap of the paints, an eyedropper for each."""
+
+    gradient: QAction
+    swap: QAction
+    droppers: Mapping[str, QAction]
 
 
 class StylePanel(FieldForm):
@@ -80,19 +89,18 @@ class StylePanel(FieldForm):
     def __init__(
         self,
         buttons: Sequence[QAction],
-        tool: QAction,
-        droppers: Mapping[str, QAction],
+        tools: PanelTools,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__("stylePanel", "styleProblem", parent)
         self._unit = ""
         self._subject = Label(name="styleSubject")
         self._note = Label(name="styleNote", wordWrap=True)
-        self.fill = PaintField("fillPaint", "Fill", "stroke", droppers["fill"])
-        self.stroke = PaintField("strokePaint", "Stroke", "fill", droppers["stroke"])
+        self.fill = PaintField("fillPaint", "Fill", "stroke", tools.droppers["fill"])
+        self.stroke = PaintField("strokePaint", "Stroke", "fill", tools.droppers["stroke"])
         self.gradients = {
-            "fill": GradientField("fill", "Fill", tool),
-            "stroke": GradientField("stroke", "Stroke", tool),
+            "fill": GradientField("fill", "Fill", tools.gradient),
+            "stroke": GradientField("stroke", "Stroke", tools.gradient),
         }
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
@@ -106,7 +114,7 @@ class StylePanel(FieldForm):
         }
         self._shown: tuple[object, ...] = ()
         self._values: dict[str, object] = {}
-        self._lay_out(buttons)
+        self._lay_out(buttons, tools.swap)
         self._connect()
         self.follow_theme()
 
@@ -136,14 +144,14 @@ class StylePanel(FieldForm):
         self.fill.show_recent(colours)
         self.stroke.show_recent(colours)
 
-    def _lay_out(self, buttons: Sequence[QAction]) -> None:
+    def _lay_out(self, buttons: Sequence[QAction], swap: QAction) -> None:
         for label in (self._subject, self.problem, self._note):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._form = form_of(
             ("Fill", column_of(self.gradients["fill"], self.fill, margins=0, spacing=4)),
             ("Inside", self._rule),
             ("Opacity", self.opacities["fill_opacity"]),
-            ("", _rule_line()),
+            ("", row_of((_rule_line(), 1), action_button(swap, flat=True), spacing=6)),
             ("Stroke", column_of(self.gradients["stroke"], self.stroke, margins=0, spacing=4)),
             ("Width", self._width),
             ("Ends", self._cap),

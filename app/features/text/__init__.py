@@ -1,6 +1,7 @@
 """Text as curves: words are typed on the canvas, and the outlines of their letters become shapes.
 
 - ``commands``: the field, the preview and the step of the history.  ``field``: what is typed into.
+- ``setting_row``: alignment, and spaces between letters and lines.
 - ``letters``: outlines as curves of the document.  ``rewriting``: those of a text that is edited again.
 """
 

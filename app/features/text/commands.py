@@ -13,7 +13,7 @@ from ...actions.sections import CURVE_NAME
 from ...document.curve_edits import locked_sentence
 from ...document.edits import EditError
 from ...document.model import Document, Vector
-from ...document.text import LONGEST_TEXT, Text
+from ...document.text import LONGEST_TEXT, Setting, Text
 from ...document.texts import text_around, with_text_known
 from ...document.transforms import clean_step_within
 from ...document.words import enumerated
@@ -44,15 +44,16 @@ class TextCommands:
         self._model = self._session.model
         # Left, bottom and top of its letters.
         self._box = (0.0, 0.0, 0.0)
-        # The size that was used last in this document; None before.
+        # The size that was used last in this document, None before; and how its letters stood.
         self._size: float | None = None
+        self._setting = Setting()
         self._outlines = glyphs.NO_OUTLINES
         self._canvas.text_placed.connect(self._begin)
         self._canvas.text_opened.connect(self._begin_again)
         self._session.opened.connect(self._forget_size)
 
     def _forget_size(self) -> None:
-        self._size = None
+        self._size, self._setting = None, Setting()
 
     @property
     def field(self) -> text.field.TextField:
@@ -78,6 +79,7 @@ class TextCommands:
         """Ask for the words of a text at a place."""
         if self._has_fonts():
             self._edited = None
+            self.field.set_setting(self._setting)
             self._open(place, self._size or clean_step_within(self._view_height * _SHARE))
 
     @action(
@@ -102,6 +104,7 @@ class TextCommands:
             return
         self._edited = written
         self.field.begin_with(written.text.words, written.face)
+        self.field.set_setting(written.text.setting)
         self._open((written.text.x, written.text.y), written.text.size)
 
     def _has_fonts(self) -> bool:
@@ -126,7 +129,8 @@ class TextCommands:
     def _area(self) -> QRect:
         """Return what the text takes of the canvas, about."""
         (x, y), size = self._place, self.field.text_size
-        low, high = y - (_DESCENT + self.field.text.count("\n") * _LINE) * size, y + _ASCENT * size
+        lines = self.field.text.count("\n") * _LINE * self.field.setting.line_spacing
+        low, high = y - (_DESCENT + lines) * size, y + _ASCENT * size
         if self._edited is not None:
             # It may be turned.
             x, low, high = self._box
@@ -142,9 +146,9 @@ class TextCommands:
     def _show(self) -> None:
         """Show the text as it is typed."""
         field, session = self.field, self._session
-        self._outlines = glyphs.outlines_of(field.text[:LONGEST_TEXT], field.face)
+        self._outlines = glyphs.outlines_of(field.text[:LONGEST_TEXT], field.face, field.setting)
         if self._edited is None:
-            self._size = field.text_size
+            self._size, self._setting = field.text_size, field.setting
         field.remark(_remark(field, self._outlines) or _remark_of(self._edited))
         try:
             # Under one name all the while, so that the letters before the one that is typed stay the same.
@@ -173,7 +177,8 @@ class TextCommands:
         """What is typed, and where."""
         field, face, (x, y) = self.field, self.field.face, self._place
         words = field.text[:LONGEST_TEXT]
-        return Text(words, face.family, x, y, field.text_size, face.bold, face.italic)
+        text = Text(words, face.family, x, y, field.text_size, face.bold, face.italic)
+        return replace(text, **field.setting._asdict())
 
     def _written(self, name: str) -> tuple[Document, range]:
         """Return the document with the text, and the places of its curves."""

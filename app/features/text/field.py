@@ -10,6 +10,7 @@ from PySide6.QtGui import QFont, QKeyEvent
 from PySide6.QtWidgets import QApplication, QFontComboBox, QPlainTextEdit, QToolButton, QWidget
 
 from ...appearance.theme import Theme
+from ...document.text import Setting
 from ...document.transforms import decimal_sum
 from ...qt.glyphs import Face
 from ...qt.keys import ENTER, ClaimsKeys
@@ -22,6 +23,7 @@ from ...widgets.field_edit import NumberEdit
 from ...widgets.length_text import read_length
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
+from .setting_row import SettingRow
 
 _WIDTH, _FONT_WIDTH = 360, 140
 _LONGEST_SIZE = "00000.000"
@@ -116,8 +118,8 @@ class TextField(ClaimsKeys, OverlayFrame):
     ----------
     words
         The lines that are typed into.
-    font_box, bold, italic, size_edit
-        The widgets of font and size.
+    font_box, bold, italic, size_edit, setting_row
+        The widgets of font and size, and of how letters stand to each other.
     text_size
         What an em is long.
 
@@ -151,9 +153,14 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.bold = self._letter("textBold", "B", "Bold", face.bold)
         self.italic = self._letter("textItalic", "I", "Italic", face.italic)
         self._make_size_edit()
+        self.setting_row = SettingRow()
+        self.setting_row.changed.connect(self.changed)
+        self.setting_row.refused.connect(self.remark)
         self._suffix, self._remark = Label(), Label(name="textRemark", wordWrap=True)
         row = row_of(self.font_box, self.bold, self.italic, self.size_edit, self._suffix, spacing=6)
-        column_of(self.words, row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self)
+        column_of(
+            self.words, row, self.setting_row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self
+        )
         self.hide()
         self.follow_theme()
 
@@ -190,6 +197,15 @@ class TextField(ClaimsKeys, OverlayFrame):
     def face(self) -> Face:
         """The font."""
         return Face(self.font_box.family, self.bold.isChecked(), self.italic.isChecked())
+
+    @property
+    def setting(self) -> Setting:
+        """How the letters stand to each other."""
+        return self.setting_row.setting
+
+    def set_setting(self, setting: Setting) -> None:
+        """Have a setting to begin with."""
+        self.setting_row.show_setting(setting)
 
     def remark(self, text: str) -> None:
         """Say what is to be said of the text; nothing where that is empty."""
@@ -243,7 +259,7 @@ class TextField(ClaimsKeys, OverlayFrame):
             super().keyPressEvent(event)
         elif self.words.hasFocus():
             self.entered.emit()
-        elif not self.size_edit.isModified():
+        elif not any(edit.isModified() for edit in (self.size_edit, *self.setting_row.edits.values())):
             # What was typed beside them was taken; one that cannot be used is mended first.
             self.words.setFocus(Qt.FocusReason.OtherFocusReason)
 

@@ -60,7 +60,7 @@ def written_at(document: Document, curve: int) -> Written | None:
     text = document.curves[curve].text
     if text is None:
         return None
-    outlines = outlines_of(text.words, Face(text.font, text.bold, text.italic))
+    outlines = outlines_of(text.words, Face(text.font, text.bold, text.italic), text.setting)
     found = [document.curves[place] for place in places]
     made = lettered(outlines, text, found[0].style) if outlines.glyphs else ()
     matrix, is_exact = _map_between([_marks(each) for each in made], [_marks(each) for each in found])

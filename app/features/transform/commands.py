@@ -18,7 +18,10 @@ from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
+from .copies_commands import CopiesCommands
 from .panel_commands import TransformPanelCommands
+from .repeat_commands import RepeatCommands
+from .size_commands import PasteSizeCommands
 
 
 class _Transform(NamedTuple):
@@ -234,4 +237,11 @@ class SelectionCommands:
         """Let strokes get wider, or thinner, with the curves that they are of."""
 
 
-COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands)
+COMMAND_SETS = (
+    SelectionCommands,
+    RepeatCommands,
+    CopiesCommands,
+    AlignCommands,
+    TransformPanelCommands,
+    PasteSizeCommands,
+)

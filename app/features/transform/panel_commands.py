@@ -15,14 +15,14 @@ from ...document.edits import EditError
 from ...document.form import FormField
 from ...document.model import Document, Vector
 from ...document.several_curves import mapped, moved
-from ...document.transforms import rotation, scaling, skewing
+from ...document.transforms import rotation, skewing
 from ...document.words import number
 from ...state.window_state import WindowState
 from ...view_model.bounds import NINE
 from ...view_model.curve_view import CurveView
 from ...view_model.formed import Formed, formed, with_form
 from ...view_model.pivot import Anchor, turned_since
-from ...view_model.stretch import stretched
+from ...view_model.resizing import SIDES, resized
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
@@ -188,29 +188,17 @@ class TransformPanelCommands(QObject):
         self._change(text, lambda document: moved(document, group, by))
 
     def _size(self, axis: int, value: float) -> None:
-        session, state, group = self._session, self._store.state, self._target.for_keys
-        bounds, pivot, what = self._target.bounds, self._target.centre, ("width", "height")[axis]
-        if value <= 0.0:
-            self._refuse(f"A {what} is greater than 0; Flip mirrors.")
-            return
-        thickness = bounds.size[axis] - self._target.bare_bounds.size[axis]
-        if value <= thickness and not state.scale_strokes:
-            self._refuse(
-                f"The strokes alone take {self._length(thickness)}; let them scale, or measure without."
-            )
-            return
-        factor, strokes = value / bounds.size[axis], self._context.central.canvas.tools.settings.strokes
-        x, y = (factor, factor) if state.keep_proportions else (factor, 1.0) if axis == 0 else (1.0, factor)
-        by = scaling(x, y, pivot)
-        corners, even = (
-            (by.point(bounds.low), by.point(bounds.high)),
-            axis if state.keep_proportions else None,
+        session, group, pivot = self._session, self._target.for_keys, self._target.centre
+        wanted = (value, None) if axis == 0 else (None, value)
+        strokes, is_even = (
+            self._context.central.canvas.tools.settings.strokes,
+            self._store.state.keep_proportions,
         )
 
         def sized(document: Document) -> Document:
-            return stretched(document, session.views, group, corners, strokes, even=even, about=pivot)
+            return resized(document, session.views, group, wanted, strokes, pivot, keeps_proportions=is_even)
 
-        self._change(f"Set {what} of {self._target.words} to {self._length(value)}", sized)
+        self._change(f"Set {SIDES[axis]} of {self._target.words} to {self._length(value)}", sized)
 
     def _turn_to(self, degrees: float) -> None:
         centre = self._target.pivot or self._first_middle()

@@ -1,0 +1,123 @@
+"""Styles on the clipboard: copied from one curve, pasted to others."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+from PySide6.QtCore import QMimeData
+
+from ... import exchange
+from ...actions.declaration import action, also
+from ...actions.needs import CHOSEN
+from ...actions.sections import EDIT_STYLE
+from ...actions.strips import CHOSEN_MENU
+from ...document.gradient_edits import in_unit_box, out_of_unit_box, with_shape_styles
+from ...document.model import Document
+from ...document.several_curves import named
+from ...document.shapes import shape_of
+from ...document.style import Style
+from ...storage.field_check import check_fields
+from ...storage.format_error import FormatError
+from ...view_model.shape_boxes import box_of_first_shape, box_of_shape
+from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard
+from ...workbench.context import WindowContext
+
+if TYPE_CHECKING:
+    from ...exchange.cubics_in import Imported
+
+STYLE = "application/x-curvebench-style"
+"""MIME type of a style, as JSON."""
+
+_NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there, and so does copied SVG."
+
+
+class StyleClipboardCommands:
+    """Copies how a curve looks, and has others look so."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+
+    @action(
+        "copyStyle",
+        "Copy Style",
+        EDIT_STYLE,
+        "Ctrl+Alt+Shift+C",
+        "style-copy",
+        keywords="colour format painter",
+        needs=CHOSEN,
+    )
+    @also(CHOSEN_MENU(21))
+    def _copy(self) -> None:
+        """Copy stroke and fill of the curve that is edited."""
+        session, data = self._session, QMimeData()
+        shape = shape_of(session.document, session.active_index)
+        copied = in_unit_box(session.active_curve.style, box_of_shape(session.views, shape))
+        data.setData(STYLE, msgspec.json.encode(copied))
+        put_on_clipboard(data)
+        session.say(f"Copied the style of “{session.active_curve.name}”.")
+
+    @action(
+        "pasteStyle",
+        "Paste Style",
+        EDIT_STYLE,
+        "Ctrl+Shift+V",
+        "style-paste",
+        keywords="colour format painter",
+        needs=CHOSEN,
+    )
+    @also(CHOSEN_MENU(22))
+    def _paste(self) -> None:
+        """Give the curve, or all that are selected, the stroke and the fill that were copied.
+
+        Of curves, or of an SVG, those of the first.
+        """
+        data = clipboard_data()
+        fragment = None if any(map(data.hasFormat, (STYLE, CURVES))) else drawing_in(data)
+        if fragment is not None and not fragment.is_bare:
+            read = partial(exchange.svg.fragments.read_fragment, fragment)
+            self._context.work.start("Reading the style", read, self._give_first, Path("The style"), "pasted")
+        elif found := _style_in(data):
+            self._give(found)
+        else:
+            self._session.refuse(_NOTHING_TO_PASTE)
+
+    def _give_first(self, drawing: Imported) -> None:
+        """Give the style of the first element of a drawing, in the unit of the document."""
+        unit = self._session.document.unit
+        self._give(_style_of_first(exchange.rescaled.in_unit(drawing.document, unit)))
+
+    def _give(self, found: Style) -> None:
+        """Give a style, its gradients laid over each shape as they lay over that which it was copied from."""
+        session, curves = self._session, self._session.selected.marked
+        subject = named(session.document, curves)
+        words = f"Paste style to {subject}"
+        views = session.views
+
+        def fitted(shape: range, _style: Style) -> Style:
+            return out_of_unit_box(found, box_of_shape(views, shape)) if found.is_placed else found
+
+        if session.change(words, lambda document: with_shape_styles(document, curves, fitted)):
+            session.say(f"Pasted the style to {subject}.")
+
+
+def _style_in(data: QMimeData) -> Style | None:
+    """Return the style that was copied, or that of the first of the curves that were; None without either."""
+    try:
+        if data.hasFormat(STYLE):
+            found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
+            check_fields(found, "style")
+            return found
+        if copied := own_in(data):
+            return _style_of_first(copied)
+    except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
+        pass
+    return None
+
+
+def _style_of_first(document: Document) -> Style:
+    """Return the style of the first shape, as one for a shape in the unit box."""
+    style = document.curves[0].style
+    return in_unit_box(style, box_of_first_shape(document.curves)) if style.is_placed else style
