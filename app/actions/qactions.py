@@ -28,7 +28,7 @@ from .keymap import (
 from .needs import NOTHING, Need
 from .sections import Menu, Section
 from .situation import Situation
-from .strips import Strip
+from .strips import BARS, Bar, Strip
 
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
@@ -71,7 +71,7 @@ class Actions(QObject):
     redeclared
         There are other actions than before, or they are called otherwise.
     switched
-        Others than before are on.
+        Others than before are on, or another bar of the toolbar is to be worked with.
     """
 
     redeclared = Signal()
@@ -92,6 +92,7 @@ class Actions(QObject):
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
         self._sort_out()
         self._on = set[str]()
+        self._bars: tuple[Bar, ...] = ()
         self._seen: dict[str, Sight] = {}
         self._seen_of: CurveView | None = None
 
@@ -238,6 +239,10 @@ class Actions(QObject):
         declared = self._declared.get(name)
         return declared is not None and declared.is_on(self._now)
 
+    def is_shown(self, bar: Bar) -> bool:
+        """Whether a bar of the toolbar is the one to work with now."""
+        return bar.is_shown(self._now)
+
     def follow(self) -> None:
         """Render, when all is told of which there is news."""
         self._now.session.telling.then(self.render)
@@ -261,8 +266,9 @@ class Actions(QObject):
             self._seen.clear()
         for name, sight in self._seen.items():
             self._show(name, sight)
-        if on != self._on:
-            self._on = on
+        bars = tuple(bar for bar in BARS if bar.is_shown(now))
+        if (on, bars) != (self._on, self._bars):
+            self._on, self._bars = on, bars
             self.switched.emit()
 
     def look(self) -> None:

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import msgspec
+
+from ..document.paper import DocumentKind
+from .situation import Situation
 
 
 class Place(msgspec.Struct, frozen=True):
@@ -28,7 +33,38 @@ class Strip(msgspec.Struct, frozen=True):
         return Place(self, number)
 
 
+class Bar(Strip, frozen=True):
+    """A strip in the middle of the toolbar, for one kind of work.
+
+    Attributes
+    ----------
+    is_shown
+        Whether it is the one to work with now.
+    """
+
+    is_shown: Callable[[Situation], bool]
+
+
+def _is_drawing(now: Situation) -> bool:
+    return now.state.kind is DocumentKind.DRAWING
+
+
+def _are_points_meant(now: Situation) -> bool:
+    """Whether a curve is edited; of several, whether points of them are selected."""
+    return now.session.selected.is_editing and (bool(now.selection) or not now.chosen)
+
+
 TOOLBAR = Strip("toolbar")
+FAMILY_BAR = Bar("families and parameters in the toolbar, for sketches", lambda now: not _is_drawing(now))
+OBJECT_BAR = Bar(
+    "commands for whole curves in the toolbar, for drawings",
+    lambda now: _is_drawing(now) and not _are_points_meant(now),
+)
+POINT_BAR = Bar(
+    "commands for points in the toolbar, for drawings",
+    lambda now: _is_drawing(now) and _are_points_meant(now),
+)
+BARS = (FAMILY_BAR, OBJECT_BAR, POINT_BAR)
 SHAPES_MENU = Strip("menu of further tools in the toolbar")
 FAMILIES_MENU = Strip("menu of further families in the toolbar")
 POINT_MENU = Strip("menu of a point")

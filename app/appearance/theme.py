@@ -248,6 +248,7 @@ _FUSION_DARKER: Final = 140
 
 _STYLE_SHEET: Final = """
 QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 4px; spacing: 2px }
+QToolBar QToolBar { background: none; border: none; padding: 0 }
 QToolBar::separator { background: $line; width: 1px; height: 1px; margin: 5px 6px }
 QToolBar QToolButton { background: none; border: 1px solid transparent; border-radius: 5px; padding: 4px }
 QToolBar QToolButton:hover { background: $hover }

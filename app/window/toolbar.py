@@ -1,16 +1,17 @@
-"""The toolbar: the actions used most, the families as one toggle, and the rule for the parameters."""
+"""The toolbar: the actions used most, and in its middle what the kind of work at hand needs."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from itertools import pairwise
 from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolBar, QToolButton, QWidget, QWidgetAction
 
 from ..actions.qactions import Actions
-from ..actions.strips import TOOLBAR, Place
+from ..actions.strips import BARS, FAMILY_BAR, TOOLBAR, Bar, Place, Strip
 from ..qt.overrides import Guarded
 from ..widgets.toolbar_widget import ToolbarWidget
 from .menus import put_in
@@ -36,56 +37,109 @@ _STEPS = (
 """From the widest to the narrowest."""
 
 
+_ICON_SIZE = QSize(20, 20)
+
+
+class _NestedBar(QToolBar):
+    """A bar in the middle: it fills that, so what follows stays where it is, and has an arrow of its own."""
+
+    def __init__(self, actions: Actions, bar: Bar, parent: QWidget) -> None:
+        super().__init__(bar.name, parent)
+        self.setObjectName(bar.name)
+        self.setMovable(False)
+        self.setIconSize(_ICON_SIZE)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        for entries in actions.in_strip(bar).values():
+            self.addSeparator()
+            self.addActions(entries)
+
+
 class Toolbar(Guarded, QToolBar):
-    """Says less in a narrow window, so that as much as can be is not behind its arrow."""
+    """Says less in a narrow window, so that as much as can be is not behind its arrow.
+
+    The bars in its middle take turns. That of the families stands in the toolbar itself: its words go by the
+    room that all others leave.
+    """
 
     def __init__(self, actions: Actions, parent: QWidget) -> None:
         super().__init__("Toolbar", parent)
         self.setObjectName("mainToolbar")
         self.setMovable(False)
-        self.setIconSize(QSize(20, 20))
+        self.setIconSize(_ICON_SIZE)
         self._actions = actions
-        self._in_words: list[QToolButton] = []
+        self._in_words: list[QAction] = []
         self._widgets: list[ToolbarWidget] = []
+        self._families: list[QAction] = []
+        self._bars: dict[Bar, QAction] = {}
+        self._shown: Bar = FAMILY_BAR
         self._has_style = False
         self._widths: list[int] = []
         actions.redeclared.connect(self._follow_actions)
-        actions.switched.connect(self._fit)
+        actions.switched.connect(self._follow_work)
 
     def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
-        """Add the actions of the strip, and `widgets` at their places."""
-        entries = self._actions.in_strip(TOOLBAR)
-        at = {place.number // 10: widget for place, widget in widgets.items()}
-        self._widgets = list(at.values())
-        for ten in sorted({*entries, *at}):
-            if self.actions():
-                self.addSeparator()
-            for action in entries.get(ten, ()):
-                self.addAction(action)
-                self._follow(action)
-            if ten in at:
-                self.addWidget(at[ten])
+        """Add the actions of the strip and of the bars, and `widgets` at their places."""
+        self._widgets = list(widgets.values())
+        families = self._groups(FAMILY_BAR, widgets)
+        for ten, group in sorted({**self._groups(TOOLBAR, widgets), **families}.items()):
+            entries = [_separator(self), *group] if self.actions() else group
+            if ten in families:
+                self._families += entries
+            elif self._families and not self._bars:
+                self._add_bars()
+            self.addActions(entries)
+            self._follow(group)
         self._show_step(_STEPS[0])
 
-    def _follow(self, action: QAction) -> None:
-        if self._actions.words_of(action, short=True):
-            self._in_words.append(self._button(action))
+    def _groups(self, strip: Strip, widgets: Mapping[Place, ToolbarWidget]) -> dict[int, list[QAction]]:
+        """Return what stands in a strip by the tens of its places; of each ten, the widget comes last."""
+        groups = self._actions.in_strip(strip)
+        for place, widget in widgets.items():
+            if place.strip is strip:
+                holder = QWidgetAction(self)
+                holder.setDefaultWidget(widget)
+                groups.setdefault(place.number // 10, []).append(holder)
+        return groups
+
+    def _add_bars(self) -> None:
+        for bar in BARS:
+            if bar is not FAMILY_BAR:
+                self._bars[bar] = self.addWidget(_NestedBar(self._actions, bar, self))
+                self._bars[bar].setVisible(False)
+
+    def _follow(self, actions: Iterable[QAction]) -> None:
+        self._in_words += [
+            each for each in actions if each.objectName() and self._actions.words_of(each, short=True)
+        ]
 
     def _follow_actions(self) -> None:
         """Put in what has come, and leave out what is gone."""
-        self._in_words = [button for button in self._in_words if button.defaultAction().objectName()]
-        for entries in self._actions.in_strip(TOOLBAR).values():
-            new = [action for action in entries if action not in self.actions()]
-            put_in(self, entries)
-            for action in new:
-                self._follow(action)
+        self._in_words = [each for each in self._in_words if each.objectName()]
+        self._families = [each for each in self._families if each.objectName() or not _is_declared(each)]
+        for entries in self._actions.in_strip(FAMILY_BAR).values():
+            for before, action in pairwise(entries):
+                if action not in self._families:
+                    self._families.insert(self._families.index(before) + 1, action)
+                    self._follow([action])
+            if self._shown is FAMILY_BAR:
+                put_in(self, entries)
         self._widths.clear()
         self._fit()
 
-    def _button(self, action: QAction) -> QToolButton:
-        button = self.widgetForAction(action)
-        assert isinstance(button, QToolButton)
-        return button
+    def _follow_work(self) -> None:
+        """Show the bar of the work at hand."""
+        shown = next(bar for bar in BARS if self._actions.is_shown(bar))
+        if self._bars and shown is not self._shown:
+            if shown is FAMILY_BAR:
+                self.insertActions(next(iter(self._bars.values())), self._families)
+            elif self._shown is FAMILY_BAR:
+                for each in self._families:
+                    self.removeAction(each)
+            for bar, place in self._bars.items():
+                place.setVisible(bar is shown)
+            self._shown = shown
+            self._widths.clear()
+        self._fit()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -114,8 +168,19 @@ class Toolbar(Guarded, QToolBar):
             widget.set_compact(
                 step.short and (not widget.yields_late or step.others != _Style.ToolButtonTextBesideIcon)
             )
-        for button in self._in_words:
-            action = button.defaultAction()
-            action.setIconText(self._actions.words_of(action, short=step.short))
-            is_in_use = self._actions.is_on(action.objectName())
-            button.setToolButtonStyle(step.in_use if is_in_use else step.others)
+        for action in self._in_words:
+            button = self.widgetForAction(action)
+            if isinstance(button, QToolButton):
+                action.setIconText(self._actions.words_of(action, short=step.short))
+                is_in_use = self._actions.is_on(action.objectName())
+                button.setToolButtonStyle(step.in_use if is_in_use else step.others)
+
+
+def _separator(parent: QToolBar) -> QAction:
+    separator = QAction(parent)
+    separator.setSeparator(True)
+    return separator
+
+
+def _is_declared(action: QAction) -> bool:
+    return not action.isSeparator() and not isinstance(action, QWidgetAction)

@@ -15,6 +15,8 @@ from ...actions.strips import (
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
+    OBJECT_BAR,
+    POINT_BAR,
     POINT_MENU,
 )
 from ...document import curve_edits
@@ -93,7 +95,7 @@ class CurveCommands:
         full_name="Raise Curve",
         needs=_CURVE_IN_FRONT,
     )
-    @also(CURVE_MENU(45), CHOSEN_MENU(50), CURVE_LIST_MENU(20))
+    @also(CURVE_MENU(45), CHOSEN_MENU(50), CURVE_LIST_MENU(20), OBJECT_BAR(31))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
         self._put("Raise {}", stepped, 1, "one step to the front")
@@ -107,7 +109,7 @@ class CurveCommands:
         full_name="Lower Curve",
         needs=_CURVE_BEHIND,
     )
-    @also(CURVE_MENU(46), CHOSEN_MENU(51), CURVE_LIST_MENU(21))
+    @also(CURVE_MENU(46), CHOSEN_MENU(51), CURVE_LIST_MENU(21), OBJECT_BAR(32))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
         self._put("Lower {}", stepped, -1, "one step to the back")
@@ -122,7 +124,7 @@ class CurveCommands:
         needs=_CURVE_IN_FRONT,
         keywords="bring to front order",
     )
-    @also(CHOSEN_MENU(52), CURVE_LIST_MENU(22))
+    @also(CHOSEN_MENU(52), CURVE_LIST_MENU(22), OBJECT_BAR(30))
     def _raise_to_top(self) -> None:
         """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
         self._put("Raise {} to top", at_end, 1, "at the top")
@@ -137,7 +139,7 @@ class CurveCommands:
         needs=_CURVE_BEHIND,
         keywords="send to back order",
     )
-    @also(CHOSEN_MENU(53), CURVE_LIST_MENU(23))
+    @also(CHOSEN_MENU(53), CURVE_LIST_MENU(23), OBJECT_BAR(33))
     def _lower_to_bottom(self) -> None:
         """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
         self._put("Lower {} to bottom", at_end, -1, "at the bottom")
@@ -191,11 +193,11 @@ class CurveCommands:
         "Insert Points Between",
         CURVE_POINTS,
         "Ins",
-        "add",
+        "insert-points",
         needs=UNLOCKED_CURVE,
         keywords="add nodes midpoints halve segments subdivide",
     )
-    @also(POINT_MENU(17))
+    @also(POINT_MENU(17), POINT_BAR(10))
     def _insert_between(self) -> None:
         """Insert a point in the middle of each segment between selected neighbours; the shape stays."""
         session, views, made = self._session, self._session.views, dict[int, Halved]()
@@ -245,7 +247,7 @@ class CurveCommands:
     @action(
         "splitCurve", "Split", CURVE_SHAPE, "Ctrl+K", "split", full_name="Split Curve", needs=UNLOCKED_CURVE
     )
-    @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
+    @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14), POINT_BAR(11))
     def _split(self) -> None:
         """Split the curves at all selected points, or the curve at the scrub line."""
         cuts = {
@@ -291,7 +293,7 @@ class CurveCommands:
         full_name="Reverse Curve",
         needs=Need(TWO_POINTS.words, lambda now: len(now.view.source.points) > 1),
     )
-    @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15))
+    @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15), POINT_BAR(41))
     def _reverse(self) -> None:
         """Run through the curve the other way."""
         view = self._session.active_view
@@ -311,7 +313,7 @@ class CurveCommands:
         key_asks=_closing,
         checked=lambda now: now.view.source.is_closed,
     )
-    @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16))
+    @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16), POINT_BAR(40))
     def _toggle_closed(self) -> None:
         """Let the curve return smoothly to its first point, or open it."""
         session, view = self._session, self._session.active_view

@@ -10,7 +10,14 @@ from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
 from ...actions.sections import CURVE_POINTS, CURVE_SHAPE
 from ...actions.situation import Situation
-from ...actions.strips import CHOSEN_MENU, CURVE_LIST_BUTTONS, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
+from ...actions.strips import (
+    CHOSEN_MENU,
+    CURVE_LIST_BUTTONS,
+    CURVE_LIST_MENU,
+    CURVE_MENU,
+    POINT_BAR,
+    POINT_MENU,
+)
 from ...document import curve_edits
 from ...document.model import Document
 from ...document.several_curves import remove_curves
@@ -44,7 +51,14 @@ class JoinCommands:
         needs=Need("two selected ends, or a second curve", _is_joinable),
         keywords="connect nodes combine close path weld start",
     )
-    @also(CURVE_MENU(12), CHOSEN_MENU(34), POINT_MENU(21), CURVE_LIST_MENU(32), CURVE_LIST_BUTTONS(13))
+    @also(
+        CURVE_MENU(12),
+        CHOSEN_MENU(34),
+        POINT_MENU(21),
+        CURVE_LIST_MENU(32),
+        CURVE_LIST_BUTTONS(13),
+        POINT_BAR(12),
+    )
     def _join(self) -> None:
         """Join two selected ends, or the nearest ends of chosen curves; else the end to the nearest start."""
         session = self._session
@@ -70,7 +84,7 @@ class JoinCommands:
         ),
         keywords="join nodes weld close path middle",
     )
-    @also(POINT_MENU(23))
+    @also(POINT_MENU(23), POINT_BAR(13))
     def _merge(self) -> None:
         """Make one point of two selected ends, in the middle between them; their handles go along."""
         session = self._session

@@ -13,7 +13,7 @@ from ...actions.keymap import keys_text
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
 from ...actions.situation import Situation
-from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Place
+from ...actions.strips import CURVE_MENU, FAMILIES_MENU, FAMILY_BAR, RAIL_MENU, Place
 from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
@@ -53,7 +53,7 @@ def _icon_of(family: Family) -> str:
 
 def _place_of(family: Family) -> Place:
     """Return where a family stands in the toolbar."""
-    return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
+    return FAMILY_BAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
 
 
 def _edited(family: Family) -> Need:
@@ -62,7 +62,7 @@ def _edited(family: Family) -> Need:
     def why(now: Situation) -> str:
         name = now.view.source.name
         then = f"then the same key makes it {family.title}"
-        rest = "The toolbar changes all that are chosen."
+        rest = "The Curve menu changes all that are chosen."
         rest = _ZOOM_KEYS if is_for_paper(now.session.document) else rest
         return f"Enter edits “{name}”; {then}. {rest}"
 
@@ -98,12 +98,12 @@ class RuleCommands:
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
 
-    @widget_at(TOOLBAR(50))
+    @widget_at(FAMILY_BAR(50))
     def build_bar(self) -> ToolbarWidget:
         """Return the bar of the toolbar."""
         return self._bar
 
-    @widget_at(TOOLBAR(45))
+    @widget_at(FAMILY_BAR(45))
     def build_families(self) -> ToolbarWidget:
         """Return the button of the toolbar for further families."""
         self._families.offer(self._further())

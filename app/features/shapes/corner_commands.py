@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from ...actions.declaration import action, also
 from ...actions.sections import CURVE_OFFSETS
-from ...actions.strips import POINT_MENU
+from ...actions.strips import POINT_BAR, POINT_MENU
 from ...document.edits import EditError
 from ...document.point_group import PointGroup, some_points
 from ...document.several_curves import named, whole_curves
@@ -56,7 +56,7 @@ class CornerCommands:
         needs=A_SHAPE,
         keywords="fillet radius rounded rectangle arc soften",
     )
-    @also(POINT_MENU(16))
+    @also(POINT_MENU(16), POINT_BAR(32))
     def _ask(self) -> None:
         """Type a radius, such as 5 mm, for the selected corners, or for all those of the chosen shapes."""
         self._canvas.cancel_gesture()

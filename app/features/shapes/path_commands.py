@@ -7,7 +7,7 @@ from functools import partial
 from ...actions.declaration import Action, action, action_for_each, also_for_each
 from ...actions.needs import Need
 from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
-from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
+from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
 from ...document.shapes import is_of_several
 from ...view_model.regions import (
     PATH_OPERATIONS,
@@ -18,6 +18,9 @@ from ...view_model.stroke_shapes import strokes_as_shapes
 from ...workbench.context import WindowContext
 from .chosen_shapes import A_SHAPE, meant
 from .shape_work import ShapeWork
+
+_IN_BAR = 4
+"""The first of the operations have a button in the toolbar, for which a window of 1280 pixels has room."""
 
 _SHOWN_PX = 2.0
 """Pixels of a line whose width follows the zoom."""
@@ -53,7 +56,12 @@ class PathCommands:
             keywords=operation.keywords,
         ),
     )
-    @also_for_each(lambda operation: (CURVE_MENU(44), CHOSEN_MENU(40), CURVE_LIST_MENU(55)))
+    @also_for_each(
+        lambda operation: (
+            *(CURVE_MENU(44), CHOSEN_MENU(40), CURVE_LIST_MENU(55)),
+            *(OBJECT_BAR(10),) * (operation in PATH_OPERATIONS[:_IN_BAR]),
+        )
+    )
     def _combine(self, operation: PathOperation) -> None:
         self._work.compute(operation.title, partial(combined_by, operation))
 

@@ -8,7 +8,7 @@ from ...actions.declaration import Action, PlaceAction, action, action_for_each,
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from ...actions.situation import Situation
-from ...actions.strips import POINT_BUTTONS, POINT_MENU
+from ...actions.strips import POINT_BAR, POINT_BUTTONS, POINT_MENU
 from ...document.curve_edits import replace_curve
 from ...document.edits import AlreadySoError, EditError
 from ...document.lines import ends_of
@@ -60,7 +60,10 @@ class TangentCommands:
         ),
     )
     @also_for_each(
-        lambda kind: [strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS)]
+        lambda kind: [
+            *(strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS)),
+            POINT_BAR(20),
+        ]
     )
     def _make(self, kind: PointKind) -> None:
         """Make the selected points of a kind."""
@@ -85,7 +88,7 @@ class TangentCommands:
             why=lambda now: why_not_straight(now.view.source.family),
         ),
     )
-    @also(POINT_MENU(15), POINT_BUTTONS(15))
+    @also(POINT_MENU(15), POINT_BUTTONS(15), POINT_BAR(30))
     def _straighten_chosen(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
         session, curves = self._session, self._session.document.curves
@@ -107,7 +110,7 @@ class TangentCommands:
         "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does too",
         needs=HERMITE_POINTS,
     )
-    @also(POINT_MENU(16))
+    @also(POINT_MENU(16), POINT_BAR(31))
     def _pull_velocities(self) -> None:
         group, reach = self._session.selected.group, _VISIBLE * self._context.central.canvas.camera.pixel_size
         what = "velocity stands" if group.only_point else "velocities stand"
