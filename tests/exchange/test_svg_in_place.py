@@ -14,6 +14,7 @@ from app.document.gradient import Gradient, Stop
 from app.document.model import Axis, Guide, Page, make_curve
 from app.document.several_curves import stepped, whole_curves
 from app.document.shapes import tidy_shapes, whole_shapes
+from app.document.transforms import rotation, transform_points
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.extents import extent_of
 from app.exchange.formats.pictures import read
@@ -265,10 +266,47 @@ def test_a_shape_in_another_layer_is_where_it_was(badge):
     assert 'sodipodi:insensitive="true"' in rect
 
 
-def test_a_clone_is_one_no_more_when_what_it_is_of_goes_elsewhere(badge):
+def test_a_clone_stays_one_whose_original_goes_elsewhere(badge):
+    """It became a path."""
     found = differences(BADGE, kept(BADGE, moved(badge, [P2], (5, 2.5)), badge))
-    assert '-xlink:href="#p2"' in found
-    assert any(line.startswith('+<path id="use1" d="M 21 5 L') for line in found)
+    assert found[2:] == ['-x="0"', '-y="0"', '+x="-5"', '+y="2.5"']
+    # Both moved: the file says so of the original alone.
+    assert len(differences(BADGE, kept(BADGE, moved(badge, [P2, CLONE], (5, 2.5)), badge))) == 2
+    turned = transform_points(badge, P2, range(4), rotation(30, (40.0, 40.0)))
+    found = differences(BADGE, kept(BADGE, turned, badge))
+    assert found[2] == '-transform="translate(10,0)"'
+    assert found[3].startswith('+transform="matrix(0.866')
+
+
+def test_a_clone_of_a_clone_stays_one(badge):
+    end = b'</g>\n  <g\n     inkscape:label="Hid'
+    data = BADGE.replace(end, b'<use xlink:href="#use1" id="use2" transform="translate(0,10)" />' + end)
+    document = read(data, None).document
+    for places in ([P2], [CLONE], [P2, CLONE]):
+        assert kept(data, moved(document, places, (5, 2.5)), document).count(b"<use") == 2
+
+
+@pytest.mark.parametrize(
+    ("edit", "why"),
+    [
+        (lambda d: bent(d, P2), "its original was changed and it was not"),
+        (lambda d: bent(d, CLONE), "its own points were moved"),
+        (lambda d: changed(d, CLONE, fill="#112233"), "it looks otherwise than its original"),
+        (lambda d: changed(d, P2, fill="#112233"), "its original was changed and it was not"),
+    ],
+)
+def test_a_clone_that_cannot_stay_one_is_told(badge, edit, why):
+    """The file was said to be exact, and that was all."""
+    kept(BADGE, edit(badge), badge)
+    written = rewritten(BADGE, edit(badge), badge)
+    assert written.changes == (f"The clone “use1” became a path, because {why}.",)
+    assert rewritten(BADGE, moved(badge, [CLONE], (3, 4)), badge).changes == ()
+
+
+def bent(document, place):
+    curve = document.curves[place]
+    first, *others = curve.points
+    return document.with_curve(place, replace(curve, points=(replace(first, x=first.x - 1.0), *others)))
 
 
 def test_a_shape_that_is_bent_becomes_a_path_in_its_element(badge):

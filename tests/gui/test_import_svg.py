@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
 
-from app.document.edits import set_family, set_position
+from app.document.edits import move_points, set_family, set_position
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Page, make_curve
 from app.document.style import Style
@@ -370,6 +370,13 @@ def test_one_path_that_is_dragged_is_all_that_changes_in_a_file_of_inkscape(edit
     course, name = [line.strip() for line in after if line not in before]
     assert [float(each) for each in course.split()[1:3]] == pytest.approx([25, 57.5], abs=0.5)
     assert name == 'id="wave" />'
+    assert "became" not in editor.status
+    # A clone is one as long as it can be; else the status line tells of it.
+    names = [curve.name for curve in editor.session.document.curves]
+    place = names.index("use1")
+    editor.session.change("Move", lambda document: move_points(document, place, [0], (1.0, 0.0)))
+    overwrite(editor)
+    assert "The clone “use1” became a path, because its own points were moved." in editor.status
 
 
 def test_overwrite_asks_before_it_changes_what_another_program_has_written(editor, tmp_path):

@@ -44,12 +44,15 @@ class Written:
         One sentence for every curve that was left out.
     pixels
         Width and height of a picture in pixels; None of everything else.
+    changes
+        What of a file that was kept is something else now, in sentences.
     """
 
     content: str | bytes
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
     pixels: tuple[int, int] | None = None
+    changes: tuple[str, ...] = ()
 
     @property
     def text(self) -> str:

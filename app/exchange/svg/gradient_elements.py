@@ -31,6 +31,11 @@ class GradientElements:
         self._known: dict[Gradient, str] = {}
         self.lines: list[str] = []
 
+    def taken(self) -> list[str]:
+        """Return those that were asked for since it was asked last."""
+        lines, self.lines = self.lines, []
+        return lines
+
     def reference(self, gradient: Gradient) -> str:
         """Return the paint that refers to a gradient."""
         if gradient not in self._known:

@@ -151,7 +151,8 @@ class OverwriteCommands:
             session.say(f"{name} is like this already.")
             return
         copy = f" What it was is kept as {shown(found.copy.name)}." if found.copy is not None else ""
-        session.say(f"Wrote {name}{_words_about(foreign, found)}.{copy}")
+        near, *changes = f"{_words_about(foreign, found)}.", *found.written.changes
+        session.say(f"Wrote {name}{' '.join([near, *changes])}{copy}")
         self._work.warn_of(found.written.remarks)
 
 

@@ -118,6 +118,11 @@ class Found:
         return self.drawn[0].state.anchor is not None
 
     @property
+    def clones(self) -> int:
+        """How many `use` elements show it, each by way of the next."""
+        return len(self.drawn[0].state.inside)
+
+    @property
     def closed(self) -> list[bool]:
         """Of each path whether it is closed."""
         return [each.path.closed for each in self.drawn]

@@ -65,7 +65,7 @@ class Planner:
         taken: Collection[int],
         layers: Collection[str],
     ) -> None:
-        self._wanted, self._base, self._pairs, self._layers = wanted, base, pairs, layers
+        self._wanted, self._base, self.pairs, self._layers = wanted, base, pairs, layers
         self._units: defaultdict[Node, list[int]] = defaultdict(list)
         for place, shape in enumerate(base.seen):
             if place in taken:
@@ -93,13 +93,13 @@ class Planner:
     def _entry(self, place: int, anew: Collection[int], kept: Collection[Node]) -> tuple[Entry, Node | None]:
         """Return what shows a shape, and those behind that the same element shows, and that element."""
         wanted = self._wanted[place]
-        origin = self._pairs.get(place)
+        origin = self.pairs.get(place)
         if origin is None:
             return Entry((place,), wanted.groups, name=wanted.name), None
         found = self._base.seen[origin]
         unit, number = self._units[found.node], self._number[found.node]
         places = tuple(range(place, place + len(unit)))
-        is_whole = [self._pairs.get(each) for each in places] == unit and found.node not in kept
+        is_whole = [self.pairs.get(each) for each in places] == unit and found.node not in kept
         groups = self._outer(found, wanted)
         if is_whole and groups is not None and number not in anew:
             is_renamed = wanted.name != found.name and not _is_unnamed(found.node, wanted.name)
@@ -149,9 +149,7 @@ class Planner:
         nodes: dict[str, Node] = {}
         around = {
             name: [
-                self._outer_names(self._base.seen[self._pairs[each]])
-                for each in places
-                if each in self._pairs
+                self._outer_names(self._base.seen[self.pairs[each]]) for each in places if each in self.pairs
             ]
             for name, places in inside.items()
         }

@@ -8,6 +8,7 @@ anew in its element, then as another one. The result is read once more, and coun
 from __future__ import annotations
 
 import logging
+from dataclasses import replace as replaced
 from enum import IntEnum
 
 import numpy as np
@@ -33,6 +34,7 @@ from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move,
 from .empty_layers import has_empty_layers, set_empty_layers
 from .found import Found, Reading, Wanted, runs_as
 from .looks import Looks, declare_style
+from .lost_clones import lost_clones
 from .matching import origins
 from .placing import Placing, definitions, lock, show
 from .plan import Plan, Planner
@@ -88,7 +90,7 @@ def rewritten(
     except (SourceError, ExchangeError, np.linalg.LinAlgError) as problem:
         _log.info("a file is not kept: %s", type(problem).__name__)
         return None
-    return None if result is None else Written(result, drawing.deviation, drawing.left_out)
+    return None if result is None else replaced(result, deviation=drawing.deviation, remarks=drawing.left_out)
 
 
 def _in_file(document: Document, sheet: Sheet) -> Document:
@@ -143,7 +145,7 @@ class _Rewriting:
         rest = iter(map(Wanted, other))
         return [self.wanted[now[each]] if each in now else next(rest) for each in before]
 
-    def result(self, report: Report) -> bytes | None:
+    def result(self, report: Report) -> Written | None:
         """Return the file; None where it cannot be kept."""
         ways: dict[int, Way] = {}
         for count in range(_ROUNDS):
@@ -152,7 +154,10 @@ class _Rewriting:
             source = Source(self._data)
             wrong = _Round(self, source, plan, ways).wrong
             if not wrong:
-                return source.data
+                lost = lost_clones(
+                    plan, self._planner.pairs, self.base.seen, self.wanted, self.room, self.looks
+                )
+                return Written(source.data, changes=lost)
             for number in wrong:
                 if number is None or ways.get(number) is Way.ANEW:
                     return None
@@ -185,13 +190,7 @@ class _Round:
         set_guides(source, placed, job.document.guides)
         self._gradients = GradientElements(INK, Names(source.ids, between="_"))
         self.wrong: list[int | None] = []
-        shapes = _by_node(placed)
-        for entry, node in zip(plan.entries, self._placing.nodes, strict=True):
-            way = Way.IN_ITS_PLACE if entry.number is None else ways.get(entry.number, Way.IN_ITS_PLACE)
-            if not self._adapt(node, shapes.get(node, []), [job.wanted[each] for each in entry.shapes], way):
-                self.wrong.append(entry.number)
-        for each in source.adopted("\n".join(self._gradients.lines)):
-            each.put_last(definitions(source))
+        self._adapt_all(placed, ways)
         if not self.wrong:
             reading = Reading(source)
             if set_empty_layers(source, reading, job.document.empty_layers, job.layers):
@@ -199,6 +198,24 @@ class _Round:
             self.wrong = self._check(reading)
 
     # Changes
+
+    def _adapt_all(self, reading: Reading, ways: dict[int, Way]) -> None:
+        """Make all elements show what they should; a clone once that which it shows does."""
+        entries, shapes = list(zip(self._plan.entries, self._placing.nodes, strict=True)), _by_node(reading)
+        depths = {node: found[0].clones for node, found in shapes.items()}
+        for depth in sorted({depths.get(node, 0) for _, node in entries}):
+            if depth:
+                # Where a clone is now, and how it looks, its original says.
+                shapes = _by_node(Reading(self._source))
+            for entry, node in entries:
+                if depths.get(node, 0) != depth:
+                    continue
+                way = Way.IN_ITS_PLACE if entry.number is None else ways.get(entry.number, Way.IN_ITS_PLACE)
+                wanted = [self._job.wanted[each] for each in entry.shapes]
+                if not self._adapt(node, shapes.get(node, []), wanted, way):
+                    self.wrong.append(entry.number)
+            for each in self._source.adopted("\n".join(self._gradients.taken())):
+                each.put_last(definitions(self._source))
 
     def _move_groups(self, reading: Reading) -> bool:
         """Move groups of which everything moved alike, with what else is in them; return whether some did."""

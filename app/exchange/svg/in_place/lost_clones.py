@@ -1,0 +1,53 @@
+"""Clones of a file that are paths afterwards, and why."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+
+from ....document.words import names_of
+from ..names import name_of
+from .courses import motion_of
+from .found import Found, Wanted
+from .looks import Looks
+from .plan import Plan
+
+
+def lost_clones(
+    plan: Plan,
+    pairs: Mapping[int, int],
+    seen: Sequence[Found],
+    wanted: Sequence[Wanted],
+    room: float,
+    looks: Looks,
+) -> tuple[str, ...]:
+    """Return which clones a plan leaves as paths, in a sentence for each reason.
+
+    `pairs` has for each shape of the document the place of the one that was `seen` in the file.
+    """
+    names: defaultdict[str, dict[str, None]] = defaultdict(dict)
+    told = set()
+    for entry in plan.entries:
+        if entry.number is not None or (origin := pairs.get(entry.shapes[0])) is None:
+            continue
+        found, now = seen[origin], wanted[entry.shapes[0]]
+        if found.is_used and found.node not in told:
+            told.add(found.node)
+            name = name_of(found.drawn[0].anchor.element) or found.name
+            names[_reason(found, now, room, looks)][f"“{name}”"] = None
+    return tuple(_sentence(list(each), reason) for reason, each in names.items())
+
+
+def _reason(found: Found, now: Wanted, room: float, looks: Looks) -> str:
+    """Return why a clone cannot stay one: what of it is not as in the file."""
+    if motion_of([found], [now], room) is None:
+        return "its own points were moved"
+    if looks.differing(found.style, now.style) or found.visible != now.visible:
+        return "it looks otherwise than its original"
+    return "its original was changed and it was not"
+
+
+def _sentence(names: list[str], reason: str) -> str:
+    if len(names) == 1:
+        return f"The clone {names[0]} became a path, because {reason}."
+    return f"The clones {names_of(names)} became paths; of each, {reason}."
