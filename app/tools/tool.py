@@ -178,6 +178,8 @@ class Tool:
         the picture can.
     shows_new_handle
         Whether the selected point shows the handle that a press there would pull out.
+    takes_objects
+        Whether, where there is a page, what was edited is chosen whole when it begins to be used.
     lasts_one_gesture
         Whether it gives way to the tool below it when its gesture has ended.
     gesture
@@ -189,6 +191,7 @@ class Tool:
     finds_guides = False
     finds_image = False
     shows_new_handle = False
+    takes_objects = False
     lasts_one_gesture = False
     gesture: Gesture | None = None
 

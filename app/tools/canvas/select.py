@@ -35,6 +35,7 @@ class SelectTool(Tool):
     cursor = Cursor.ARROW
     finds_other_curves = True
     finds_guides = True
+    takes_objects = True
 
     def __init__(self) -> None:
         self._picker, self._guides = CurvePicker(), GuidePicker()
