@@ -28,7 +28,7 @@ _ARM = 26.0
 _REACH = 8.0
 
 _LEAST_BOX, _LEAST_TURNING_BOX = 60.0, 20.0
-"""Pixels along the longer side of a box with room for a pivot that nobody chose; less where its grips turn."""
+"""Pixels along a box with room for a pivot that nobody chose; fewer where its grips turn."""
 
 _TOLERANCE = 0.05
 """Pixels that the box may be off where the curves answer to a stretch with another shape."""
