@@ -112,8 +112,8 @@ class Preferences:
     nudge = Distance(
         "edit/nudge",
         "Arrow keys move by",
-        "How far arrow keys move what is chosen: “usual”, which is 1 mm where the unit is mm, or a distance in "
-        "the plane (Shift: ten times, Ctrl: a tenth, Alt: a pixel of the screen)",
+        "How far arrow keys move what is chosen: “usual”, which is 1 mm where the unit is mm, or a distance "
+        "in the plane (Shift: ten times, Ctrl: a tenth, Alt: a pixel of the screen)",
         none="usual",
         refusal="Arrow keys need a distance greater than 0, or “usual”.",
         widget="nudgeStep",
