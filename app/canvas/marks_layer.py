@@ -84,7 +84,7 @@ class MarksLayer(Layer):
             self._paint_box(painter, shown, marks.box, has_grips=True)
         if marks.frame is not None:
             self._paint_box(painter, shown, marks.frame, has_grips=False)
-        if marks.pivot is not None:
+        if marks.pivot is not None and (marks.pivot_box is None or marks.pivot_box.is_roomy(shown.sx)):
             self._paint_pivot(painter, *shown.point(*marks.pivot))
         if marks.band is not None:
             self._paint_band(painter, shown, *marks.band)

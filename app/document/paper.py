@@ -36,6 +36,15 @@ def is_for_paper(document: Document) -> bool:
     return document.page is not None or document.unit in PAPER_UNITS
 
 
+_NUDGES: Final = {"mm": 1.0, "cm": 0.1, "in": 0.05, "pt": 2.0, "pc": 0.2, "px": 2.0}
+"""Step of an arrow key by the unit of paper."""
+
+
+def nudge_of(document: Document) -> float | None:
+    """Return how far an arrow key goes in a document for paper: as far at any zoom; None in any other."""
+    return _NUDGES.get(document.unit)
+
+
 def line_width(document: Document) -> float | None:
     """Return the width of new lines of a document, in its unit; None where it is not for paper."""
     if document.unit in PAPER_UNITS:

@@ -316,11 +316,14 @@ def counted(document: Document, curves: Collection[int]) -> str:
 
 
 def name_of(document: Document, curves: Collection[int]) -> str | None:
-    """Return the name of the curve, or of the shape or group that they are; None where they are several."""
+    """Return the name of the curve, or of the shape or group that they are; None where they are several.
+
+    The only thing in a layer is meant, and not the layer.
+    """
     if len(curves) == 1:
         return document.curves[next(iter(curves))].name
     first = document.curves[min(curves, default=0)]
     if not curves or not (first.shape or first.groups):
         return None
-    nodes = whole_nodes(document.curves, curves)
-    return nodes[0].name if len(nodes) == 1 else None
+    ways = (whole_nodes(document.curves, curves, layers) for layers in (document.layers, ()))
+    return next((nodes[0].name for nodes in ways if len(nodes) == 1), None)

@@ -16,7 +16,7 @@ from .drag import Drag
 from .drag_machine import EditingHost
 from .marks import GestureMarks
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
-from .snapping import SnapKind, Snapper
+from .snapping import Snapper
 from .tool import Tool, ToolContext
 
 CURSORS = {0: Cursor.WIDER, 1: Cursor.HIGHER}
@@ -181,13 +181,12 @@ class GuidePicker:
 
     def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
         """Move the guide that is chosen; return whether there is one."""
-        place, snapping = self.chosen, context.settings.snapping
+        place = self.chosen
         if place is None or context.settings.guides_stay:
             return False
         way = direction[context.host.document.guides[place].axis.coordinate]
         if way:
-            snaps = snapping.on and SnapKind.GRID in snapping.kinds
-            step = way * stride.length(context.grid() if snaps else None)
+            step = way * context.step_of(stride)
             nudge = NudgeGuide(context.host.document, place, step, context.settings.unit)
             context.drags.nudge(nudge, ("guide", place))
         return True

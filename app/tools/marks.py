@@ -52,6 +52,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         The box with grips around the selected points; the box without them, while they are dragged.
     pivot
         What is turned, scaled and mirrored about.
+    pivot_box
+        The box that it is the middle of, where nobody chose it: without room there it is not seen.
     snap
         What the pointer has snapped to.
     ruler
@@ -80,6 +82,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     box: TransformBox | None = None
     frame: TransformBox | None = None
     pivot: Vector | None = None
+    pivot_box: TransformBox | None = None
     snap: Snap | None = None
     ruler: Ruler | None = None
     note: Note | None = None

@@ -11,7 +11,6 @@ from .drag_machine import CANCELLED, THRESHOLD
 from .pointer import AXIS_KEYS, SNAP_KEY, Cursor, Hint, Pointer
 from .snapping import with_snap
 from .tool import Gesture, ToolContext
-from .transform_box import TransformBox
 
 _REACH = 7.0
 """Pixels from the mark within which a press takes it."""
@@ -22,18 +21,9 @@ PIVOT_HINT = Hint(
 )
 
 
-_LEAST_BOX = 60.0
-"""Pixels: in the middle of a smaller box a press moves what is in it."""
-
-
 def is_on_pivot(place: Vector, pointer: Pointer) -> bool:
     """Whether a press would take the mark of a pivot at `place`."""
     return math.dist(place, pointer.position) * pointer.scale <= _REACH
-
-
-def is_roomy(box: TransformBox, pointer: Pointer) -> bool:
-    """Whether a box is large enough for a pivot that nobody chose."""
-    return max(box.size) * pointer.scale >= _LEAST_BOX
 
 
 class MovePivot(Gesture):

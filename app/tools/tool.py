@@ -8,6 +8,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
+from ..document.paper import nudge_of
 from ..document.point_group import points_of
 from ..view_model.bounds import Strokes
 from ..view_model.curve_view import CurveView
@@ -41,6 +42,8 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether the grips at the corners of that box keep its proportions.
     guides_stay
         Whether no key moves or removes a guide: they are locked, or not seen.
+    nudge
+        How far arrow keys go; 0 for as far as is usual in the document.
     pencil
         How near a curve comes to what the pencil draws.
     pen
@@ -53,6 +56,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     strokes: Strokes = Strokes()
     keeps_proportions: bool = False
     guides_stay: bool = False
+    nudge: float = 0.0
     pencil: PencilDetail = PencilDetail.MEDIUM
     pen: PenClick = PenClick.BY_DOCUMENT
 
@@ -130,9 +134,17 @@ class ToolContext(msgspec.Struct, frozen=True):
             self.snappers.show_before_press(self.pointer, place)
 
     def step_of(self, stride: Stride) -> float:
-        """Return how far an arrow key goes: a step of the grid or, not snapping, a round number."""
-        snapping = self.settings.snapping
-        return stride.length(self.grid() if snapping.on and SnapKind.GRID in snapping.kinds else None)
+        """Return how far an arrow key goes: as the person has it, or else as the document is.
+
+        With a unit of paper it is a fixed length. Without, or where the document has a grid of its own and
+        this is snapped to, it is a step of the grid or, not snapping, a round number.
+        """
+        document, snapping = self.host.document, self.settings.snapping
+        grid = self.grid() if snapping.on and SnapKind.GRID in snapping.kinds else None
+        fixed = self.settings.nudge or nudge_of(document)
+        if grid is not None and document.grid_spacing and not self.settings.nudge:
+            fixed = None
+        return stride.length(fixed or grid)
 
     def progress(self) -> str:
         """Return how far the drag in flight has come, and what it has snapped to."""
@@ -178,6 +190,8 @@ class Tool:
         the picture can.
     shows_new_handle
         Whether the selected point shows the handle that a press there would pull out.
+    takes_objects
+        Whether, where there is a page, what was edited is chosen whole when it begins to be used.
     lasts_one_gesture
         Whether it gives way to the tool below it when its gesture has ended.
     gesture
@@ -189,6 +203,7 @@ class Tool:
     finds_guides = False
     finds_image = False
     shows_new_handle = False
+    takes_objects = False
     lasts_one_gesture = False
     gesture: Gesture | None = None
 

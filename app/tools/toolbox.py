@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from ..document.edits import EditError
 from ..document.model import Vector
+from ..document.paper import DocumentKind, kind_of
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
@@ -133,6 +134,8 @@ class Toolbox:
             selected.take_up()
             selected.set_layer(layer)
             self._chosen.take_over(self.context)
+        elif self._chosen.takes_objects and kind_of(self._host.document) is DocumentKind.DRAWING:
+            self._host.selected.leave_points()
 
     def lay_above(self, record: ToolRecord | None) -> None:
         """Use a tool in place of the one that is chosen, until None gives way to that again."""

@@ -27,6 +27,9 @@ _ARM = 26.0
 
 _REACH = 8.0
 
+_LEAST_BOX, _LEAST_TURNING_BOX = 60.0, 20.0
+"""Pixels along a box with room for a pivot that nobody chose; fewer where its grips turn."""
+
 _TOLERANCE = 0.05
 """Pixels that the box may be off where the curves answer to a stretch with another shape."""
 
@@ -85,6 +88,10 @@ class TransformBox(Bounds, frozen=True):
             abs(at - middle) <= max(size / 2, least)
             for at, middle, size in zip(pointer.position, self.centre, self.size, strict=True)
         )
+
+    def is_roomy(self, scale: float) -> bool:
+        """Whether its middle is a pivot to take: a press in a smaller one moves what is in it."""
+        return max(self.size) * scale >= (_LEAST_TURNING_BOX if self.turns else _LEAST_BOX)
 
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale or skew a side without length."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtWidgets import QDialog, QLineEdit
 
 from ..document.expression import ExpressionError, parse_number
 from ..document.words import number, with_minus
@@ -136,6 +136,8 @@ class FieldEdit(ClaimsKeys, QLineEdit):
             event.ignore()
         elif self.claims(event):
             self.give_up()
+            # The same key goes on: to the window, which gives the canvas the focus, but not to a dialog.
+            event.setAccepted(isinstance(self.window(), QDialog))
         else:
             super().keyPressEvent(event)
 

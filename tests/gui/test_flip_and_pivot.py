@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from extents import CLOSE, box_shown, sampled_bounds
 from msgspec.structs import replace
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
@@ -191,6 +191,37 @@ def test_it_is_taken_over_the_fill_of_what_is_chosen(two, turns):
     two.session.commit(document.with_curve(0, filled), "Fill")
     two.session.selected.choose({0})
     two.session.box.set_turns(turns)
+    before = two.session.document
+    drag_pivot(two, (-1.0, 1.0))
+    assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
+    assert two.session.document is before
+
+
+def shows_cross(editor):
+    """Whether the cross is seen at the left of the pivot, where no line of a curve is."""
+    canvas = editor.window.canvas
+    place = canvas.to_pixel(*pivot(editor)) - QPoint(5, 0)
+    return canvas.viewport().grab().toImage().pixelColor(place).saturation() > 60
+
+
+def test_a_cross_that_is_seen_is_one_that_a_drag_takes(two):
+    """In a small box it was seen and a drag moved the object; with grips that turn, it is what matters."""
+    two.window.canvas.camera.show_box((-60, 60), (-36, 36))
+    two.session.selected.choose({0})
+    assert not shows_cross(two)
+    two.session.box.set_turns(True)
+    two.settle()
+    assert shows_cross(two)
+    before = two.session.document
+    drag_pivot(two, (-10.0, 10.0))
+    assert pivot(two) == pytest.approx((-10.0, 10.0), abs=two.pixel)
+    assert two.session.document is before
+
+
+def test_it_is_taken_over_a_line_of_what_is_chosen(two):
+    line = replace(two.session.document.curves[0], points=make_curve([(0, 0), (4, 2)]).points)
+    two.session.commit(two.session.document.with_curve(0, line), "Straight")
+    two.session.selected.choose({0})
     before = two.session.document
     drag_pivot(two, (-1.0, 1.0))
     assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)

@@ -412,6 +412,22 @@ def test_what_is_no_length_stays_to_be_mended_and_changes_nothing(leaf, name, te
     assert not leaf.window.findChild(QLabel, "transformProblem").isVisible()
 
 
+@pytest.mark.parametrize("typed", ["", "3 apples"])
+def test_one_escape_drops_what_was_typed_and_gives_the_keys_back_to_the_canvas(leaf, typed):
+    """It took two, and the first had looked as if it had done that."""
+    leaf.window.activateWindow()
+    edit, document = field(leaf, "Width"), leaf.session.document
+    before = edit.text()
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, typed)
+    QTest.keyClick(edit, Key.Key_Escape)
+    leaf.settle()
+    assert float(edit.text().split()[0]) == pytest.approx(float(before.split()[0]), abs=1e-3)
+    assert leaf.window.canvas.hasFocus()
+    assert leaf.session.document is document
+
+
 def test_a_unit_needs_a_unit_of_the_document(leaf):
     leaf.session.change("No unit", lambda document: replace(document, unit=""))
     document = leaf.session.document

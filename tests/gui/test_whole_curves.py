@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLabel
 
 from app.appearance.colours import point_colours
 from app.canvas.sections import loose_places, sections_of
-from app.document.model import Document, make_curve
+from app.document.model import Document, Page, make_curve
 from app.document.style import Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot, spot_rect
@@ -88,6 +88,47 @@ def test_escape_lets_go_of_points_then_of_the_curve_then_of_all(three):
     assert three.session.document is document
     assert three.session.undo_stack.count() == steps
     assert three.session.active_view.source.name == "B"
+
+
+@pytest.fixture
+def page(three):
+    """The same waves on a page."""
+    three.session.change("Page", lambda document: replace(document, page=Page(-1.0, -1.0, 8.0, 12.0)))
+    yield three
+    three.new()
+    three.settle()
+
+
+@pytest.mark.parametrize("tool", ["rectangleTool", "ellipseTool", "starTool"])
+@pytest.mark.parametrize("leave", [Qt.Key.Key_V, Qt.Key.Key_Escape])
+def test_on_a_page_what_was_drawn_is_chosen_whole_and_a_drag_within_moves_it(page, tool, leave):
+    """It was a rubber band among its points."""
+    page.trigger(tool)
+    page.drag((4.5, 3.0), (6.5, 5.0))
+    page.key(leave)
+    drawn = page.session.active_index
+    assert (drawn, page.session.selected.is_editing, page.session.selected.chosen) == (3, False, {drawn})
+    assert page.window.status_line.hint.startswith(f"“{page.curve.name}” is chosen")
+    before = page.session.document
+    page.drag((5.5, 3.6), (6.0, 3.6))
+    assert moved_by(page, before, drawn) == pytest.approx((0.5, 0.0), abs=page.pixel)
+
+
+def test_on_a_page_v_leaves_points_and_what_a_tool_took_up_unasked_is_not_chosen(page):
+    page.select([1])
+    page.key(Qt.Key.Key_V)
+    assert state(page) == (False, "B", "B")
+    page.escape()
+    page.trigger("addTool")
+    assert page.session.selected.is_editing
+    page.key(Qt.Key.Key_V)
+    assert state(page) == (False, "", "B")
+
+
+def test_without_a_page_v_goes_back_to_the_points(three):
+    three.trigger("addTool")
+    three.key(Qt.Key.Key_V)
+    assert state(three) == (True, "", "B")
 
 
 def test_leaving_is_said_and_no_points_are_shown(three):

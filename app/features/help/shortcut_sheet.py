@@ -94,8 +94,8 @@ _WITH_ANY_TOOL = (
     ),
     GestureRow(
         "Arrow keys",
-        "nudge by a round number, or a step of the grid; in the t-rail its ticks; "
-        "Shift: ten, Ctrl: a tenth, Alt: a pixel",
+        "nudge: on paper by 1 mm or the like, else by a round number or a step of the grid; "
+        "in the t-rail its ticks; Shift: ten, Ctrl: a tenth, Alt: a pixel",
         selected=True,
         curves=True,
     ),

@@ -1,4 +1,4 @@
-"""Snapping, as the window's state has it."""
+"""Snapping, and how far arrow keys go, as the window's state has it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...workbench.context import WindowContext
 
 
 class SnapCommands:
-    """Keeps the canvas in step with what was chosen about snapping."""
+    """Keeps the canvas in step with what was chosen about snapping and arrow keys."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -23,7 +23,7 @@ class SnapCommands:
         hidden = frozenset() if state.guides_shown else {SnapKind.GUIDES}
         snapping = Snapping(state.snap_on, state.snap_kinds - hidden)
         canvas = self._context.central.canvas
-        canvas.change_tool_settings(snapping=snapping)
+        canvas.change_tool_settings(snapping=snapping, nudge=state.nudge)
         if before is not None and (before.snap_on, before.snap_kinds) != (state.snap_on, state.snap_kinds):
             # What is dragged goes where it snaps to now.
             canvas.move_again()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
@@ -92,12 +94,14 @@ class ViewCommands:
                 session.say("No curve is chosen.")
             return
         selected.choose(selected.curves)
-        name = name_of(session.document, selected.chosen)
-        chosen = f"{named(session.document, selected.chosen)} are" if name is None else f"“{name}” is"
-        again = "them" if name is None else "one"
-        session.say(
-            f"{chosen} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
-        )
+        session.say(self._told_whole(selected.chosen))
+
+    def _told_whole(self, chosen: Collection[int]) -> str:
+        """Return the sentence that curves are chosen as wholes, and how their points are edited."""
+        document = self._session.document
+        name = name_of(document, chosen)
+        are, again = (f"{named(document, chosen)} are", "them") if name is None else (f"“{name}” is", "one")
+        return f"{are} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
 
     @widget_at(TOOLBAR(35))
     def build_shapes(self) -> ToolbarWidget:
@@ -132,7 +136,8 @@ class ViewCommands:
         # Taken anew, a tool ends what it was doing.
         self._context.central.canvas.choose_tool(tool)
         self._store.change(tool=tool, moves_image=False)
-        self._context.status_line.show_hint(tool.hint)
+        chosen = self._session.selected.chosen if tool is SELECT else frozenset()
+        self._context.status_line.show_hint(self._told_whole(chosen) if chosen else tool.hint)
 
     # What is shown
 

@@ -19,7 +19,7 @@ from ..guides import GuidePicker
 from ..inserting import insert_at
 from ..marks import GestureMarks
 from ..marquee import Band, CurveMarquee, Marquee
-from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot, is_roomy
+from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
 from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part, Stride
 from ..segment_click import click_segment
@@ -35,6 +35,7 @@ class SelectTool(Tool):
     cursor = Cursor.ARROW
     finds_other_curves = True
     finds_guides = True
+    takes_objects = True
 
     def __init__(self) -> None:
         self._picker, self._guides = CurvePicker(), GuidePicker()
@@ -230,6 +231,7 @@ class SelectTool(Tool):
             frame=None if is_idle or is_banding else box,
             pivot=context.drags.about_at(context.pointer)
             or (None if is_banding else self._pivot(context, box)),
+            pivot_box=box if is_idle and context.target.pivot is None else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
@@ -250,19 +252,24 @@ class SelectTool(Tool):
 
     @staticmethod
     def _pivot(context: ToolContext, box: TransformBox | None) -> Vector | None:
-        """Return the pivot that can be taken: one that was chosen, or the middle of the box."""
+        """Return the pivot: one that was chosen, or the middle of the box, which needs room for it."""
         if (place := context.target.pivot) is not None:
             return place
         return box.centre if box is not None else None
 
     def _is_on_pivot(self, context: ToolContext) -> bool:
-        """Whether a press takes the pivot; one that nobody chose gives way to points, handles and lines."""
-        hit, box = context.hit, self._box(context)
-        # The middle of a straight segment whose ends are selected is that of their box.
-        is_beside = _is_below_grips(hit) and (hit is None or hit.part is not Part.CURVE)
+        """Whether a press takes the pivot; one that nobody chose gives way to points, handles and lines.
+
+        Where whole curves are chosen there is no line to bend, and it comes before these.
+        """
+        hit, group, box = context.hit, context.target.group, self._box(context)
         place = self._pivot(context, box)
-        is_roomy_box = box is not None and is_roomy(box, context.pointer)
-        is_free = context.target.pivot is not None or (is_roomy_box and is_beside)
+        # The middle of a straight segment whose ends are selected is that of their box.
+        is_line = hit is not None and hit.part in (Part.CURVE, Part.OTHER_CURVE)
+        is_beside = hit is None or hit.inside or hit.part is Part.GUIDE
+        is_beside |= is_line and group is not None and group.is_whole
+        has_room = box is not None and box.is_roomy(context.pointer.scale)
+        is_free = context.target.pivot is not None or (has_room and is_beside)
         return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
