@@ -395,7 +395,8 @@ def file_stem(session: Session) -> str:
     """Return a file name for the document, without ending."""
     if session.files.path is not None:
         return session.files.path.name.removesuffix(SUFFIX)
-    name = session.files.beginning.file_stem or session.document.curves[0].name
+    drawn = "Drawing" if session.document.page is not None else session.document.curves[0].name
+    name = session.files.beginning.file_stem or drawn
     name = "".join(character for character in name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"

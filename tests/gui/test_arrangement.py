@@ -90,7 +90,11 @@ def test_new_is_of_the_kind_that_is_open_and_t_offers_the_functions_that_are_awa
     assert shows_functions(editor)
     editor.session.files.give_up_changes()
     editor.key(Qt.Key.Key_N, CTRL)
-    assert (editor.session.document.page, editor.curve.points, editor.session.document.unit) == (page, (), "mm")
+    assert (editor.session.document.page, editor.curve.points, editor.session.document.unit) == (
+        page,
+        (),
+        "mm",
+    )
     assert editor.action("addTool").isChecked()
     editor.trigger("newSketch")
     assert (editor.session.document.page, editor.session.document.unit) == (None, "")

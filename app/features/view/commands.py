@@ -170,7 +170,9 @@ class ViewCommands:
         if self._store.state.basis:
             session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
         else:
-            session.offer("Every point shows its weight there; the functions have a line to drag.", "toggleBasis")
+            session.offer(
+                "Every point shows its weight there; the functions have a line to drag.", "toggleBasis"
+            )
 
     @switch(
         "basis",
