@@ -56,11 +56,8 @@ def _plane_box(rect: QRectF) -> PlaneBox:
     return PlaneBox(np.array([rect.left(), rect.top()]), np.array([rect.right(), rect.bottom()]))
 
 
-def _around(box: PlaneBox | None, others: Sequence[PlaneBox]) -> PlaneBox | None:
-    """Return the box around all; None where there is none around curves, which come first."""
-    if box is None:
-        return None
-    lows, highs = zip(box, *others, strict=True)
+def _around(boxes: Sequence[PlaneBox]) -> PlaneBox:
+    lows, highs = zip(*boxes, strict=True)
     return PlaneBox(np.minimum.reduce(lows), np.maximum.reduce(highs))
 
 
@@ -91,6 +88,7 @@ class Framing:
         self._camera, self._drawing = camera, drawing
         self.covered_top: Callable[[], float] = lambda: 0.0
         self._fitted: Sequence[Curve] | None = None
+        self._fits_page = False
         camera.moved.connect(self._forget_fit)
 
     @property
@@ -123,6 +121,16 @@ class Framing:
 
         Where there are no points the picture to trace is shown.
         """
+        self._fits_page = False
+        self.fit_again()
+
+    def fit_opened(self) -> None:
+        """Show a document that was opened: its page, and all that lies on it and beside it."""
+        self._fits_page = True
+        self.fit_again()
+
+    def fit_again(self) -> None:
+        """Show what was fitted into the view last."""
         drawing = self._drawing
         views = [view for view in drawing.views if view.source.visible or view is drawing.view]
         if drawing.view is not None and not any(view is drawing.view for view in views):
@@ -130,8 +138,15 @@ class Framing:
         kept = [layer.box for layer in drawing.kept if layer.is_shown and not layer.box.isEmpty()]
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
         image = drawing.image.corners
-        box = _around(box_of(views), [with_margin(_plane_box(each)) for each in kept])
-        self._show(box or (with_margin(PlaneBox(*image)) if image is not None else None))
+        page = drawing.page.page if self._fits_page else None
+        boxes = [] if (around_curves := box_of(views)) is None else [around_curves]
+        if page is not None:
+            corners = (page.x, page.y), (page.x + page.width, page.y + page.height)
+            boxes.append(with_margin(PlaneBox(*np.array(corners))))
+        if boxes:
+            self._show(_around([*boxes, *(with_margin(_plane_box(each)) for each in kept)]))
+        else:
+            self._show(with_margin(PlaneBox(*image)) if image is not None else None)
         self._fitted = self._curves
 
     def fit_views(self, views: Sequence[CurveView]) -> None:

@@ -19,6 +19,7 @@ from .style import PLAIN_STYLE
 from .words import enumerated
 
 _COPY = re.compile(r" copy( \d+)?$")
+_NUMBERED = re.compile(r"Curve \d+")
 
 
 def add_curve(document: Document, index: int, curve: Curve) -> Document:
@@ -62,10 +63,15 @@ def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve
     return replace(document, curves=tuple(new))
 
 
-def free_name(document: Document) -> str:
-    """Return a name for a new curve that no other has."""
-    taken = {curve.name for curve in document.curves}
-    return next(name for number in count(1) if (name := f"Curve {number}") not in taken)
+def free_name(document: Document, word: str = "Curve") -> str:
+    """Return a name for a new curve that no curve, shape or group has: they are listed together."""
+    taken = {name for curve in document.curves for name in (curve.name, curve.shape, *curve.groups)}
+    return next(name for number in count(1) if (name := f"{word} {number}") not in taken)
+
+
+def is_numbered(name: str) -> bool:
+    """Whether a name is one that new curves get, and nobody has given it."""
+    return _NUMBERED.fullmatch(name) is not None
 
 
 def free_copy_name(name: str, taken: Collection[str]) -> str:

@@ -86,6 +86,11 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     stretches: ClassVar[bool] = True
 
     @property
+    def word(self) -> str:
+        """What people call it as it is now."""
+        return self.noun
+
+    @property
     def pieces(self) -> Sequence[Piece]:
         """How it runs; each piece begins where the one before ends, the first where the last one does."""
         raise NotImplementedError

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from msgspec.structs import replace
 
 from ..families import HERMITE
-from .curve_edits import fresh_curve, replace_curve
+from .curve_edits import free_name, fresh_curve, is_numbered, replace_curve
 from .forms import AnyForm
 from .layers import front_of, in_front, without
 from .limits import checked_vector
@@ -38,6 +38,8 @@ def with_form_drawn(
         curve = replace(model, parametrization=Parametrization(), visible=True)
     else:
         curve = fresh_curve(document, replace(model, style=style), Parametrization())
+    if is_numbered(curve.name):
+        curve = replace(curve, name=free_name(rest, form.word.capitalize()))
     front = front_of(rest, layer)
     made = in_front(rest, front, curve)
     return replace_curve(made, front.place, formed_anew(made.curves[front.place], form))

@@ -259,6 +259,11 @@ class Star(Form, frozen=True):
         """Whether it has no inner corners."""
         return self.ratio >= 1.0
 
+    @property
+    def word(self) -> str:
+        """A polygon, where it has no inner corners."""
+        return "polygon" if self.is_polygon else self.noun
+
     def _at(self, step: float, radius: float) -> Vector:
         """Return the place so many corners on, and so far away."""
         angle = math.radians(self.angle + 360.0 * step / self.corners)

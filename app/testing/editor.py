@@ -147,9 +147,9 @@ class Editor(InputDriver):
     # What a person does
 
     def new(self) -> None:
-        """Start an empty document with the view from (−0.5, −0.5) on, adding points."""
+        """Start an empty sketch with the view from (−0.5, −0.5) on, adding points."""
         self.session.files.give_up_changes()
-        self.trigger("newDocument")
+        self.trigger("newSketch")
 
     def trigger(self, name: str) -> None:
         """Trigger an action, as its menu or its keys would; `ImpossibleError` where it is disabled."""

@@ -125,6 +125,20 @@ class DocumentFiles:
         self._session.files.begin(document)
         return True
 
+    def new_sketch(self) -> bool:
+        """Start a plane without a page, after asking about unsaved changes; return whether it is there."""
+        if not self.may_discard():
+            return False
+        self.remember_rules()
+        usual = self._blank()
+        if usual.page is not None:
+            # Units and lines of paper were chosen along with the page.
+            curve = usual.curves[0]
+            plain_line = replace(curve, style=replace(curve.style, width=None))
+            usual = replace(usual, page=None, unit="", curves=(plain_line,))
+        self._session.files.begin(usual)
+        return True
+
     def remember_rules(self) -> None:
         """Let new documents begin with the family and the rules of the curve that is edited.
 
@@ -381,7 +395,8 @@ def file_stem(session: Session) -> str:
     """Return a file name for the document, without ending."""
     if session.files.path is not None:
         return session.files.path.name.removesuffix(SUFFIX)
-    name = session.files.beginning.file_stem or session.document.curves[0].name
+    drawn = "Drawing" if session.document.page is not None else session.document.curves[0].name
+    name = session.files.beginning.file_stem or drawn
     name = "".join(character for character in name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"

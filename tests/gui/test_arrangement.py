@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QTabBar
+from PySide6.QtWidgets import QTabBar, QToolButton
 
 from app.document.model import Page
 from app.document.plane_edits import set_page
@@ -75,6 +75,32 @@ def test_a_drawing_has_its_style_at_hand_and_no_functions_and_a_lesson_has_them_
     assert editor.action("toggleBasis").isChecked()
     assert in_front(editor) == SKETCH
     assert editor.window.context.docks["transformDock"].isHidden()
+
+
+def test_new_is_of_the_kind_that_is_open_and_t_offers_the_functions_that_are_away(editor):
+    begin_drawing(editor)
+    page = editor.session.document.page
+    editor.trigger("rectangleTool")
+    editor.drag((20, 20), (80, 80))
+    editor.key(Qt.Key.Key_T)
+    assert "basis panel" not in editor.message
+    buttons = editor.window.message_bar.findChildren(QToolButton)
+    next(each for each in buttons if each.defaultAction() is editor.action("toggleBasis")).click()
+    editor.settle()
+    assert shows_functions(editor)
+    editor.session.files.give_up_changes()
+    editor.key(Qt.Key.Key_N, CTRL)
+    assert (editor.session.document.page, editor.curve.points, editor.session.document.unit) == (
+        page,
+        (),
+        "mm",
+    )
+    assert editor.action("addTool").isChecked()
+    editor.trigger("newSketch")
+    assert (editor.session.document.page, editor.session.document.unit) == (None, "")
+    assert editor.action("addTool").isChecked()
+    editor.key(Qt.Key.Key_N, CTRL)
+    assert editor.session.document.page is None
 
 
 def test_what_a_person_has_changed_in_either_kind_is_there_in_the_next_of_it(editor):

@@ -143,9 +143,8 @@ def test_an_empty_curve_becomes_it_and_a_flat_box_none(editor):
     assert editor.status.startswith("Drag to the side and up or down")
     editor.release((2.0, 1.0))
     assert not editor.curve.points
-    name = editor.curve.name
     editor.drag((1.0, 1.0), (2.0, 2.0))
-    assert [curve.name for curve in editor.session.document.curves] == [name]
+    assert [curve.name for curve in editor.session.document.curves] == ["Rectangle 1"]
     assert len(editor.curve.points) == 4
 
 

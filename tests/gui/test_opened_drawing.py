@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QUndoView
+from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QUndoView
 
 from app.document.style import PLAIN_STYLE
 from app.features.text.commands import TextCommands
@@ -127,3 +129,44 @@ def test_a_text_takes_the_colour_chosen_last(drawing):
     assert written() == PLAIN_STYLE.colour
     drawing.session.selected.choose({1})
     assert written() == "#ff0000"
+
+
+def test_all_of_the_page_is_in_sight_and_of_the_curves_and_fit_shows_the_curves_alone(drawing):
+    def sees(x, y):
+        left, low, right, high = drawing.window.canvas.pixel_map.box
+        return left < x < right and low < y < high
+
+    assert sees(0, 0)
+    assert sees(40, 40)
+    drawing.window.resize(drawing.window.width() - 120, drawing.window.height())
+    drawing.settle()
+    assert sees(0, 0)
+    assert sees(40, 40)
+    drawing.trigger("fitView")
+    assert not sees(40, 0)
+
+
+def test_saving_proposes_drawing_and_forms_are_named_by_what_they_are(drawing, monkeypatch):
+    drawing.session.files.give_up_changes()
+    drawing.trigger("newDrawing")
+    for tool in ("rectangleTool", "rectangleTool", "starTool", "ellipseTool"):
+        drawing.trigger(tool)
+        drawing.drag((20, 20), (90, 90))
+    names = [curve.name for curve in drawing.session.document.curves]
+    assert names == ["Rectangle 1", "Rectangle 2", "Star 1", "Ellipse 1"]
+    drawing.session.selected.choose({0, 1})
+    drawing.trigger("combineCurves")
+    shape = drawing.session.document.curves[0].shape
+    drawing.session.selected.choose({0})
+    drawing.trigger("newCurve")
+    taken = {shape, *(curve.name for curve in drawing.session.document.curves[:-1])}
+    assert drawing.session.document.curves[-1].name not in taken
+    proposed = []
+
+    def ask(_window, _title, start, _kinds):
+        proposed.append(Path(start).name)
+        return "", ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
+    drawing.trigger("saveDocumentAs")
+    assert proposed == ["Drawing.curve.json"]

@@ -21,7 +21,10 @@ class DocumentCommands:
     @action("newDocument", "New", FILE_OPEN, "Ctrl+N", "new")
     @also(TOOLBAR(10))
     def _new(self) -> None:
-        """Start an empty document."""
+        """Start an empty document: a drawing where one is open, else as new documents are."""
+        if self._context.session.document.page is not None:
+            self._new_drawing()
+            return
         self._context.files.new()
         if not self._context.session.active_curve.points:
             self._context.actions["addTool"].trigger()
@@ -39,6 +42,12 @@ class DocumentCommands:
         if self._context.files.new_drawing():
             self._context.actions["addTool"].trigger()
             self._context.actions["fitPage"].trigger()
+
+    @action("newSketch", "New Sketch", FILE_OPEN, icon="new", keywords="course plane without page")
+    def _new_sketch(self) -> None:
+        """Start an empty document without a page, with the pen in hand."""
+        if self._context.files.new_sketch():
+            self._context.actions["addTool"].trigger()
 
     @action("newWindow", "New Window", FILE_OPEN, "Alt+Shift+N", "new-window", keywords="second beside")
     def _open_window(self) -> None:

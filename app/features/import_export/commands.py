@@ -269,7 +269,10 @@ class ExchangeCommands:
             selected.set_layer(foremost_layer(document))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
-        if is_all or not self._context.central.canvas.framing.shows_curves(added):
+        central = self._context.central
+        if is_all:
+            central.fit_opened()
+        elif not central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
         what = f"{counted_shapes(curves)}, {count_of(count, 'point')}"

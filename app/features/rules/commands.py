@@ -62,7 +62,7 @@ def _edited(family: Family) -> Need:
     def why(now: Situation) -> str:
         name = now.view.source.name
         then = f"then the same key makes it {family.title}"
-        rest = "The Curve menu changes all that are chosen."
+        rest = "The toolbar changes all that are chosen."
         rest = _ZOOM_KEYS if is_for_paper(now.session.document) else rest
         return f"Enter edits “{name}”; {then}. {rest}"
 

@@ -172,7 +172,12 @@ class ViewCommands:
             return
         start, end = session.active_view.curve.domain
         session.scrub.set(start + 0.4 * (end - start))
-        session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
+        if self._store.state.basis:
+            session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
+        else:
+            session.offer(
+                "Every point shows its weight there; the functions have a line to drag.", "toggleBasis"
+            )
 
     @switch(
         "basis",

@@ -59,7 +59,7 @@ class DrawStar(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return "Draw polygon" if self.star.is_polygon else "Draw star"
+        return f"Draw {self.star.word}"
 
     @property
     def keys(self) -> str:
