@@ -329,22 +329,31 @@ class Keys(Setting[dict[str, str]]):
 
 
 class Several(Setting[frozenset[Member]]):
-    """Some members of an enumeration whose values are words; all of them when nothing is remembered."""
+    """Some members of an enumeration whose values are words; all, or `usual`, when nothing is remembered."""
 
-    def __init__(self, key: str, kind: type[Member], label: str, tip: str, widget: str = "") -> None:
+    def __init__(
+        self,
+        key: str,
+        kind: type[Member],
+        label: str,
+        tip: str,
+        widget: str = "",
+        *,
+        usual: Collection[Member] | None = None,
+    ) -> None:
         super().__init__(key, label, tip, widget)
-        self.kind = kind
+        self.kind, self.usual = kind, frozenset(kind if usual is None else usual)
 
     def _read(self, file: SettingsFile) -> frozenset[Member]:
         stored = file.value(self.key)
         if stored is None:
-            return frozenset(self.kind)
+            return self.usual
         try:
             return frozenset(self.kind(word) for word in str(stored).split())
         except ValueError:
             words = ", ".join(member.value for member in self.kind)
             file.complain(self.key, f"“{stored}” names something else than {words}")
-            return frozenset(self.kind)
+            return self.usual
 
     def __set__(self, owner: Remembering, value: Collection[Member]) -> None:
         super().__set__(owner, frozenset(value))

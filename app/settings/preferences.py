@@ -89,7 +89,17 @@ class Preferences:
     snap_kinds = Several(
         "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"
     )
-    """Targets that dragged and added points snap to."""
+    """Targets that dragged and added points snap to where there is no page."""
+
+    page_snap_kinds = Several(
+        "snap/page_kinds",
+        SnapKind,
+        "Snap on pages to",
+        "What is dragged in a document with a page snaps to this: {}",
+        "page_snap_{}",
+        usual=(SnapKind.GUIDES, SnapKind.PAGE, SnapKind.POINTS),
+    )
+    """Targets that they snap to in drawings."""
 
     pencil = Choice(
         "pencil/detail",
@@ -139,7 +149,10 @@ class Preferences:
     """Height of the plots below the basis functions."""
 
     snap_on = SwitchOfAction("snap/on", default=False)
-    """Whether dragged and added points snap."""
+    """Whether dragged and added points snap where there is no page."""
+
+    page_snap_on = SwitchOfAction("snap/page_on", default=True)
+    """Whether they snap in drawings."""
 
     transform_box = SwitchOfAction("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""

@@ -16,7 +16,7 @@ from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
 from ..tools.pen_click import PenClick
 from ..tools.pencil_detail import PencilDetail
-from ..tools.snapping import SnapKind
+from ..tools.snapping import SnapKind, Snapping
 from ..tools.tool import ToolRecord
 from ..view_model.analysis.settings import AnalysisSettings
 from ..view_model.bounds import Strokes
@@ -71,7 +71,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, nudge, with_estimates, theme_mode, pencil, pen
+    snap_on, snap_kinds, page_snap_on, page_snap_kinds, nudge, with_estimates, theme_mode, pencil, pen
         As the preferences remember them.
     transform_box, keep_proportions, measure_strokes, scale_strokes
         As the preferences remember them.
@@ -112,6 +112,8 @@ class WindowState(msgspec.Struct, frozen=True):
     scale: float = 1.0
     snap_on: bool = False
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
+    page_snap_on: bool = True
+    page_snap_kinds: frozenset[SnapKind] = frozenset()
     nudge: float = 0.0
     transform_box: bool = True
     keep_proportions: bool = False
@@ -148,6 +150,13 @@ class WindowState(msgspec.Struct, frozen=True):
     def shows_rulers(self) -> bool:
         """Whether the axes of the canvas are rulers now: not in a presentation."""
         return self.rulers and not self.presentation
+
+    @property
+    def snapping(self) -> Snapping:
+        """What is snapped to in documents of this kind; in drawings, from the start."""
+        if self.kind is DocumentKind.DRAWING:
+            return Snapping(self.page_snap_on, self.page_snap_kinds)
+        return Snapping(self.snap_on, self.snap_kinds)
 
     def prints(self, document: Document) -> bool:
         """Whether paper and colours of this document are shown as they print."""

@@ -15,7 +15,7 @@
 - ``inserting``: a point inserted on the curve, and what is said about its shape.  ``segment_click``: the
   ends of a segment, selected by a click on its line.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
-- ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.
+- ``snapping``: what a point snaps to.  ``snap_targets``, ``snappers``: which of it for which gesture.
 - ``below``: Alt+click on what lies below the topmost curve.
 - ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.

@@ -4,23 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from ..document.model import Document, Guide
+from ..document.model import Document, Guide, Vector
 from ..document.point_group import PointGroup
-from ..view_model.bounds import Bounds, nine_places
+from ..view_model.bounds import Bounds, Strokes, bounds_of, nine_places
+from .drag import minus
 from .drag_machine import EditingHost
 from .pointer import Pointer
-from .snapping import (
-    Snap,
-    SnapKind,
-    Snapper,
-    Snapping,
-    Targets,
-    lines_of_guides,
-    lines_of_page,
-    targets_of,
-    targets_of_handle,
-    targets_of_side,
-)
+from .snap_targets import targets_of, targets_of_handle, targets_of_side, with_boxes
+from .snapping import Snap, SnapKind, Snapper, Snapping, Targets, lines_of_guides, lines_of_page
 from .transform_box import Grip
 
 
@@ -34,9 +25,13 @@ class Snappers:
     """
 
     def __init__(
-        self, host: EditingHost, settings: Callable[[], Snapping], grid: Callable[[], float]
+        self,
+        host: EditingHost,
+        settings: Callable[[], Snapping],
+        grid: Callable[[], float],
+        strokes: Callable[[], Strokes],
     ) -> None:
-        self._host, self._settings, self._grid = host, settings, grid
+        self._host, self._settings, self._grid, self._strokes = host, settings, grid, strokes
         self.now: Snapper | None = None
         # The snapper of the last hover, and what it was made for.
         self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
@@ -57,7 +52,20 @@ class Snappers:
         host, moving = self._host, dict(group.parts)
         # Level with its neighbours is a point; of whole curves none has any that stay.
         curve, place = (host.active_index, -1) if grip is None or group.is_whole else grip
-        return self._make(lambda: targets_of(host.views, curve, moving, place, self._kinds))
+        views, strokes = host.views, self._strokes()
+
+        def collect() -> Targets:
+            targets = targets_of(views, curve, moving, place, self._kinds)
+            if not group.is_whole or SnapKind.BOXES not in self._kinds:
+                return targets
+            bounds = bounds_of(views, group, strokes) if grip is not None else None
+            carried: tuple[Vector, ...] = ()
+            if bounds is not None and grip is not None:
+                held = views[grip[0]].source.points[grip[1]].position
+                carried = tuple(minus(at, held) for at in nine_places(bounds).values())
+            return with_boxes(targets, views, moving, strokes, carried)
+
+        return self._make(collect)
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
         """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
@@ -70,8 +78,15 @@ class Snappers:
         """Return the snapper of a corner or a side of the box around a group."""
         if grip.x and grip.y:
             return self.for_group(group)
-        host, moving = self._host, dict(group.parts)
-        return self._make(lambda: targets_of_side(host.views, host.active_index, moving, self._kinds))
+        host, moving, strokes = self._host, dict(group.parts), self._strokes()
+        views = host.views
+
+        def collect() -> Targets:
+            targets = targets_of_side(views, host.active_index, moving, self._kinds)
+            is_boxed = group.is_whole and SnapKind.BOXES in self._kinds
+            return with_boxes(targets, views, moving, strokes) if is_boxed else targets
+
+        return self._make(collect)
 
     def for_guide(self) -> Snapper:
         """Return the snapper of a guide: points that it meets, the page and the grid."""

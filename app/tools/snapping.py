@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
 import msgspec
@@ -16,7 +16,6 @@ from ..document.guide_edits import place_words
 from ..document.model import Axis, Guide, Page, Vector
 from ..document.transforms import decimal_sum
 from ..document.words import NamedEnum
-from ..view_model.curve_view import CurveView
 from ..view_model.nearest import NearestPoint
 from .pointer import Pointer
 
@@ -32,6 +31,8 @@ class SnapKind(NamedEnum):
     PAGE = "page", "The page"
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
+    MIDDLES = "middles", "Midpoints and centres"
+    BOXES = "boxes", "Boxes of whole objects"
     LEVEL = "level", "Level or plumb with the neighbours"
 
 
@@ -58,6 +59,8 @@ class Snap(msgspec.Struct, frozen=True):
         Which coordinates were caught.
     grid_line
         The coordinate that a line of the grid holds, None where it is none or a crossing.
+    mark
+        Where that is shown; None for at the place.
     """
 
     position: Vector
@@ -65,6 +68,7 @@ class Snap(msgspec.Struct, frozen=True):
     guides: tuple[Vector, ...] = ()
     axes: tuple[int, ...] = (0, 1)
     grid_line: int | None = None
+    mark: Vector | None = None
 
 
 def with_snap(text: str, caught: Snap | None) -> str:
@@ -91,12 +95,16 @@ class SnapPlaces(msgspec.Struct, frozen=True, eq=False):
 
 
 class _Line(msgspec.Struct, frozen=True):
-    """A coordinate to snap to; a neighbour's has that as its `guide`."""
+    """A coordinate to snap to; a neighbour's has that as its `guide`.
+
+    What is carried along lies `ahead` of what snaps.
+    """
 
     value: float
     label: str
     guide: Vector | None = None
     is_grid: bool = False
+    ahead: float = 0.0
 
 
 class DrawnLine(msgspec.Struct, frozen=True):
@@ -142,6 +150,21 @@ def lines_of_page(page: Page | None) -> Iterator[DrawnLine]:
             yield DrawnLine(SnapKind.PAGE, axis, decimal_sum(start, way), f"page {name}")
 
 
+class Edges(msgspec.Struct, frozen=True, eq=False):
+    """Lines along one axis, by their values; `name` tells what each is called."""
+
+    values: FloatArray
+    name: Callable[[int], str]
+
+    def near(self, value: float, reach: float) -> _Line | None:
+        """Return the nearest one within reach."""
+        if not len(self.values):
+            return None
+        best = int(np.argmin(np.abs(self.values - value)))
+        found = float(self.values[best])
+        return _Line(found, self.name(best)) if abs(found - value) <= reach else None
+
+
 class Targets(msgspec.Struct, frozen=True):
     """Targets of snapping besides the grid and the lines of the drawing.
 
@@ -153,105 +176,24 @@ class Targets(msgspec.Struct, frozen=True):
         The points whose heights and verticals count, with their names.
     curves
         The other curves with their names.
+    corners, edges
+        Of the boxes of other objects: their places, and their lines along either axis.
+    carried
+        Ways from the place that snaps to those of the box that moves along, which snap where it does not.
     """
 
     points: tuple[SnapPlaces, ...] = ()
     neighbours: tuple[tuple[Vector, str], ...] = ()
     curves: tuple[tuple[NearestPoint, str], ...] = ()
+    corners: tuple[SnapPlaces, ...] = ()
+    edges: tuple[Edges, ...] = ()
+    carried: tuple[Vector, ...] = ()
 
     def with_places(self, places: Mapping[str, Vector]) -> Targets:
         """Return the targets with more places, by their names."""
         names = list(places)
         more = SnapPlaces(np.array(list(places.values())), lambda place: names[place])
         return replace(self, points=(*self.points, more))
-
-
-Moving = Mapping[int, Collection[int]]
-"""Points that move along and are nothing to snap to, by their curves."""
-
-
-def targets_of(
-    views: Sequence[CurveView], curve: int, moving: Moving, place: int, kinds: Collection[SnapKind]
-) -> Targets:
-    """Collect what a point of a curve can snap to.
-
-    Parameters
-    ----------
-    views, curve
-        The curves, and which of them the point is of.
-    moving
-        What moves along.
-    place
-        The index of the point that is drawn or about to be added; −1 for what has no neighbours.
-    kinds
-        The kinds wanted; what is not wanted costs nothing.
-    """
-    own = moving.get(curve, ())
-    beside = _neighbours(views[curve], own, place)
-    # Not on a neighbour: two coincident points in a row have no distance to go by.
-    return _targets(views, curve, {**moving, curve: {*own, *beside}}, beside, kinds)
-
-
-def targets_of_handle(
-    views: Sequence[CurveView], active: int, point: int, kinds: Collection[SnapKind]
-) -> Targets:
-    """Collect what the end of a handle of `point` can snap to: level with its point it is a flat tangent."""
-    # Not on its own point: a handle of no length has no direction.
-    return _targets(views, active, {active: {point}}, [point, *_neighbours(views[active], (), point)], kinds)
-
-
-def _targets(
-    views: Sequence[CurveView], curve: int, without: Moving, level: Sequence[int], kinds: Collection[SnapKind]
-) -> Targets:
-    """Collect curves that stay, and all points but those `without`; `level` are those whose heights count."""
-    own = views[curve]
-    others = [(place, view) for place, view in enumerate(views) if place != curve and view.source.visible]
-    points, curves = [], []
-    if SnapKind.POINTS in kinds:
-        points = [
-            _points(own, without.get(curve, ())),
-            *(_points(view, without.get(place, ()), view.source.name) for place, view in others),
-        ]
-    if SnapKind.CURVES in kinds:
-        curves = [(NearestPoint(view), view.source.name) for place, view in others if place not in without]
-    return Targets(tuple(points), _named(own, level) if SnapKind.LEVEL in kinds else (), tuple(curves))
-
-
-def targets_of_side(
-    views: Sequence[CurveView], active: int, moving: Moving, kinds: Collection[SnapKind]
-) -> Targets:
-    """Collect what a side of the box around `moving` can snap to: it meets points that it is level with."""
-    points: tuple[tuple[Vector, str], ...] = ()
-    if SnapKind.POINTS in kinds:
-        for index, view in enumerate(views):
-            if index == active or view.source.visible:
-                rest = sorted({*range(len(view.points))}.difference(moving.get(index, ())))
-                points += _named(view, rest, "" if index == active else view.source.name)
-    return Targets(neighbours=points)
-
-
-def _named(view: CurveView, indices: Sequence[int], of: str = "") -> tuple[tuple[Vector, str], ...]:
-    points = view.source.points
-    return tuple((points[index].position, _name(index, of)) for index in indices)
-
-
-def _name(index: int, of: str) -> str:
-    return f"point {index} of {of}" if of else f"point {index}"
-
-
-def _points(view: CurveView, without: Collection[int], of: str = "") -> SnapPlaces:
-    numbers = np.setdiff1d(np.arange(len(view.points)), np.array(sorted(without), dtype=np.intp))
-    return SnapPlaces(view.points[numbers], lambda place: _name(int(numbers[place]), of))
-
-
-def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:
-    if place < 0:
-        return []
-    count = len(view.source.points)
-    beside = [place - 1, place + 1]
-    if view.source.is_closed:
-        beside = [index % count for index in beside]
-    return [index for index in beside if 0 <= index < count and index not in moving]
 
 
 class Snapper:
@@ -301,10 +243,11 @@ class Snapper:
         targets = self._targets
         if axis is not None:
             return self._on_lines(targets, position, reach, (axis,))
-        on_points = (each.nearest(position, reach) for each in targets.points)
+        on_points = (each.nearest(position, reach) for each in (*targets.points, *targets.corners))
         on_curves = (_on_curve(curve, name, position, reach) for curve, name in targets.curves)
         return (
             _nearest(on_points)
+            or _nearest(_carried(targets, position, reach))
             or _nearest(on_curves)
             or self._on_leaning(position, reach)
             or self._on_lines(targets, position, reach, (0, 1))
@@ -319,26 +262,50 @@ class Snapper:
         return on_leaning(self._leaning, straight, position, reach)
 
     def _on_lines(self, targets: Targets, position: Vector, reach: float, axes: Sequence[int]) -> Snap | None:
-        lines = {axis: self._line(targets, position, reach, axis) for axis in axes}
+        lines = {
+            axis: self._line(targets, position, reach, axis) or self._carried(targets, position, reach, axis)
+            for axis in axes
+        }
         caught = {axis: line for axis, line in lines.items() if line is not None}
         if not caught:
             return None
-        x = caught[0].value if 0 in caught else position[0]
-        y = caught[1].value if 1 in caught else position[1]
+        x = _shifted(caught[0].value, -caught[0].ahead) if 0 in caught else position[0]
+        y = _shifted(caught[1].value, -caught[1].ahead) if 1 in caught else position[1]
         by_grid = [axis for axis, line in caught.items() if line.is_grid]
         labels = [line.label for line in caught.values()]
         if len(by_grid) == 2:
             labels = ["grid"]
         guides = tuple(line.guide for line in caught.values() if line.guide is not None)
         grid_line = by_grid[0] if len(by_grid) == 1 else None
-        return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line)
+        mark = None
+        if any(line.ahead for line in caught.values()):
+            mark = (caught[0].value if 0 in caught else x, caught[1].value if 1 in caught else y)
+        return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line, mark)
+
+    def _carried(self, targets: Targets, position: Vector, reach: float, axis: int) -> _Line | None:
+        """Return the line that an edge or the middle of what is carried along is nearest to."""
+        found = []
+        for ahead in dict.fromkeys(way[axis] for way in targets.carried):
+            at = position[axis] + ahead
+            for line in self._drawn_near(targets, at, reach, axis):
+                found.append((abs(line.value - at), replace(line, ahead=ahead)))
+        return min(found, key=lambda each: each[0])[1] if found else None
+
+    def _drawn_near(self, targets: Targets, value: float, reach: float, axis: int) -> list[_Line]:
+        """Return guides, lines of the page and edges of objects that are near along one axis."""
+        kinds = self._settings().kinds
+        drawn = [
+            _Line(line.value, line.label)
+            for line in self._drawn
+            if line.axis == axis and line.kind in kinds and abs(line.value - value) <= reach
+        ]
+        edge = targets.edges[axis].near(value, reach) if targets.edges else None
+        return drawn if edge is None else [*drawn, edge]
 
     def _line(self, targets: Targets, position: Vector, reach: float, axis: int) -> _Line | None:
         """Return the coordinate to snap to along one axis: of a drawn line, of a neighbour, of the grid."""
         value, kinds = position[axis], self._settings().kinds
-        drawn = [
-            _Line(line.value, line.label) for line in self._drawn if line.axis == axis and line.kind in kinds
-        ]
+        drawn = self._drawn_near(targets, value, reach, axis)
         level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
         if SnapKind.GRID in kinds:
@@ -365,6 +332,22 @@ def on_leaning(
     if crossings:
         return _nearest(crossings)
     return _nearest((guide.distance(position), Snap(guide.nearest(position), label)) for guide, label in near)
+
+
+def _carried(targets: Targets, position: Vector, reach: float) -> Iterator[tuple[float, Snap] | None]:
+    """Yield the nearest places of other objects' boxes to those of the box that is carried along."""
+    for way in targets.carried:
+        at = (position[0] + way[0], position[1] + way[1])
+        for each in targets.corners:
+            found = each.nearest(at, reach)
+            if found is not None:
+                (x, y), away = found[1].position, found[0]
+                place = (_shifted(x, -way[0]), _shifted(y, -way[1]))
+                yield away, replace(found[1], position=place, mark=(x, y))
+
+
+def _shifted(value: float, way: float) -> float:
+    return decimal_sum(value, way) if way else value
 
 
 def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) -> tuple[float, Snap] | None:

@@ -64,7 +64,12 @@ class Toolbox:
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
         self._host = host
         self._drags = DragMachine(host)
-        self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
+        self._snappers = Snappers(
+            host,
+            lambda: self.settings.snapping,
+            lambda: self.grid(),  # noqa: PLW0108 - it is set later
+            lambda: self.settings.strokes,
+        )
         self.target = TransformTarget(host, lambda: self.settings.strokes)
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]

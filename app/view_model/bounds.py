@@ -112,7 +112,7 @@ def bounds_of(
             some.append(view.points[sorted(indices)])
     if not as_drawn:
         whole = _reaching_out(whole, strokes)
-        _find_bounds(whole)
+        find_bounds(whole)
     lines = [view.drawn_box if as_drawn else _found(view) for view in whole]
     boxes = [*lines, *some]
     if strokes.measured:
@@ -221,7 +221,7 @@ def _found(view: CurveView) -> FloatArray:
     return found
 
 
-def _find_bounds(views: Sequence[CurveView]) -> None:
+def find_bounds(views: Sequence[CurveView]) -> None:
     """Find the exact bounds of curves, all at once, and keep them with their views."""
     from curvecore.analysis.bounding_boxes import bounding_boxes  # noqa: PLC0415 - when first looked at
     from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415

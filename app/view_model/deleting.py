@@ -7,7 +7,7 @@ estimate everything, they do so of the points that are left.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 import msgspec
 import numpy as np
@@ -66,18 +66,43 @@ def without_points(view: CurveView, indices: Collection[int]) -> Deletion:
     segments = list(_segments(view, plain, indices)) if _can_keep(view, after) else []
     if not any(each.is_new and _is_set(view, each) for each in segments):
         return Deletion(plain)
+    try:
+        made = _with_jets(view, after, segments, _fitted_jets)
+    except (CurveError, np.linalg.LinAlgError):
+        return Deletion(plain)
+    return Deletion(made, _largest_change(view, view_of(made), segments))
+
+
+def without_points_but_handles(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve of a view without the points `indices`, with the handles beside them where they are.
+
+    The derivatives there are others, for they are per unit of t and the segment is longer. Where rules
+    estimate everything there is no handle to leave.
+    """
+    plain = delete_points(Document((view.source,)), 0, indices).curves[0]
+    after = view_of(plain)
+    segments = list(_segments(view, plain, indices)) if _is_same_kind(view, after) else []
+    if not any(_is_set(view, each) for each in segments):
+        return plain
+    return _with_jets(view, after, segments, _jets_at_ends)
+
+
+_JetsOf = Callable[[CurveView, _Segment], FloatArray]
+"""The jets that a segment afterwards is to have at both ends, per unit of its own length, (2, R, 2)."""
+
+
+def _with_jets(view: CurveView, after: CurveView, segments: Sequence[_Segment], new_jets: _JetsOf) -> Curve:
+    """Return the curve afterwards with segments as they were, and these jets where points went."""
     wanted = dict[tuple[int, bool], Derivatives]()
+    powers = np.arange(view.source.family.derivatives + 1.0)[:, None]
     for each in segments:
         if each.is_new and not _is_set(view, each):
             continue
-        try:
-            jets = _jets_of(view, after, each)
-        except (CurveError, np.linalg.LinAlgError):
-            return Deletion(plain)
+        h = float(after.parameters[each.index + 1] - after.parameters[each.index])
+        jets = (new_jets if each.is_new else _jets_at_ends)(view, each) * h**-powers
         for point, ahead, jet in ((each.begins, True, jets[0]), (each.ends, False, jets[1])):
             wanted[point, ahead] = [(float(x), float(y)) for x, y in jet[1:]]
-    made = with_wanted(plain, wanted)
-    return Deletion(made, _largest_change(view, view_of(made), segments))
+    return with_wanted(after.source, wanted)
 
 
 def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Segment]) -> float:
@@ -102,9 +127,13 @@ def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Seg
 def _can_keep(view: CurveView, after: CurveView) -> bool:
     """Whether the shape of what is left can be kept: velocities can be set, and parameters scale with it."""
     source = view.source
-    scales = source.is_manual or source.parametrization.exponent is not None
-    is_same_kind = source.is_closed == after.source.is_closed and after.is_current
-    return bool(source.family.derivatives) and view.is_current and is_same_kind and scales
+    return _is_same_kind(view, after) and (source.is_manual or source.parametrization.exponent is not None)
+
+
+def _is_same_kind(view: CurveView, after: CurveView) -> bool:
+    """Whether there are velocities to be set, in a curve that is as closed as before."""
+    is_as_closed = view.source.is_closed == after.source.is_closed
+    return bool(view.source.family.derivatives) and view.is_current and after.is_current and is_as_closed
 
 
 def _segments(view: CurveView, after: Curve, indices: Collection[int]) -> Iterator[_Segment]:
@@ -124,25 +153,27 @@ def _is_set(view: CurveView, segment: _Segment) -> bool:
     return is_set or any(any(vectors_of(each)) for each in between[1:-1])
 
 
-def _jets_of(view: CurveView, after: CurveView, segment: _Segment) -> FloatArray:
-    """Return the jets that a segment afterwards is to have at both ends, (2, R, 2)."""
-    h = float(after.parameters[segment.index + 1] - after.parameters[segment.index])
-    powers = h ** -np.arange(view.source.family.derivatives + 1.0)[:, None]
-    if not segment.is_new:
-        sides = _side(view, segment.start, ahead=True), _side(view, segment.end, ahead=False)
-        was = _spacing(view, segment.start)
-        scaled = np.array(sides) * (was ** np.arange(len(powers)))[:, None]
-        return scaled * powers
+def _jets_at_ends(view: CurveView, segment: _Segment) -> FloatArray:
+    """Return jets by which handles are where those at both ends were before."""
+    powers = np.arange(view.source.family.derivatives + 1.0)[:, None]
+    count = len(view.source.points)
+    start, end = _side(view, segment.start, ahead=True), _side(view, segment.end, ahead=False)
+    spacings = _spacing(view, segment.start % count), _spacing(view, (segment.end - 1) % count)
+    return np.stack([jet * h**powers for jet, h in zip((start, end), spacings, strict=True)])
+
+
+def _fitted_jets(view: CurveView, segment: _Segment) -> FloatArray:
+    """Return jets by which one segment comes as near to several as it can."""
+    orders = view.source.family.derivatives + 1
     places = _places(view, segment)
     lines = [
         is_line(view.source, each % len(view.source.points)) for each in range(segment.start, segment.end)
     ]
-    chord = places[-1] - places[0]
     if all(lines):
-        jets = np.zeros((2, len(powers), 2))
-        jets[:, 0], jets[:, 1] = places[[0, -1]], chord
-        return jets * powers
-    return segment_near(view.source.family, places, _directions(view, segment, places)) * powers
+        jets = np.zeros((2, orders, 2))
+        jets[:, 0], jets[:, 1] = places[[0, -1]], places[-1] - places[0]
+        return jets
+    return segment_near(view.source.family, places, _directions(view, segment, places))
 
 
 def _side(view: CurveView, knot: int, *, ahead: bool) -> FloatArray:

@@ -9,7 +9,7 @@ from typing import Any, Generic
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFocusEvent, QMouseEvent
-from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLineEdit, QWidget
 
 from ..appearance.theme import theme_of
 from ..document.expression import ExpressionError
@@ -80,15 +80,19 @@ class ChoicePreference(PreferenceField[NamedEnum]):
 
 @field_of.register(Several)
 class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
-    """A check box for each member of an enumeration."""
+    """A check box for each member of an enumeration, in two columns."""
 
     def __init__(self, setting: Several[NamedEnum], change: Change) -> None:
         self._value, self._change = frozenset[NamedEnum](), change
         self._checks = {each: _check_of(setting, each) for each in setting.kind}
         for each, check in self._checks.items():
             check.clicked.connect(lambda _checked, each=each: self._switch(each))
-        labels = [setting.label, *[""] * (len(self._checks) - 1)]
-        self.rows = list(zip(labels, self._checks.values(), strict=True))
+        checks = QWidget()
+        grid = QGridLayout(checks)
+        grid.setContentsMargins(0, 0, 0, 0)
+        for place, check in enumerate(self._checks.values()):
+            grid.addWidget(check, place // 2, place % 2)
+        self.rows = [(setting.label, checks)]
 
     def _switch(self, member: NamedEnum) -> None:
         self._value ^= {member}

@@ -7,14 +7,13 @@ from typing import Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QApplication
 
-from ..document.edits import delete_points
 from ..document.layers import begun_again, layer_node, layer_of, without_layer
 from ..document.model import Document
 from ..document.several_curves import active_after_removal
 from ..document.words import number
 from ..session import Change, Session
 from ..session.highlight import Highlight
-from ..view_model.deleting import Deletion, without_points
+from ..view_model.deleting import Deletion, without_points, without_points_but_handles
 from ..view_model.measure import is_kept
 from .context import WindowContext
 
@@ -55,7 +54,10 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
         deleted.append(without_points(session.views[curve], indices))
         return document.with_curve(curve, deleted[-1].curve)
 
-    delete = without if keeps_shape else delete_points
+    def leaving(document: Document, curve: int, indices: Collection[int]) -> Document:
+        return document.with_curve(curve, without_points_but_handles(session.views[curve], indices))
+
+    delete = without if keeps_shape else leaving
     change = session.change(
         f"{verb} {what.words(document)}",
         lambda document: begun_again(what.removed_from(document, delete), document, layer),

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolB
 
 from app.appearance.theme import DARK, LIGHT, ThemeMode
 from app.document.model import Axis, Document, Guide, Page, make_curve
+from app.document.paper import DocumentKind, kind_of
 from app.document.style import Style
 from app.families import HERMITE
 from app.features.import_export.commands import ExchangeCommands
@@ -227,3 +228,25 @@ def test_a_page_is_seen_as_it_prints_until_the_person_chooses_otherwise(drawn, m
     drawn.settle()
     assert not drawn.action("paperAsPrinted").isChecked()
     drawn.window.store.change(theme_mode=ThemeMode.SYSTEM, page_as_printed=True, grid=True)
+
+
+def test_drawings_snap_from_the_start_and_remember_their_own_choice(drawn):
+    page = replace(drawn.session.document, page=Page(0.0, 0.0, 10.0, 8.0), guides=(Guide(Axis.X, 5.123),))
+    store = drawn.window.store
+    assert not drawn.action("toggleSnap").isChecked()
+    store.change(kind=kind_of(page))
+    drawn.session.commit(page, "Begin")
+    assert drawn.action("toggleSnap").isChecked()
+    assert store.state.snapping.kinds == {SnapKind.GUIDES, SnapKind.PAGE, SnapKind.POINTS}
+    drawn.drag_point(1, (5.123 + 4 * drawn.pixel, 1.377))
+    assert drawn.point(1)[0] == 5.123
+    drawn.trigger("toggleSnap")
+    drawn.drag_point(1, (5.123 + 4 * drawn.pixel, 1.377))
+    assert drawn.point(1)[0] != 5.123
+    store.change(snap_on=True, kind=DocumentKind.SKETCH)
+    assert drawn.action("toggleSnap").isChecked()
+    assert not drawn.window.preferences.page_snap_on
+    store.change(kind=DocumentKind.DRAWING)
+    assert not drawn.action("toggleSnap").isChecked()
+    drawn.trigger("toggleSnap")
+    store.change(snap_on=False, kind=DocumentKind.SKETCH)

@@ -139,20 +139,26 @@ def rows_of(dialog):
     widgets = [form.itemAt(row, field).widget() for row in range(form.rowCount())]
     labels = [form.labelForField(widget) for widget in widgets]
     return [
-        (label.text() if label else "", each.objectName())
+        (label.text() if label and not place else "", part.objectName())
         for label, each in zip(labels, widgets, strict=True)
+        for place, part in enumerate(each.findChildren(QCheckBox) or [each])
     ]
 
 
 def test_the_rows_stand_in_the_order_of_the_settings(dialog):
-    kinds = [("Snap to" if kind is next(iter(SnapKind)) else "", f"snap_{kind.value}") for kind in SnapKind]
-    assert rows_of(dialog)[: 5 + len(kinds)] == [
+    names = [kind.value for kind in SnapKind]
+    kinds, on_pages = (
+        list(zip([label, *[""] * (len(names) - 1)], map(widget.format, names), strict=True))
+        for label, widget in (("Snap to", "snap_{}"), ("Snap on pages to", "page_snap_{}"))
+    )
+    assert rows_of(dialog)[: 5 + 2 * len(kinds)] == [
         ("Theme", "themeBox"),
         ("Unit when new", "unitBox"),
         ("", "unitBoxNote"),
         ("Grid when new", "gridSpacing"),
         ("", "preferencesProblem"),
         *kinds,
+        *on_pages,
     ]
 
 

@@ -6,15 +6,20 @@ import math
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document import edits
+from app.document.form_edits import with_form_drawn
+from app.document.forms import Ellipse, Rectangle
 from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.style import PLAIN_STYLE
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.tools.pointer import Pointer
-from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value, targets_of
+from app.tools.snap_targets import targets_of
+from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value
 from app.view_model.curve_view import view_of
 from app.view_model.nearest import NearestPoint
 
@@ -439,3 +444,67 @@ def test_percent_switches_snapping_and_leaves_shift_s_to_smooth_points(pair):
     assert pair.action("toggleSnap").isChecked() is not before
     pair.key(Qt.Key.Key_S, SHIFT)
     assert pair.action("toggleSnap").isChecked() is not before
+
+
+# Midpoints, centres and boxes
+
+
+@pytest.fixture
+def boxes(editor):
+    """A rectangle and an ellipse, and a line to drag; points snap to no grid."""
+    document = Document((make_curve(((3.0, -2.0), (4.6, -1.0)), name="Line", family=HERMITE),))
+    for form in (Rectangle(0.0, 0.0, 2.0, 1.0), Ellipse(5.0, 2.0, 1.0, 1.5)):
+        document = with_form_drawn(document, 0, form, PLAIN_STYLE)
+    names = ("Line", "Card", "Egg")
+    curves = [replace(each, name=name) for each, name in zip(document.curves, names, strict=True)]
+    editor.session.commit(replace(document, curves=tuple(curves)), "Begin")
+    editor.session.selected.choose([0])
+    editor.window.canvas.camera.show_box((-2, 8), (-3, 5))
+    editor.trigger("toggleSnap")
+    return editor
+
+
+@pytest.mark.parametrize(
+    ("place", "label"),
+    [((1.0, 0.0), "midpoint of Card"), ((1.0, 0.5), "centre of Card"), ((5.5, 2.75), "centre of Egg")],
+)
+def test_a_point_finds_midpoints_and_centres(boxes, place, label):
+    boxes.session.selected.edit_chosen()
+    boxes.window.store.change(snap_kinds=frozenset({SnapKind.MIDDLES}))
+    boxes.press(boxes.point(0))
+    boxes.move(near(boxes, place))
+    assert (boxes.window.canvas.marks.snap.position, boxes.window.canvas.marks.snap.label) == (place, label)
+    boxes.escape()
+    boxes.window.store.change(snap_kinds=frozenset({SnapKind.POINTS}))
+    boxes.press(boxes.point(0))
+    boxes.move(near(boxes, place))
+    assert boxes.window.canvas.marks.snap is None
+    boxes.escape()
+
+
+def test_the_box_of_what_is_dragged_finds_boxes_that_stay(boxes):
+    boxes.window.store.change(snap_kinds=frozenset({SnapKind.BOXES}), measure_strokes=False)
+    start = boxes.point(0)
+
+    def moved_by(x, y):
+        boxes.move((start[0] + x + 3 * boxes.pixel, start[1] + y + 2 * boxes.pixel))
+        return boxes.window.canvas.marks.snap
+
+    boxes.press(start)
+    # Its upper end comes to the ellipse's lower left corner; what is held is another place.
+    snap = moved_by(0.4, 3.0)
+    assert (snap.mark, snap.label) == ((5.0, 2.0), "bottom left corner of Egg")
+    # Its middle comes below that of the card.
+    snap = moved_by(-2.8, -0.35)
+    assert (snap.mark[0], snap.label, snap.axes) == (1.0, "centre of Card", (0,))
+    snap = moved_by(-1.0, -0.35)
+    assert (snap.label, snap.axes) == ("right edge of Card", (0,))
+    boxes.release((start[0] - 1.0, start[1] - 0.35))
+    assert [x for x, _ in map(boxes.point, (0, 1))] == [2.0, pytest.approx(3.6, abs=1e-15)]
+    assert boxes.session.views[0].source.points[0].y != start[1]
+    # Points alone have no box.
+    boxes.session.selected.edit_chosen()
+    boxes.press(boxes.point(0))
+    boxes.move(near(boxes, (1.0, 0.5)))
+    assert boxes.window.canvas.marks.snap is None
+    boxes.escape()

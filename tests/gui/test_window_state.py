@@ -54,6 +54,8 @@ def test_who_hears_later_hears_of_changes_in_their_order(qapp, tmp_path):
 REMEMBERED = {
     "snap_on",
     "snap_kinds",
+    "page_snap_on",
+    "page_snap_kinds",
     "nudge",
     "pencil",
     "pen",

@@ -1,0 +1,53 @@
+"""Points deleted with the handles beside them left where they are."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+
+from app.document.edits import set_parametrization
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES
+from app.view_model.curve_view import view_of
+from app.view_model.deleting import without_points_but_handles
+from app.view_model.handles import handles_at
+
+PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.5), (6.0, 1.0), (5.0, -2.0))
+T = (0.0, 0.1, 0.35, 0.5, 0.8, 0.9, 1.0)
+"""Of a closed curve; of an open one without the last."""
+
+
+def handles(view):
+    """The handles of each point, by its place and the side."""
+    found = {}
+    for index, point in enumerate(view.source.points):
+        for handle in handles_at(view, [index]):
+            found.setdefault((point.position, handle.ahead), []).append(handle.position)
+    return found
+
+
+@pytest.mark.parametrize(
+    "family", [each for each in FAMILIES if each.derivatives], ids=lambda each: each.name
+)
+@pytest.mark.parametrize("kind", list(ParametrizationKind), ids=lambda each: each.value)
+@pytest.mark.parametrize(("closed", "gone"), [(False, {2}), (False, {0, 3}), (True, {1, 2}), (True, {0})])
+def test_every_handle_that_stays_is_where_it_was(family, kind, closed, gone):
+    curve = make_curve(PLACES, family=family)
+    points = [
+        point.with_derivatives(
+            [(3.0 + i, 2.0 - i), (5.0, -4.0 + i), (7.0 - i, 9.0)][: family.derivatives], ()
+        )
+        for i, point in enumerate(curve.points)
+    ]
+    points[4] = replace(points[4].as_corner(), velocity_after=(-1.0, 3.0))
+    curve = replace(curve, points=tuple(points), closed=closed)
+    values = T if closed else T[:-1]
+    document = set_parametrization(Document((curve,)), 0, kind, values)
+    before = view_of(document.curves[0])
+    after = view_of(without_points_but_handles(before, gone))
+    assert after.source.is_closed is closed
+    was, now = handles(before), handles(after)
+    assert len(now) >= 2 * (len(PLACES) - len(gone) - 1)
+    for side, places in now.items():
+        for place, old in zip(places, was[side], strict=True):
+            assert place == pytest.approx(old, abs=1e-12)
