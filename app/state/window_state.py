@@ -86,7 +86,7 @@ class WindowState(msgspec.Struct, frozen=True):
     file, compares_with_file
         How the document stands to its file, and whether what that holds is shown as a ghost.
     is_working
-        Whether a file is being read or written.
+        Whether something is being read, written or computed beside the window.
     in_flight
         Whether undo takes back a gesture, or what came of it and is computed, though no step was made yet.
     image_problem

@@ -26,6 +26,8 @@ class SingleTask(TaskOwner):
 
     Signals
     -------
+    begun
+        There is work now.
     shown
         The work is taking a while; the title is what it is called.
     progressed
@@ -34,6 +36,7 @@ class SingleTask(TaskOwner):
         There is no work any more: it is done, has failed, or was taken back.
     """
 
+    begun = Signal()
     shown = Signal(str)
     progressed = Signal(float, str)
     ended = Signal()
@@ -77,6 +80,7 @@ class SingleTask(TaskOwner):
         self.title = title
         self._patience.start()
         self._task = Task(work, end, self.progressed.emit)
+        self.begun.emit()
         return True
 
     def cancel(self) -> bool:

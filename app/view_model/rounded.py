@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 
 import msgspec
 import numpy as np
@@ -14,8 +14,9 @@ from curvecore.arrays import FloatArray
 from ..document.curve_edits import replace_curve
 from ..document.edits import EditError
 from ..document.model import Curve, Document
-from ..document.point_group import some_points
+from ..document.point_group import PointGroup, some_points
 from ..document.straight_edits import why_not_straight
+from ..tasks.progress import Report, part, silent, told
 from .corner_arc import FLAT, Arc, Corner, StraightCorner
 from .curve_view import CurveView
 from .curve_with_arcs import CurveWithArcs
@@ -48,7 +49,7 @@ class Rounded(msgspec.Struct, frozen=True):
     left: int
 
 
-def rounded(view: CurveView, indices: Collection[int], radius: float) -> Rounded:
+def rounded(view: CurveView, indices: Collection[int], radius: float, report: Report = silent) -> Rounded:
     """Return the curve of a view with its corners among the points `indices` made arcs.
 
     Where an arc does not fit, it is the largest that does: half of a side whose other end is round, too,
@@ -65,7 +66,7 @@ def rounded(view: CurveView, indices: Collection[int], radius: float) -> Rounded
     pieces = _pieces(view)
     straight = _are_straight(pieces)
     corners = _corners(view, indices, pieces, straight)
-    arcs = _arcs(corners, len(view.source.points), radius)
+    arcs = _arcs(corners, len(view.source.points), radius, report)
     left = len(corners) - len(arcs)
     if not arcs:
         return Rounded(view.source, frozenset(), (), left)
@@ -75,20 +76,58 @@ def rounded(view: CurveView, indices: Collection[int], radius: float) -> Rounded
     return Rounded(curve, new, tuple(arc.radius for arc in arcs.values()), left)
 
 
-def with_rounded(document: Document, made: Mapping[int, Rounded]) -> Document:
-    """Return the document with these curves in the place of its own; every number is checked.
+class RoundedGroup(msgspec.Struct, frozen=True):
+    """A document in which corners of several curves are arcs.
+
+    Attributes
+    ----------
+    document
+        The document.
+    made
+        The curves that have arcs now, by their places.
+    left
+        How many corners were left, for no arc touches both of their sides.
+    """
+
+    document: Document
+    made: dict[int, Rounded]
+    left: int
+
+
+def with_rounded(
+    document: Document,
+    views: Sequence[CurveView],
+    group: PointGroup,
+    radius: float,
+    report: Report = silent,
+) -> RoundedGroup:
+    """Return the document with the corners among points of several curves made arcs; `views` are of all.
+
+    Every number is checked.
 
     Raises
     ------
     EditError
-        If one of them is locked, or a number is out of range.
+        If none of the curves can have corners, one is locked that has, or a number is out of range.
     """
-    some_points((curve, each.new) for curve, each in made.items()).refuse_locked(document)
-    curves = list(document.curves)
-    for place, each in made.items():
-        # One by one: to replace one of thousands takes long.
-        curves[place] = replace_curve(Document((curves[place],)), 0, each.curve).curves[0]
-    return replace(document, curves=tuple(curves))
+    made, reasons, curves = dict[int, Rounded](), list[str](), list(document.curves)
+    seen = left = 0
+    for done, (place, indices) in enumerate(group.parts):
+        view, of_this = views[place], part(report, done / len(group.parts), (done + 1) / len(group.parts))
+        if reason := why_not_straight(view.source.family) or view.problem:
+            reasons.append(reason)
+        elif view.has_curve:
+            each = rounded(view, indices, radius, of_this)
+            seen += 1
+            left += each.left
+            if each.radii:
+                made[place] = each
+                # One by one: to replace one of thousands takes long.
+                curves[place] = replace_curve(Document((curves[place],)), 0, each.curve).curves[0]
+    if reasons and not seen:
+        raise EditError(reasons[0])
+    some_points((place, each.new) for place, each in made.items()).refuse_locked(document)
+    return RoundedGroup(replace(document, curves=tuple(curves)), made, left)
 
 
 def _corners(
@@ -140,14 +179,14 @@ def _direction(controls: FloatArray) -> FloatArray:
     return np.zeros(2)
 
 
-def _arcs(corners: Mapping[int, Corner], count: int, radius: float) -> dict[int, Arc]:
+def _arcs(corners: Mapping[int, Corner], count: int, radius: float, report: Report) -> dict[int, Arc]:
     """Return the arcs at corners of a curve of so many points; none where none touches both sides.
 
     Where both ends of a side are round, each has half of it, or what the other one leaves.
     """
     wanted = {index: corner.shares(radius) for index, corner in corners.items()}
     found = dict[int, Arc]()
-    for index, corner in corners.items():
+    for index, corner in told(list(corners.items()), report, "Rounding corners"):
         behind, ahead = (wanted.get((index + step) % count) for step in (-1, 1))
         room = (
             1.0 if behind is None else max(0.5, 1.0 - behind[1]),

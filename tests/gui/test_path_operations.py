@@ -370,9 +370,10 @@ def tangle(editor):
 def test_what_takes_long_leaves_the_window_free_and_can_be_stopped(tangle):
     """The key returns at once; the star goes on to be edited, or Ctrl+. ends the work."""
     before, jobs = tangle.session.document, tangle.window.context.work.jobs
-    tangle.trigger("pathUnion")
+    QTest.keySequence(tangle.window, QKeySequence("Alt+Shift+U"))
     assert jobs.is_busy
     assert jobs.title == "Union of Star"
+    assert tangle.action("cancelWork").isEnabled(), "from its begin on, not only when it is shown"
     tangle.key(Qt.Key.Key_Period, CTRL)
     # What runs beside the window hears of it at its next step.
     tangle.wait_for_work()

@@ -32,12 +32,14 @@ def field_of(editor):
     return editor.window.commands[CornerCommands].field
 
 
-def enter(editor, text):
+def enter(editor, text, *, waits=True):
     QTest.keySequence(editor.window, QKeySequence("Alt+Shift+R"))
     field = field_of(editor)
     assert (field.isVisible(), field.edit.hasFocus()) == (True, True)
     QTest.keyClicks(field.edit, text)
     QTest.keyClick(field.edit, Qt.Key.Key_Return)
+    if waits:
+        editor.wait_for_work()
 
 
 def count(editor, name):
@@ -96,6 +98,7 @@ def test_selected_corners_alone_become_arcs_which_are_selected(drawing):
     assert field.remark == "⚠ Type a radius above 0."
     QTest.keyClicks(field.edit, "2")
     QTest.keyClick(field.edit, Qt.Key.Key_Return)
+    drawing.wait_for_work()
     assert session.undo_stack.undoText() == "Round 1 corner of Tent"
     assert session.selected.group.parts == ((tent, frozenset({1, 2, 3})),)
     # Once more: the arc is selected, and no corner.
@@ -110,3 +113,27 @@ def test_what_has_no_segments_is_refused_with_the_reason(drawing):
     enter(drawing, "3")
     assert "has no segments of its own; choose" in drawing.status
     assert drawing.session.document.curves == (curve,)
+
+
+def test_corners_of_many_curves_are_rounded_beside_the_window(drawing):
+    """The window stood still for 2.6 s with 500 of them; none is computed in its thread."""
+    boxes = "".join(f'<path d="M{3 * (k % 10)} {3 * (k // 10)}h2v2h-2z"/>' for k in range(100))
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 30">{boxes}</svg>'
+    session, jobs = drawing.session, drawing.window.context.work.jobs
+    session.commit(read_svg(text.encode(), None).document, "Boxes", active=0)
+    session.selected.choose(range(100))
+    drawn, shares = session.document, []
+    jobs.progressed.connect(lambda share, _: shares.append(share))
+    enter(drawing, "0.5", waits=False)
+    assert (jobs.is_busy, session.document is drawn) == (True, True)
+    QTest.keySequence(drawing.window, QKeySequence("Ctrl+."))
+    assert drawing.status.endswith("was stopped; nothing has changed.")
+    assert session.document is drawn
+    shares.clear()
+    enter(drawing, "0.5")
+    assert drawing.status == "400 corners are round now."
+    assert {len(curve.points) for curve in session.document.curves} == {8}
+    assert {len(curve.points) for curve in drawn.curves} == {4}
+    assert (shares == sorted(shares), bool(shares)) == (True, True)
+    QTest.keySequence(drawing.window, QKeySequence("Ctrl+Z"))
+    assert session.document == drawn

@@ -18,6 +18,7 @@ class WorkCommands:
         self._context = context
         self._bar: JobBar | None = None
         jobs = context.work.jobs
+        jobs.begun.connect(lambda: context.store.change(is_working=True))
         jobs.shown.connect(self._show_bar)
         jobs.ended.connect(self._hide_bar)
         jobs.progressed.connect(self._show_share)
@@ -39,7 +40,6 @@ class WorkCommands:
             self._bar = JobBar(self._context.actions["cancelWork"])
             self._context.status_line.insertPermanentWidget(_AFTER_HINT, self._bar)
         self._bar.begin(title)
-        self._context.store.change(is_working=True)
 
     def _hide_bar(self) -> None:
         self._context.store.change(is_working=False)

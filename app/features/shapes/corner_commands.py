@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt
@@ -10,15 +11,14 @@ from PySide6.QtCore import QPoint, Qt
 from ...actions.declaration import action, also
 from ...actions.sections import CURVE_OFFSETS
 from ...actions.strips import POINT_BAR, POINT_MENU
-from ...document.edits import EditError
-from ...document.point_group import PointGroup, some_points
+from ...document.point_group import some_points
 from ...document.several_curves import named, whole_curves
-from ...document.straight_edits import why_not_straight
 from ...document.words import count_of
-from ...view_model.rounded import Rounded, rounded, with_rounded
+from ...view_model.rounded import RoundedGroup, with_rounded
 from ...workbench.context import WindowContext
 from .. import shapes
 from .chosen_shapes import A_SHAPE, beside_meant
+from .shape_work import ShapeWork
 
 if TYPE_CHECKING:
     from .distances import Distance
@@ -34,7 +34,7 @@ class CornerCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
-        self._canvas = context.central.canvas
+        self._canvas, self._work = context.central.canvas, ShapeWork(context)
         self._made: shapes.field.RadiusField | None = None
 
     @property
@@ -69,42 +69,29 @@ class CornerCommands:
         return beside_meant(self._session, self._canvas)
 
     def _take(self, radius: Distance) -> None:
-        self._context.preferences.corner_radius = radius.words
-        try:
-            self._round(radius)
-        except EditError as reason:
-            self._session.refuse(str(reason))
-
-    def _round(self, radius: Distance) -> None:
         """Round the corners that are meant, in one step, and select the arcs of selected ones."""
+        self._context.preferences.corner_radius = radius.words
         session, marked = self._session, self._session.selected.highlight()
-        document, points = session.document, marked.points
-        made = self._computed(points if points.parts else whole_curves(document, marked.curves), radius.value)
-        left = sum(each.left for each in made.values())
-        made = {curve: each for curve, each in made.items() if each.radii}
-        radii = [each for one in made.values() for each in one.radii]
-        if not radii:
-            raise EditError(_why_none(left))
-        corners = count_of(len(radii), "corner")
-        text = f"Round {corners} of {named(document, marked.curves)}"
-        if not session.change(text, lambda document: with_rounded(document, made)):
-            return
-        if points.parts:
-            session.selected.set_group(some_points((curve, each.new) for curve, each in made.items()))
-        session.say(_outcome(radii, radius, left))
+        document, points = session.committed, marked.points
+        group = points if points.parts else whole_curves(document, marked.curves)
+        names = named(document, marked.curves)
 
-    def _computed(self, group: PointGroup, radius: float) -> dict[int, Rounded]:
-        """Return what becomes of those curves of a group that can have corners; refuse where none can."""
-        views, made, reasons = self._session.views, dict[int, Rounded](), list[str]()
-        for curve, indices in group.parts:
-            view = views[curve]
-            if reason := why_not_straight(view.source.family) or view.problem:
-                reasons.append(reason)
-            elif view.has_curve:
-                made[curve] = rounded(view, indices, radius)
-        if reasons and not made:
-            raise EditError(reasons[0])
-        return made
+        def put(found: RoundedGroup) -> None:
+            radii = [each for one in found.made.values() for each in one.radii]
+            if not radii:
+                session.refuse(_left(found.left) or "There is no corner to round.")
+                return
+            text = f"Round {count_of(len(radii), 'corner')} of {names}"
+            if not session.change(text, lambda _: found.document):
+                return
+            if points.parts:
+                session.selected.set_group(
+                    some_points((place, each.new) for place, each in found.made.items())
+                )
+            session.say(_outcome(radii, radius, found.left))
+
+        make = partial(with_rounded, document, session.views, group, radius.value)
+        self._work.begin(f"Round Corners of {names}", make, put)
 
 
 def _outcome(radii: Sequence[float], radius: Distance, left: int) -> str:
@@ -115,11 +102,6 @@ def _outcome(radii: Sequence[float], radius: Distance, left: int) -> str:
         which = "" if smaller == len(radii) else f" at {smaller} of them"
         said = f"{said}; {radius.words} does not fit{which}, so the largest radius that does was taken"
     return f"{said}. {_left(left)}".rstrip()
-
-
-def _why_none(left: int) -> str:
-    """Say why nothing is to be rounded."""
-    return _left(left) or "There is no corner to round."
 
 
 def _left(count: int) -> str:
