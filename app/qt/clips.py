@@ -64,7 +64,7 @@ def _ring(numbers: Sequence[float]) -> QPainterPath:
 
 
 def _runs_left(ring: QPainterPath) -> bool:
-    corners = [(each.x(), each.y()) for each in ring.toFillPolygon()]
+    corners = [(each.x(), each.y()) for each in ring.toFillPolygon().toList()]
     return sum(x * v - u * y for (x, y), (u, v) in pairwise(corners)) > 0
 
 
