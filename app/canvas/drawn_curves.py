@@ -168,7 +168,11 @@ class DrawnCurves:
         for places in reversed([*shapes([view.source for view in views])]):
             if views[places.start].source.locked:
                 continue
-            on_line = (place for place in places if is_on_line(views[place], pixel, shown))
+            on_line = (
+                place
+                for place in places
+                if is_on_line(views[place], pixel, shown, is_whole=self.looks.is_thin)
+            )
             place = next(on_line, places.start if places.start in areas else None)
             if place is not None:
                 found.append(place)

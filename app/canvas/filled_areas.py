@@ -12,6 +12,7 @@ from ..document.model import Curve, Vector
 from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
+from ..view_model.clips import leave
 from ..view_model.curve_view import CurveView
 from ..view_model.fills import is_inside, windings
 from .looks import line_of
@@ -59,7 +60,8 @@ class FilledAreas:
         for number in reversed(np.flatnonzero(around).tolist()):
             views = self._drawn(self._shapes[number])
             turns = windings([line_of(view, shown).points for view in views], place)
-            if is_inside(turns, views[0].source.style.fill_rule)[0]:
+            style = views[0].source.style
+            if is_inside(turns, style.fill_rule)[0] and leave(style.clips, shown.plane(*pixel)):
                 yield self._shapes[number]
 
     def _find(self) -> None:

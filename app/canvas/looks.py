@@ -61,6 +61,7 @@ def _is_plain(style: Style) -> bool:
         and style.join is LineJoin.ROUND
         and style.stroke_opacity == style.opacity == 1.0
         and style.stroke_gradient is None
+        and not style.clips
     )
 
 

@@ -232,7 +232,7 @@ class OtherCurvesLayer(Layer):
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve at `pixel` that is not locked, the last one where several lie."""
-        return self._finder.hit(pixel, shown)
+        return self._finder.hit(pixel, shown, are_whole=self.looks.is_thin)
 
 
 class FileLayer(OtherCurvesLayer):

@@ -89,7 +89,7 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 
 def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
-    """Let gradients go with those shapes of a group that are in it with all their points.
+    """Let gradients and clips go with those shapes of a group that are in it with all their points.
 
     What lies in a group with them goes with that, too.
     """
@@ -99,7 +99,7 @@ def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[
     # At every move of a drag: what has none costs no call.
     for curve, _ in group.parts:
         style = curves[curve].style
-        if style.fill_gradient is not None or style.stroke_gradient is not None:
+        if style.fill_gradient is not None or style.stroke_gradient is not None or style.clips:
             break
     else:
         return document

@@ -7,6 +7,7 @@ from typing import Annotated, Final
 
 from msgspec.structs import replace
 
+from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
 from .gradient import Gradient
 from .value import Value, Vector
@@ -78,6 +79,8 @@ class Style(Value, frozen=True):
         Of stroke and fill together.
     fill_gradient, stroke_gradient
         What paints in place of the colour, which stands for it where there are no gradients.
+    clips
+        Areas beyond each of which nothing of it is seen.
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
@@ -94,6 +97,7 @@ class Style(Value, frozen=True):
     opacity: Annotated[float, SHARE, "Opacity"] = 1.0
     fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
     stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
+    clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
 
     @property
     def has_stroke(self) -> bool:
@@ -144,7 +148,7 @@ class Style(Value, frozen=True):
     @property
     def is_placed(self) -> bool:
         """Whether it hangs on places of the plane."""
-        return self.fill_gradient is not None or self.stroke_gradient is not None
+        return self.fill_gradient is not None or self.stroke_gradient is not None or bool(self.clips)
 
     @property
     def has_clear_gradient(self) -> bool:
@@ -161,11 +165,14 @@ class Style(Value, frozen=True):
 
     @property
     def flat(self) -> Style:
-        """The style with the colours in which gradients begin in their place, for curves elsewhere."""
+        """The style for curves elsewhere: without clips, with the colours in which gradients begin."""
         if not self.is_placed:
             return self
         paints = {"fill": self.fill_gradient, "stroke": self.stroke_gradient}
-        return self.with_fields({name: found.stops[0].colour for name, found in paints.items() if found})
+        return replace(
+            self.with_fields({name: found.stops[0].colour for name, found in paints.items() if found}),
+            clips=(),
+        )
 
     @property
     def gradients(self) -> dict[str, Gradient]:
@@ -174,10 +181,11 @@ class Style(Value, frozen=True):
         return {name: gradient for name, gradient in found.items() if gradient is not None}
 
     def mapped(self, place: Callable[[Vector], Vector]) -> Style:
-        """Return the style with its gradients where an affine map puts them."""
+        """Return the style with its gradients and clips where an affine map puts them."""
         if not self.is_placed:
             return self
-        return replace(self, **{name: each.mapped(place) for name, each in self.gradients.items()})
+        gradients = {name: each.mapped(place) for name, each in self.gradients.items()}
+        return replace(self, **gradients, clips=tuple(each.mapped(place) for each in self.clips))
 
     @property
     def colour(self) -> str:

@@ -144,9 +144,21 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
     return [Source(*each) for each in curves], tuple(remarks)
 
 
-def said_of_gradients(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    """Return what a format has to say that knows colours, but no gradients, of the named styles."""
-    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.is_placed))
+def said_of_paints(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+    """Return what a format has to say that knows colours alone, no gradients and clips, of named styles."""
+    named = list(styles)
+    return (*_said_of_gradients(named), *_said_of_clips(named))
+
+
+def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.clips))
+    if not names:
+        return ()
+    return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} clipped, and written whole.",)
+
+
+def _said_of_gradients(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.gradients))
     if not names:
         return ()
     if len(names) == 1:

@@ -7,12 +7,13 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QTransform
 
 from curvecore.arrays import FloatArray
 
 from ..document.gradient import Gradient
 from ..document.style import LineCap, LineJoin, Style
+from ..qt.clips import clipped
 from ..qt.gradients import brush_of
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
@@ -70,6 +71,11 @@ def paint_printed(
     line: RoundLine | None = None,
 ) -> None:
     """Paint a shape: its fill, and its line over that; with `line`, which may be kept for the next shape."""
+    if style.clips:
+        whole, to_pixels = msgspec.structs.replace(style, clips=()), _to_pixels(shown)
+        with clipped(painter, style.clips, to_pixels, QRectF(0, 0, shown.width, shown.height)):
+            paint_printed(painter, parts, whole, ink, shown, line)
+        return
     is_both = style.has_fill and style.has_stroke
     if style.opacity < 1.0 and is_both:
         _paint_together(painter, parts, style, ink, shown)
@@ -78,6 +84,10 @@ def paint_printed(
         _fill(painter, parts, style, ink, shown)
     if style.has_stroke and ink.width > 0:
         _stroke(painter, parts, style, ink, shown, line or RoundLine())
+
+
+def _to_pixels(shown: PixelMap) -> QTransform:
+    return QTransform(shown.sx, 0, 0, -shown.sy, -shown.x0 * shown.sx, shown.y0 * shown.sy)
 
 
 def _paint_together(

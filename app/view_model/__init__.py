@@ -20,7 +20,8 @@ A curve:
 - ``refusals``: the reasons for having no curve, in the program's words.
 - ``nearest``, ``arc_lengths``: the point nearest to a place; lengths to a relative accuracy.
 - ``plane``, ``sampling``: vectors of the plane; parameters all along a curve.
-  ``fills``: insides of outlines.
+  ``fills``: insides of outlines.  ``clips``: of what cuts them, and
+  ``clipping``: set and taken off.
 
 A curve changed:
 

@@ -136,6 +136,7 @@ def _as_fill(style: Style) -> Style:
         fill_gradient=style.stroke_gradient,
         fill_opacity=style.stroke_opacity,
         opacity=style.opacity,
+        clips=style.clips,
     )
 
 

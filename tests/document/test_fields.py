@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from app.document.clip import Clip, ring_of
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
 from app.document.forms import Rectangle
@@ -26,6 +27,7 @@ from app.storage.validation import validate, validate_changes
 PAIR = (1.0, 2.0)
 STOPS = (Stop(0.25, "#112233", 0.5), Stop(0.75))
 GRADIENT = Gradient(STOPS, start=PAIR, end=(3.0, 4.0), side=(5.0, 6.0), focus=PAIR)
+CLIP = Clip((ring_of([PAIR, (3.0, 4.0), (5.0, 6.0), (7.0, 8.0)]),))
 FULL = Document(
     (
         replace(
@@ -34,7 +36,9 @@ FULL = Document(
                 Point(0.0, 0.0, 0.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
                 Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
             ),
-            style=Style(width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT),
+            style=Style(
+                width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT, clips=(CLIP,)
+            ),
             text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
             form=Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5),
         ),

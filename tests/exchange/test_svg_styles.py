@@ -231,15 +231,7 @@ MISSED = [
         '<rect width="2" height="2" fill="url(#q)" stroke="red"/>',
         "<rect> (element 2): “q”, which is not in the file, paints it; nothing does.",
     ),
-    (CLIP.format('circle r="3"'), "<g> (element 4): a clip path cuts some of it off; it comes in whole."),
-    (
-        CLIP.format('rect width="5" height="20"'),
-        "<path> “a”: a clip path cuts some of it off; it comes in whole.",
-    ),
-    (
-        '<svg width="4" height="4"><path d="M0 0H9V9Z"/></svg>',
-        "<path> (element 3): the view box around it cuts some of it off; it comes in whole.",
-    ),
+    (CLIP.format("text"), "<g> (element 4): a clip path cuts some of it off; it comes in whole."),
     (
         '<path d="M0 0H9V9Z" style="mask:url(#m)"/>',
         "<path> (element 2): a mask covers some of it; it comes in whole.",

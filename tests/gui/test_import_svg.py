@@ -299,7 +299,7 @@ def test_what_a_drawing_cannot_keep_is_asked_about_once(editor, tmp_path, monkey
 def opened_with_more(editor, tmp_path):
     """Open a file that holds more than curves; return its place and what it holds."""
     path = tmp_path / "layers.svg"
-    cut = '<clipPath id="c"><circle r="1"/></clipPath><text id="Title" x="1" y="2">Hi</text>'
+    cut = '<clipPath id="c"><text>Hi</text></clipPath><text id="Title" x="1" y="2">Hi</text>'
     whole = INCH.replace("<path ", f'{cut}<path clip-path="url(#c)" ')
     path.write_text(whole, encoding="utf-8")
     open_as_document(editor, path)

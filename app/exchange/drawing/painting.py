@@ -25,6 +25,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.gradient import Gradient
 from ...document.style import Style
+from ...qt.clips import clipped
 from ...qt.gradients import brush_of
 from ...qt.kept import paint_kept
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
@@ -84,6 +85,12 @@ class Painting:
     # Shapes
 
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
+        if clips := shape[0].style.clips:
+            # Outlines of a shape have one style.
+            whole = replace(shape[0], style=replace(shape[0].style, clips=()))
+            with clipped(self._painter, clips, QTransform(1, 0, 0, -1, 0, self._height)):
+                self._paint_shape((whole, *shape[1:]))
+            return
         style, path = shape[0].style, self._path(shape)
         is_together = style.opacity < 1 and style.has_fill and style.has_stroke
         if is_together and _is_raster(self._painter):
@@ -127,7 +134,7 @@ class Painting:
             inner.fillRect(place, brush)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
-        painter.setClipPath(path)
+        painter.setClipPath(path, Qt.ClipOperation.IntersectClip)
         painter.drawImage(place, picture)
         painter.restore()
 

@@ -25,7 +25,7 @@ from ..parts import (
     beziers_of,
     measured,
     one_line,
-    said_of_gradients,
+    said_of_paints,
     sources_of,
 )
 from ..tikz_style import tikz_command
@@ -98,7 +98,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
-    remarks = drawing.remarks + said_of_gradients((each.name, each.style) for each in drawing.outlines)
+    remarks = drawing.remarks + said_of_paints((each.name, each.style) for each in drawing.outlines)
     return _picture(lines, deviation, remarks, "tikz")
 
 

@@ -1,7 +1,7 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``gradient_elements``, ``numbers``: styles
+  ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``numbers``: styles
   and numbers as text.
   ``form_elements``: rectangles and ellipses as such.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.

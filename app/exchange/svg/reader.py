@@ -19,11 +19,10 @@ from ...document.kept import KeptPicture, KeptText
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
 from ..cubics_in import Imported, ImportedPath, Look, imported
-from ..drawing.extents import extent_of
 from ..errors import ExchangeError
 from ..missed import Missed
 from .cascade import Cascade
-from .clips import clip_box
+from .clips import Clips
 from .gradients import Ground
 from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
 from .guides import guides_of
@@ -61,7 +60,6 @@ _EFFECTS = {
 }
 _NO_EFFECT = ("none", "normal")
 _CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
-_CUT_OFF = Flaw("the view box around it cuts some of it off", "it comes in whole")
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
 _NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", "left out")
@@ -139,6 +137,7 @@ class SvgReader:
         self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
         paints = Paints(self._by_id, self._cascade.of)
         self._styles, self._kept = StyleReader(paints), KeptThings(paints, self._cascade.of)
+        self._clips = Clips(self._by_id, self._cascade.of)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
@@ -202,7 +201,7 @@ class SvgReader:
             self._miss_effects(element, declared, state, is_many=count > 1)
 
     def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
-        matrix, windows = state.matrix, state.windows
+        matrix, windows, clips = state.matrix, state.windows, state.clips
         # A rule outweighs the attribute.
         transform = declared.get("transform", "none")
         transform = element.get("transform", "") if transform == "none" else transform
@@ -213,12 +212,15 @@ class SvgReader:
                 raise self._broken(element, str(problem)) from None
             if not np.isfinite(matrix).all():
                 raise self._broken(element, "its transform is beyond all numbers.")
-        if (box := self._clip_box(declared, state)) is not None:
-            windows = (*windows, Window(box, matrix, _CLIPPED))
+        if (box := self._clips.box(declared, state.viewport)) is not None:
+            windows = (*windows, Window(box, matrix))
+        else:
+            clips = (*clips, *(self._clips.of(declared, matrix, state.viewport) or ()))
         return replace(
             state,
             matrix=matrix,
             windows=windows,
+            clips=clips,
             properties=state.properties.entered(declared),
             is_locked=state.is_locked or element.get(INSENSITIVE) == "true",
         )
@@ -256,7 +258,7 @@ class SvgReader:
         if width is None or height is None or width <= 0 or height <= 0:
             return replace(state, matrix=combined(state.matrix, _moving(*corner)))
         place: Box = (*corner, width, height)
-        windows = (*state.windows, Window(place, state.matrix, _CUT_OFF))
+        windows = (*state.windows, Window(place, state.matrix))
         if box is None:
             matrix = combined(state.matrix, _moving(*corner))
             return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
@@ -309,6 +311,8 @@ class SvgReader:
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         look = self._look(element, state, scale, [each.controls for each in drawn], keeps_width=keeps_width)
         look = replace(look, shape=name) if len(drawn) > 1 else look
+        clips = self._clips.of_shape(declared, state, [each.controls for each in drawn], look.style)
+        look = replace(look, style=msgspec.structs.replace(look.style, clips=clips)) if clips else look
         for index, subpath in enumerate(drawn, start=1):
             self._found += 1
             if self._found > MAX_PATHS:
@@ -322,7 +326,6 @@ class SvgReader:
                 subpath.form,
             )
             yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale)
-            self._miss_beyond(element, path, state)
 
     def _look(
         self,
@@ -343,9 +346,6 @@ class SvgReader:
         visible = state.properties.is_visible
         return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
 
-    def _clip_box(self, declared: Mapping[str, str], state: State) -> Box | None:
-        return clip_box(declared.get("clip-path", ""), self._by_id, state.viewport)
-
     def _length(self, element: ET.Element, name: str, state: State) -> float | None:
         try:
             return length_of(element, name, state.viewport)
@@ -359,18 +359,12 @@ class SvgReader:
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
         found = [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
-        if declared.get("clip-path", "none") != "none" and self._clip_box(declared, state) is None:
+        if not self._clips.is_known(declared, state, has_box=tag_of(element) in SHAPES):
             found.append(_CLIPPED)
         if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
         for flaw in found:
             self._miss(element, flaw)
-
-    def _miss_beyond(self, element: ET.Element, path: ImportedPath, state: State) -> None:
-        """Tell of a path that reaches beyond what is shown of it."""
-        for window in state.windows:
-            if path.look.visible and not window.holds(extent_of(path.pieces)):
-                self._miss(element, window.flaw)
 
     def _miss(self, element: ET.Element, flaw: Flaw) -> None:
         number = self._number[element]

@@ -8,10 +8,11 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ...document.clip import Clip
 from .groups import Anchor, Group
 from .lengths import Viewport
 from .matrices import Box, moved
-from .properties import Flaw, Properties
+from .properties import Properties
 
 _ROUNDING = 1e-9
 
@@ -26,20 +27,21 @@ class Window:
         In the units of some element.
     matrix
         From those to the document's plane.
-    flaw
-        What is said of a shape that reaches beyond.
     """
 
     box: Box
     matrix: FloatArray
-    flaw: Flaw
 
-    def holds(self, points: FloatArray) -> bool:
-        """Whether points (n, 2) of the document lie in it; only boxes with upright edges know that."""
+    def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
+        """Whether points (n, 2) of the document, and what is in reach of them, lie in it.
+
+        Only boxes with upright edges know that.
+        """
         x, y, width, height = self.box
         corners = moved(np.array([(x, y), (x + width, y + height)]), self.matrix)
         room = _ROUNDING * float(np.ptp(corners, axis=0).max())
         low, high = corners.min(axis=0) - room, corners.max(axis=0) + room
+        low, high = low + reach, high - reach
         return bool((points >= low).all() and (points <= high).all())
 
 
@@ -59,6 +61,8 @@ class State:
         Those around it, the outermost first.
     windows
         The boxes that it is shown in, but for that of the file.
+    clips
+        What else it is cut by, in the document's plane.
     is_locked
         Whether Inkscape keeps it from being touched.
     anchor
@@ -73,6 +77,7 @@ class State:
     inside: tuple[str, ...] = ()
     groups: tuple[Group, ...] = ()
     windows: tuple[Window, ...] = ()
+    clips: tuple[Clip, ...] = ()
     is_locked: bool = False
     anchor: Anchor | None = None
     clone: str = ""

@@ -27,6 +27,7 @@ from ...document.words import count_of
 from ...view_model.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
+from .clip_commands import ClipCommands
 from .corner_commands import CornerCommands
 from .offset_commands import OffsetCommands
 from .path_commands import PathCommands
@@ -168,4 +169,4 @@ class ShapeCommands:
         self._session.selected.choose(curves)
 
 
-COMMAND_SETS = (ShapeCommands, OffsetCommands, CornerCommands, PathCommands)
+COMMAND_SETS = (ShapeCommands, OffsetCommands, CornerCommands, PathCommands, ClipCommands)

@@ -54,7 +54,8 @@ class StyleClipboardCommands:
         """Copy stroke and fill of the curve that is edited."""
         session, data = self._session, QMimeData()
         shape = shape_of(session.document, session.active_index)
-        copied = in_unit_box(session.active_curve.style, box_of_shape(session.views, shape))
+        style = msgspec.structs.replace(session.active_curve.style, clips=())
+        copied = in_unit_box(style, box_of_shape(session.views, shape))
         data.setData(STYLE, msgspec.json.encode(copied))
         put_on_clipboard(data)
         session.say(f"Copied the style of “{session.active_curve.name}”.")
@@ -96,8 +97,9 @@ class StyleClipboardCommands:
         words = f"Paste style to {subject}"
         views = session.views
 
-        def fitted(shape: range, _style: Style) -> Style:
-            return out_of_unit_box(found, box_of_shape(views, shape)) if found.is_placed else found
+        def fitted(shape: range, style: Style) -> Style:
+            pasted = out_of_unit_box(found, box_of_shape(views, shape)) if found.gradients else found
+            return msgspec.structs.replace(pasted, clips=style.clips)
 
         if session.change(words, lambda document: with_shape_styles(document, curves, fitted)):
             session.say(f"Pasted the style to {subject}.")
@@ -119,5 +121,5 @@ def _style_in(data: QMimeData) -> Style | None:
 
 def _style_of_first(document: Document) -> Style:
     """Return the style of the first shape, as one for a shape in the unit box."""
-    style = document.curves[0].style
+    style = msgspec.structs.replace(document.curves[0].style, clips=())
     return in_unit_box(style, box_of_first_shape(document.curves)) if style.is_placed else style

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +15,9 @@ from ....document.gradient import Gradient, GradientKind
 from ....document.model import Vector
 from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, Style
 from ....document.value import Value
-from ...drawing.styles import PictureStyle
+from ...drawing.styles import INK, PictureStyle
+from ...naming import Names
+from ..clip_elements import ClipElements
 from ..gradient_elements import GradientElements
 from ..matrices import moved
 from ..numbers import number
@@ -32,6 +34,8 @@ class Part(NamedTuple):
     paint: str = "stroke"
 
 
+_CLIP = Part(("clips",), ("clip-path",), "")
+
 _PARTS = (
     Part(("fill", "fill_opacity", "fill_gradient"), ("fill", "fill-opacity"), "fill"),
     Part(("fill_rule",), ("fill-rule",), "fill"),
@@ -40,7 +44,25 @@ _PARTS = (
     Part(("cap",), ("stroke-linecap",)),
     Part(("join", "miter_limit"), ("stroke-linejoin", "stroke-miterlimit")),
     Part(("opacity",), ("opacity",), ""),
+    _CLIP,
 )
+
+
+class Definitions:
+    """What styles of one file refer to.
+
+    Attributes
+    ----------
+    gradients, clips
+        Those that were asked for so far.
+    """
+
+    def __init__(self, ids: Names) -> None:
+        self.gradients, self.clips = GradientElements(INK, ids), ClipElements(ids)
+
+    def taken(self) -> str:
+        """Return as elements those that were asked for since it was asked last."""
+        return "\n".join([*self.gradients.taken(), *self.clips.taken()])
 
 
 class Looks:
@@ -65,7 +87,7 @@ class Looks:
             if style.join is not LineJoin.MITER:
                 style = replace(style, miter_limit=4.0)
         else:
-            of_fill = ("fill", "fill_rule", "fill_opacity", "opacity", "fill_gradient")
+            of_fill = ("fill", "fill_rule", "fill_opacity", "opacity", "fill_gradient", "clips")
             style = Style(stroke=NO_PAINT, **{name: getattr(style, name) for name in of_fill})
         if style.has_fill:
             style = replace(style, fill=self._picture.fill_of(style))
@@ -78,8 +100,20 @@ class Looks:
         flat = {name: "" for name, field in GRADIENTS.items() if getattr(style, field) is not None}
         return replace(style, **flat)
 
+    def differing_of(
+        self, node: Node, one: Style, other: Style, *, with_gradients: bool = False
+    ) -> tuple[Part, ...]:
+        """Return the same for what an element shows.
+
+        What is whole in the document, and moved or drawn under a clip of the file, is cut there as is all
+        else in that group.
+        """
+        found = self.differing(one, other, with_gradients=with_gradients)
+        counts = other.clips or value_of(node, "clip-path") not in ("", "none")
+        return found if counts else tuple(each for each in found if each is not _CLIP)
+
     def differing(self, one: Style, other: Style, *, with_gradients: bool = False) -> tuple[Part, ...]:
-        """Return the parts in which two styles are drawn differently, or with all gradients of the other."""
+        """Return the parts in which two styles are drawn differently, or all of the other that are placed."""
         one, other = self.shown(one), self.shown(other)
         painted = {"fill": one.has_fill, "stroke": one.has_stroke}
         # What an element says of a stroke that it does not have is not read.
@@ -89,6 +123,7 @@ class Looks:
             for part in _PARTS
             if part.paint in new
             or (with_gradients and not other.gradients.keys().isdisjoint(part.fields))
+            or (with_gradients and part is _CLIP and bool(other.clips))
             or not all(self._is_same(getattr(one, name), getattr(other, name)) for name in part.fields)
         )
 
@@ -102,7 +137,7 @@ class Looks:
         return one == other
 
     def properties(
-        self, style: Style, inverse: FloatArray, scale: float, around: float, gradients: GradientElements
+        self, style: Style, inverse: FloatArray, scale: float, around: float, made: Definitions
     ) -> Mapping[str, str]:
         """Return all properties of a style.
 
@@ -116,14 +151,14 @@ class Looks:
             By how much the stroke of the element is enlarged.
         around
             The opacity of all around it.
-        gradients
-            Where its gradients are put.
+        made
+            Where its gradients and clips are put.
         """
-        style = self.shown(style)
+        style, there = self.shown(style), _upside_down(inverse)
         paints = {"fill": style.fill, "stroke": style.stroke}
         for name, field in GRADIENTS.items():
             if (gradient := getattr(style, field)) is not None:
-                paints[name] = gradients.reference(_upside_down(gradient, inverse))
+                paints[name] = made.gradients.reference(gradient.mapped(there))
         width = (style.width or 0.0) / scale
         return {
             "fill": paints["fill"],
@@ -138,6 +173,7 @@ class Looks:
             "stroke-linejoin": str(style.join.value),
             "stroke-miterlimit": number(style.miter_limit),
             "opacity": number(style.opacity / around if around else style.opacity),
+            "clip-path": made.clips.reference(tuple(each.mapped(there) for each in style.clips)),
         }
 
 
@@ -159,14 +195,14 @@ def _plainest(gradient: Gradient) -> Gradient:
     return replace(gradient, end=(x + a, y + b), side=(x - b, y + a))
 
 
-def _upside_down(gradient: Gradient, inverse: FloatArray) -> Gradient:
-    """Return a gradient in the plane of an element with y turned up, as `GradientElements` wants it."""
+def _upside_down(inverse: FloatArray) -> Callable[[Vector], Vector]:
+    """Return the map to the plane of an element with y turned up, as `Definitions` want it."""
 
     def there(place: Vector) -> Vector:
         x, y = moved(np.array(place), inverse).tolist()
         return x, -y
 
-    return gradient.mapped(there)
+    return there
 
 
 def declare_style(

@@ -26,14 +26,13 @@ from ...errors import ExchangeError
 from ...formats import Written
 from ...naming import Names
 from ...rescaled import in_unit
-from ..gradient_elements import GradientElements
 from ..matrices import combined, is_uneven, mean_scale, moved
 from ..our_own import OurOwn
 from ..sheet import Sheet
 from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, move_whole, redraw
 from .empty_layers import has_empty_layers, set_empty_layers
 from .found import Found, Reading, Wanted, runs_as
-from .looks import Looks, declare_style
+from .looks import Definitions, Looks, declare_style
 from .lost_clones import lost_clones
 from .matching import origins
 from .placing import Placing, definitions, lock, show
@@ -188,7 +187,7 @@ class _Round:
         if self._move_groups(placed):
             placed = Reading(source)
         set_guides(source, placed, job.document.guides)
-        self._gradients = GradientElements(INK, Names(source.ids, between="_"))
+        self._definitions = Definitions(Names(source.ids, between="_"))
         self.wrong: list[int | None] = []
         self._adapt_all(placed, ways)
         if not self.wrong:
@@ -214,7 +213,7 @@ class _Round:
                 wanted = [self._job.wanted[each] for each in entry.shapes]
                 if not self._adapt(node, shapes.get(node, []), wanted, way):
                     self.wrong.append(entry.number)
-            for each in self._source.adopted("\n".join(self._gradients.taken())):
+            for each in self._source.adopted(self._definitions.taken()):
                 each.put_last(definitions(self._source))
 
     def _move_groups(self, reading: Reading) -> bool:
@@ -273,7 +272,7 @@ class _Round:
         )
         style = style.mapped(lambda place: _pair(moved(np.array(place), by)))
         # A gradient may hang on the box around the element, which is another one now.
-        parts = self._job.looks.differing(style, wanted.style, with_gradients=way is Way.REDRAWN)
+        parts = self._job.looks.differing_of(node, style, wanted.style, with_gradients=way is Way.REDRAWN)
         own = is_alone and not found.is_used
         if (parts or found.visible != wanted.visible) and not own:
             return False
@@ -281,7 +280,7 @@ class _Round:
             inverse = inverse_of(combined(by, drawn.state.matrix))
             around = drawn.anchor.around.properties
             values = self._job.looks.properties(
-                wanted.style, inverse, drawn.scale * stretch, around.opacity, self._gradients
+                wanted.style, inverse, drawn.scale * stretch, around.opacity, self._definitions
             )
             declare_style(node, parts, values, around.values, has_rules=self._job.has_rules)
         if found.visible != wanted.visible:
@@ -298,7 +297,9 @@ class _Round:
         wrong: list[int | None] = [
             entry.number
             for entry, node in zip(self._plan.entries, nodes, strict=True)
-            if not self._is_right(shapes.get(node, []), [self._job.wanted[each] for each in entry.shapes])
+            if not self._is_right(
+                node, shapes.get(node, []), [self._job.wanted[each] for each in entry.shapes]
+            )
         ]
         if wrong:
             return wrong
@@ -314,11 +315,11 @@ class _Round:
         job = self._job
         return [] if has_empty_layers(reading, job.document.empty_layers, job.layers) else [None]
 
-    def _is_right(self, found: list[Found], wanted: list[Wanted]) -> bool:
+    def _is_right(self, node: Node, found: list[Found], wanted: list[Wanted]) -> bool:
         job = self._job
         return len(found) == len(wanted) and all(
             runs_as(shape, other, job.room)
-            and not job.looks.differing(shape.style, other.style)
+            and not job.looks.differing_of(node, shape.style, other.style)
             and (shape.visible, shape.locked) == (other.visible, other.locked)
             for shape, other in zip(found, wanted, strict=True)
         )

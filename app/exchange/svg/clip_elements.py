@@ -1,0 +1,50 @@
+"""Clips as elements of SVG, in the units of the drawing: what two shapes share is there once."""
+
+from __future__ import annotations
+
+from ...document.clip import Clip, ClipRing
+from ..naming import Names
+from .numbers import number
+
+
+class ClipElements:
+    """The clips of one file.
+
+    Attributes
+    ----------
+    lines
+        Those that were asked for so far.
+    """
+
+    def __init__(self, ids: Names) -> None:
+        self._ids = ids
+        self._known: dict[tuple[Clip, ...], str] = {}
+        self.lines: list[str] = []
+
+    def taken(self) -> list[str]:
+        """Return those that were asked for since it was asked last."""
+        lines, self.lines = self.lines, []
+        return lines
+
+    def reference(self, clips: tuple[Clip, ...]) -> str:
+        """Return what refers to what all of some clips leave; "none" of none."""
+        if not clips:
+            return "none"
+        if clips not in self._known:
+            # The path of a clip is cut by the others: Inkscape does not read it of the clip itself.
+            rest = self.reference(clips[1:])
+            self._known[clips] = name = self._ids.different("clip")
+            self.lines += [f'    <clipPath id="{name}">', f"      {_path(clips[0], rest)}", "    </clipPath>"]
+        return f"url(#{self._known[clips]})"
+
+
+def _path(clip: Clip, rest: str) -> str:
+    rule = ' clip-rule="evenodd"' if clip.evenodd else ""
+    cut = "" if rest == "none" else f' clip-path="{rest}"'
+    return f'<path d="{" ".join(map(_data, clip.rings))}"{rule}{cut}/>'
+
+
+def _data(ring: ClipRing) -> str:
+    start, *others = (f"{number(x)} {number(-y)}" for x, y in ring.places)
+    pieces = (" ".join(others[at : at + 3]) for at in range(0, len(others), 3))
+    return f"M {start} {' '.join(f'C {each}' for each in pieces)} Z"

@@ -1,0 +1,57 @@
+"""Shapes cut by the outline of another one, and made whole again."""
+
+from __future__ import annotations
+
+from ...actions.declaration import action, also
+from ...actions.needs import Need
+from ...actions.sections import CURVE_CLIPS
+from ...actions.situation import Situation
+from ...actions.strips import CHOSEN_MENU
+from ...document.shapes import is_of_several
+from ...view_model.clipping import with_clip_released, with_clip_set
+from ...workbench.context import WindowContext
+from .chosen_shapes import meant
+from .shape_work import ShapeWork
+
+
+def _is_clipped(now: Situation) -> bool:
+    curves = now.session.document.curves
+    return any(curves[place].style.clips for place in meant(now.session))
+
+
+class ClipCommands:
+    """Clips of the chosen shapes."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._work = ShapeWork(context)
+
+    @action(
+        "setClip",
+        "Set Clip",
+        CURVE_CLIPS,
+        icon="clip",
+        full_name="Set Clip of Shapes",
+        needs=Need(
+            "two chosen shapes or more",
+            lambda now: is_of_several(now.session.document, meant(now.session)),
+        ),
+        keywords="clipping path mask crop cut inside object",
+    )
+    @also(CHOSEN_MENU(42))
+    def _set(self) -> None:
+        """Cut the chosen shapes by the outline of the one in front; Release Clip brings it back."""
+        self._work.compute("Set clip", with_clip_set)
+
+    @action(
+        "releaseClip",
+        "Release Clip",
+        CURVE_CLIPS,
+        icon="release-clip",
+        full_name="Release Clip of Shapes",
+        needs=Need("a shape that is clipped", _is_clipped),
+        keywords="clipping path unclip remove mask crop whole",
+    )
+    @also(CHOSEN_MENU(43))
+    def _release(self) -> None:
+        """Show the chosen shapes whole, and the outline that cut them as a shape of its own."""
+        self._work.compute("Release clip", with_clip_released)

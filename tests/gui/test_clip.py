@@ -1,0 +1,103 @@
+"""Shapes cut by the one in front, made whole again, and curves that a file has cut; real clicks."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+
+from app.document.style import PLAIN_STYLE
+from app.exchange.svg.reader import read_svg
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+DISC, RED = "#ff8800", "#cc0000"
+
+# The frame from −1 to 9 has a hole from 2 to 6; the bar is cut by the file to what is left of −7.
+DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20" viewBox="-10 -10 20 20">
+<clipPath id="c"><path d="M-10-10H-7L-7 10H-9L-10 9Z"/></clipPath>
+<path id="Bar" d="M-9 5H9V7H-9Z" fill="#cc0000" clip-path="url(#c)"/>
+<circle id="Disc" r="4" fill="#ff8800"/>
+<path id="Frame" d="M-1 -1H9V9H-1Z M2 2V6H6V2Z" fill="#0088ff"/></svg>"""
+
+LEFT, IN_BOTH, IN_HOLE, FRAME = (-2.0, 1.3), (0.4, -1.7), (2.2, -2.2), (7.5, -1.3)
+SEEN, CUT = (-8.0, -6.0), (-4.0, -6.0)
+
+
+@pytest.fixture
+def drawing(editor):
+    """The drawing, y up, nothing chosen, without a grid."""
+    editor.window.context.store.change(grid=False)
+    editor.session.commit(read_svg(DRAWING.encode(), None).document, "Begin", active=0)
+    editor.session.selected.choose([])
+    editor.window.canvas.camera.show_box((-11, 11), (-11, 11))
+    editor.settle()
+    return editor
+
+
+def colours(editor, *places):
+    canvas = editor.window.canvas
+    editor.settle()
+    image = canvas.viewport().grab().toImage()
+    return [QColor(image.pixel(canvas.to_pixel(*place))).name() for place in places]
+
+
+def chosen(editor):
+    return [editor.session.document.curves[place].name for place in sorted(editor.session.selected.chosen)]
+
+
+def test_the_shape_in_front_cuts_the_others_and_comes_back(drawing):
+    session, before = drawing.session, drawing.session.document
+    drawing.click(LEFT)
+    drawing.click(FRAME, keys=SHIFT)
+    drawing.trigger("setClip")
+    assert session.undo_stack.undoText() == "Set clip of Disc and Frame"
+    assert chosen(drawing) == ["Disc"]
+    drawing.escape()
+    drawing.session.selected.choose([])
+    left, both, hole, frame = colours(drawing, LEFT, IN_BOTH, IN_HOLE, FRAME)
+    assert (both, DISC not in (left, hole, frame)) == (DISC, True)
+    # What is cut away is no more in the way than paper is.
+    drawing.click(LEFT)
+    assert chosen(drawing) == []
+    drawing.click(IN_BOTH)
+    assert chosen(drawing) == ["Disc"]
+    # Moved, it shows the same of itself.
+    drawing.drag(IN_BOTH, to=(IN_BOTH[0] - 4, IN_BOTH[1] + 4))
+    drawing.session.selected.choose([])
+    assert colours(drawing, (IN_BOTH[0] - 4, IN_BOTH[1] + 4), IN_BOTH)[0] == DISC
+    session.undo_stack.undo()
+    drawing.click(IN_BOTH)
+    drawing.trigger("releaseClip")
+    assert session.undo_stack.undoText() == "Release clip of Disc"
+    names = [curve.name for curve in session.document.curves]
+    assert names == ["Bar", "Disc", "Clip (1)", "Clip (2)"]
+    disc, outer, hole = session.document.curves[1:]
+    assert (disc.style, outer.style.stroke) == (before.curves[1].style, PLAIN_STYLE.stroke)
+    frame = [[point.position for point in curve.points] for curve in before.curves[2:]]
+    for curve, places in zip((outer, hole), frame, strict=True):
+        assert {point.position for point in curve.points} == set(places)
+    session.undo_stack.undo()
+    session.undo_stack.undo()
+    assert session.document == before
+
+
+def test_a_curve_that_its_file_has_cut_is_whole_as_a_thin_line_and_while_it_is_edited(drawing):
+    seen, cut = colours(drawing, SEEN, CUT)
+    assert (seen, cut != RED) == (RED, True)
+    drawing.click(CUT)
+    assert chosen(drawing) == []
+    drawing.click(SEEN)
+    assert chosen(drawing) == ["Bar"]
+    edge = (-4.0, -5.0)
+    drawing.session.selected.choose([])
+    (paper, faint) = colours(drawing, (-4.0, -8.5), edge)
+    assert paper == faint
+    drawing.double_click(SEEN)
+    (faint,) = colours(drawing, edge)
+    assert paper != faint
+
+
+def test_only_what_is_clipped_is_released_and_one_shape_cuts_nothing(drawing):
+    drawing.click(LEFT)
+    assert not drawing.action("setClip").isEnabled()
+    assert not drawing.action("releaseClip").isEnabled()
