@@ -125,6 +125,33 @@ def test_on_a_page_v_leaves_points_and_what_a_tool_took_up_unasked_is_not_chosen
     assert state(page) == (False, "", "B")
 
 
+def test_on_a_page_delete_takes_no_whole_curve_while_the_arrow_edits_its_points(page):
+    """A click that missed a point, and the key took the curve."""
+    document = page.session.document
+    assert state(page) == (True, "", "B")
+    page.key(Qt.Key.Key_Delete)
+    assert page.session.document is document
+    assert page.status == "No point is selected; Escape, then Delete takes the whole curve."
+    page.select([1])
+    page.key(Qt.Key.Key_Delete)
+    assert len(page.curve.points) == 3
+    page.trigger("undo")
+    assert (page.session.selected.is_editing, page.session.selection) == (True, {1})
+    page.escape()
+    assert page.status == "No point is selected; Escape again chooses “B” whole."
+    page.escape()
+    page.key(Qt.Key.Key_Delete)
+    assert [curve.name for curve in page.session.document.curves] == ["A", "C"]
+
+
+def test_on_a_page_delete_takes_what_a_tool_has_just_drawn(page):
+    document = page.session.document
+    page.trigger("rectangleTool")
+    page.drag((4.5, 3.0), (6.5, 5.0))
+    page.key(Qt.Key.Key_Delete)
+    assert page.session.document == document
+
+
 def test_without_a_page_v_goes_back_to_the_points(three):
     three.trigger("addTool")
     three.key(Qt.Key.Key_V)
