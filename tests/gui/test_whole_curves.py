@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 
 from app.appearance.colours import point_colours
 from app.canvas.sections import loose_places, sections_of
@@ -142,6 +142,23 @@ def test_on_a_page_delete_takes_no_whole_curve_while_the_arrow_edits_its_points(
     page.escape()
     page.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in page.session.document.curves] == ["A", "C"]
+
+
+@pytest.mark.parametrize("places", [{2}, {0, 2}])
+def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
+    """It opened that of the canvas."""
+    whole.session.selected.choose(places)
+    viewport = whole.window.canvas.viewport()
+    place = viewport.rect().center()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Keyboard, place, viewport.mapToGlobal(place))
+    QApplication.sendEvent(viewport, event)
+    whole.settle()
+    menu = QApplication.activePopupWidget()
+    found = {entry.objectName() for entry in menu.actions()}
+    menu.close()
+    assert "deleteSelection" in found or "deleteCurve" in found
+    assert not {"toggleGrid", "selectAllCurves"} & found
+    assert whole.session.selected.chosen == places
 
 
 def test_on_a_page_delete_takes_what_a_tool_has_just_drawn(page):
