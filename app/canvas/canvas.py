@@ -202,10 +202,16 @@ class Canvas(ToolPlot):
     # Menus and keys
 
     def _menu_wanted(self, event: QContextMenuEvent) -> None:
-        """Ask for a menu: for what lies under the pointer; by the Menu key, for the selected point."""
+        """Ask for a menu: for what lies under the pointer; by the Menu key, for what is selected."""
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
         place = self.framing.selected_pixel() if by_key else QPointF(event.pos())
         hit = self._hit_at(place) if place is not None else None
+        group = self.tools.target.group
+        if by_key and place is None and group is not None and group.is_whole:
+            middle = self.tools.target.bounds.centre
+            pixel = self.camera.to_pixel(*middle)
+            place = QPointF(pixel) if self.viewport().rect().contains(pixel) else None
+            hit = Hit(Part.OTHER_CURVE, self.tools.context.host.active_index, middle)
         corner = (place or self.camera.centre()).toPoint()
         self._asked_at = self.pointer_at(QPointF(corner))
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))

@@ -25,10 +25,15 @@ class ListsCurves(Protocol):
     meant: frozenset[int]
 
 
+def is_in_list(context: WindowContext) -> bool:
+    """Whether the list of curves has the focus: its keys are about whole curves."""
+    focus = QApplication.focusWidget()
+    return focus is not None and context.docks["curvesDock"].isAncestorOf(focus)
+
+
 def highlighted(context: WindowContext) -> Highlight:
     """Return the highlight: with the focus in the list of curves, the curves of its highlighted rows."""
-    focus = QApplication.focusWidget()
-    in_list = focus is not None and context.docks["curvesDock"].isAncestorOf(focus)
+    focus, in_list = QApplication.focusWidget(), is_in_list(context)
     if in_list and isinstance(focus, ListsCurves):
         return Highlight(focus.meant)
     return context.session.selected.highlight(whole_curves=in_list)

@@ -281,6 +281,25 @@ def test_the_name_of_a_new_layer_is_typed_at_once(layered):
     assert "Layer 1" not in session.document.layers
 
 
+def test_the_only_object_of_a_layer_is_chosen_by_its_own_name_and_delete_takes_it_alone(layered):
+    """A ring alone in a layer was called by the name of that."""
+    ring = SVG.replace('d="M0 0H60V40H0Z"', 'fill-rule="evenodd" d="M0 0H60V40H0ZM25 5H35V20H25Z"')
+    document = replace(read_svg(ring.encode()).document, unit="", page=None)
+    layered.session.commit(document, "Ring", active=2)
+    layered.session.selected.choose(())
+    layered.show_dock("transformDock")
+    layered.fit()
+    layered.click((30.0, min(point.y for point in document.curves[0].points) + 3.0))
+    layered.settle()
+    assert layered.session.selected.chosen == {0, 1}
+    name = document.curves[0].shape
+    assert layered.window.findChild(QLabel, "transformWhat").text() == name != "Back"
+    layered.window.canvas.setFocus()
+    layered.key(Qt.Key.Key_Delete)
+    assert layered.session.undo_stack.undoText() == f"Delete {name}"
+    assert "Back" in layered.session.document.layers
+
+
 def test_a_layer_has_a_short_menu_of_its_own(layered):
     """It had the whole menu of curves, taller than the window."""
     editor, session, view = layered, layered.session, view_of(layered)

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 
 from app.appearance.colours import point_colours
 from app.canvas.sections import loose_places, sections_of
@@ -123,6 +123,50 @@ def test_on_a_page_v_leaves_points_and_what_a_tool_took_up_unasked_is_not_chosen
     assert page.session.selected.is_editing
     page.key(Qt.Key.Key_V)
     assert state(page) == (False, "", "B")
+
+
+def test_on_a_page_delete_takes_no_whole_curve_while_the_arrow_edits_its_points(page):
+    """A click that missed a point, and the key took the curve."""
+    document = page.session.document
+    assert state(page) == (True, "", "B")
+    page.key(Qt.Key.Key_Delete)
+    assert page.session.document is document
+    assert page.status == "No point is selected; Escape, then Delete takes the whole curve."
+    page.select([1])
+    page.key(Qt.Key.Key_Delete)
+    assert len(page.curve.points) == 3
+    page.trigger("undo")
+    assert (page.session.selected.is_editing, page.session.selection) == (True, {1})
+    page.escape()
+    assert page.status == "No point is selected; Escape again chooses “B” whole."
+    page.escape()
+    page.key(Qt.Key.Key_Delete)
+    assert [curve.name for curve in page.session.document.curves] == ["A", "C"]
+
+
+@pytest.mark.parametrize("places", [{2}, {0, 2}])
+def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
+    """It opened that of the canvas."""
+    whole.session.selected.choose(places)
+    viewport = whole.window.canvas.viewport()
+    place = viewport.rect().center()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Keyboard, place, viewport.mapToGlobal(place))
+    QApplication.sendEvent(viewport, event)
+    whole.settle()
+    menu = QApplication.activePopupWidget()
+    found = {entry.objectName() for entry in menu.actions()}
+    menu.close()
+    assert "deleteSelection" in found or "deleteCurve" in found
+    assert not {"toggleGrid", "selectAllCurves"} & found
+    assert whole.session.selected.chosen == places
+
+
+def test_on_a_page_delete_takes_what_a_tool_has_just_drawn(page):
+    document = page.session.document
+    page.trigger("rectangleTool")
+    page.drag((4.5, 3.0), (6.5, 5.0))
+    page.key(Qt.Key.Key_Delete)
+    assert page.session.document == document
 
 
 def test_without_a_page_v_goes_back_to_the_points(three):

@@ -82,6 +82,9 @@ class ViewCommands:
             session.scrub.set(None)
         elif session.selection:
             session.selected.set_points([])
+            name = name_of(session.document, session.selected.curves)
+            what = "the curves" if name is None else f"“{name}”"
+            session.say(f"No point is selected; Escape again chooses {what} whole.")
         else:
             self._step_out()
 
