@@ -114,6 +114,8 @@ class LayerStack:
     ----------
     theme, scale, fonts
         Those of all that is drawn.
+    frame
+        The theme of what lies beside the plot area: not that of the paper where this is as it prints.
     is_due
         Whether Qt has been told to paint them all anew.
 
@@ -136,6 +138,7 @@ class LayerStack:
         self._layers: list[Layer] = []
         self._ground: QPixmap | None = None
         self.theme, self.scale, self.fonts = LIGHT, 1.0, Sizes(viewport.font())
+        self.frame = LIGHT
 
     def add(self, layer: Layer) -> None:
         """Add a layer; of those of one height the later one is nearer to the eye."""
@@ -195,8 +198,9 @@ class LayerStack:
         """Return the paper, the axes and the layers that are still: one picture for the frames of a drag."""
         ground = QPixmap((QSizeF(self._viewport.size()) * ratio).toSize())
         ground.setDevicePixelRatio(ratio)
-        ground.fill(self.theme.paper)
+        ground.fill(self.frame.paper)
         with QPainter(ground) as painter:
+            painter.fillRect(self._area(), self.theme.paper)
             painter.translate(origin)
             self.paint_still(painter, shown, origin)
         return ground

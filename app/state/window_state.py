@@ -6,7 +6,7 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from ..appearance.theme import ThemeMode
+from ..appearance.theme import PRINTED, Theme, ThemeMode
 from ..document.model import Document
 from ..document.paper import DocumentKind
 from ..document.transforms import Reference
@@ -161,6 +161,10 @@ class WindowState(msgspec.Struct, frozen=True):
     def prints(self, document: Document) -> bool:
         """Whether paper and colours of this document are shown as they print."""
         return self.as_printed if document.page is None else self.page_as_printed
+
+    def paper(self, document: Document, theme: Theme) -> Theme:
+        """Return the theme that this document's paper and paints are shown in, within a window of `theme`."""
+        return PRINTED if self.prints(document) else theme
 
     @property
     def strokes(self) -> Strokes:

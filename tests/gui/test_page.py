@@ -5,16 +5,20 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QListView, QToolButton
 
-from app.appearance.theme import DARK, LIGHT, ThemeMode
+from app.appearance.theme import DARK, LIGHT, PRINTED, ThemeMode
 from app.document.model import Axis, Document, Guide, Page, make_curve
 from app.document.paper import DocumentKind, kind_of
 from app.document.style import Style
 from app.families import HERMITE
+from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.commands import ExchangeCommands
 from app.tools.snapping import SnapKind
+from app.widgets.paint_field import PaintField
+from tests.gui.test_theme import contrast
 
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]
 
@@ -250,3 +254,39 @@ def test_drawings_snap_from_the_start_and_remember_their_own_choice(drawn):
     assert not drawn.action("toggleSnap").isChecked()
     drawn.trigger("toggleSnap")
     store.change(snap_on=False, kind=DocumentKind.SKETCH)
+
+
+def test_in_the_dark_only_the_paper_is_light_and_ink_is_black_wherever_it_is_shown(editor):
+    editor.session.new()
+    editor.trigger("newDrawing")
+    store = editor.window.context.store
+    store.change(theme_mode=ThemeMode.DARK, grid=False)
+    try:
+        editor.trigger("rectangleTool")
+        editor.drag((50, 200), (90, 240))
+        canvas = editor.window.canvas
+        picture, corner = canvas.grab().toImage(), canvas.camera.origin.toPoint()
+        ratio = picture.devicePixelRatio()
+
+        def seen(x, y):
+            return picture.pixelColor(round(x * ratio), round(y * ratio))
+
+        # Ticks and numbers stand nearer to the drawing and to the middle of each ruler.
+        assert seen(3, 3) == seen(3, corner.y() + 3) == DARK.surface
+        assert contrast(DARK.muted, DARK.surface) >= 4.5
+        assert colour_at(editor, 105.0, 100.0) == QColor("white")
+        editor.show_dock("styleDock")
+        field = editor.window.findChild(PaintField, "strokePaint")
+        icon = field.findChild(QToolButton, "strokePaintButton").icon().pixmap(14).toImage()
+        assert icon.pixelColor(icon.rect().center()) == PRINTED.curve
+        editor.show_dock("curvesDock")
+        rows = editor.window.findChild(QListView, "curveList")
+        place = spot_rect(rows.parts.entry_rect(0), Spot.SWATCH).center()
+        drawn = rows.viewport().grab().toImage()
+        assert drawn.pixelColor(place * drawn.devicePixelRatio()) == PRINTED.curve
+        store.change(page_as_printed=False)
+        editor.settle()
+        drawn = rows.viewport().grab().toImage()
+        assert drawn.pixelColor(place * drawn.devicePixelRatio()) == DARK.curve
+    finally:
+        store.change(theme_mode=ThemeMode.SYSTEM, page_as_printed=True, grid=True)

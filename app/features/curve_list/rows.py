@@ -87,7 +87,7 @@ class RowDelegate(Guarded, QStyledItemDelegate):
             # What is in a group need not look the same.
             self._paint_switch(painter, swatch, "group", True)
         else:
-            draw_style(painter, QRectF(swatch).center(), SWATCH, style, theme)
+            draw_style(painter, QRectF(swatch).center(), SWATCH, style, theme, self._view.parts.paper)
 
     @staticmethod
     def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:

@@ -144,6 +144,7 @@ class StyleCommands:
         is_next = not any(session.document.curves[place].points for place in curves)
         subject = _DRAWN_NEXT if is_next else named(session.document, curves)
         note = self._note(styles) if curves else _HOW_TO_CHOOSE
+        panel.show_paper(self._context.store.state.paper(session.document, self._theme))
         panel.show_recent(self._recent())
         panel.render_styles(subject, styles, session.document.unit, note)
 

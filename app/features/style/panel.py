@@ -230,6 +230,13 @@ class StylePanel(FieldForm):
 
     # Rendering: nothing here writes back
 
+    def show_paper(self, paper: Theme) -> None:
+        """Show paints as they are drawn on the paper of the document."""
+        for paint in (self.fill, self.stroke):
+            paint.show_paper(paper)
+        for gradient in self.gradients.values():
+            gradient.bar.show_paper(paper)
+
     def render_styles(self, subject: str, styles: Sequence[Style], unit: str, note: str) -> None:
         """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn."""
         wanted = (subject, tuple(styles), unit, note)

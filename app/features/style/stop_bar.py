@@ -56,6 +56,7 @@ class StopBar(FollowsTheme, ClaimsKeys, QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._stops: tuple[Stop, ...] = ()
         self._chosen = 0
+        self._paper: Theme | None = None
         # The stops at the press, and those that are looked at, while one is dragged.
         self._held: tuple[Stop, ...] | None = None
         self._last: tuple[Stop, ...] | None = None
@@ -72,6 +73,12 @@ class StopBar(FollowsTheme, ClaimsKeys, QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self.update()
+
+    def show_paper(self, paper: Theme) -> None:
+        """Show colours as they are drawn on this paper."""
+        if paper is not self._paper:
+            self._paper = paper
+            self.update()
 
     # Places
 
@@ -115,7 +122,7 @@ class StopBar(FollowsTheme, ClaimsKeys, QWidget):
                 square = QRectF(bar.left() + column * _SQUARE, bar.top() + row * _SQUARE, _SQUARE, _SQUARE)
                 painter.fillRect(square.intersected(bar), Qt.GlobalColor.lightGray)
         shown = Gradient(self._stops, start=(bar.left(), 0.0), end=(bar.right(), 0.0), side=(bar.left(), 1.0))
-        painter.fillRect(bar, brush_of(shown, self.theme.curve, 1.0, lambda place: place))
+        painter.fillRect(bar, brush_of(shown, (self._paper or self.theme).curve, 1.0, lambda place: place))
         painter.setPen(QPen(self.theme.accent if self.hasFocus() else rim(self.theme), 1.0))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(bar)
@@ -124,7 +131,7 @@ class StopBar(FollowsTheme, ClaimsKeys, QWidget):
         tip, half = self.place_of(stop.offset), _MARK
         corners = [(0, -2), (half, half - 1), (half, 2 * half), (-half, 2 * half), (-half, half - 1)]
         painter.setPen(QPen(self.theme.accent if is_chosen else self.theme.ink, 2.0 if is_chosen else 1.0))
-        painter.setBrush(fill_colour(stop.colour, self.theme))
+        painter.setBrush(fill_colour(stop.colour, self._paper or self.theme))
         painter.drawPolygon(QPolygonF([tip + QPointF(x, y) for x, y in corners]))
 
     # What the person did

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...actions.declaration import action, switch
 from ...actions.sections import VIEW_MODE
-from ...appearance.theme import LIGHT, PRINTED, Theme
+from ...appearance.theme import LIGHT, Theme
 from ...canvas.looks import Looks
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
@@ -39,9 +39,9 @@ class StyleViewCommands:
         self._canvas.drawing.curves.set_looks(Looks(self._store.state.thin_lines, width))
 
     def _show_paper(self) -> None:
-        wanted = PRINTED if self._store.state.prints(self._session.document) else self._theme
-        if self._canvas.layers.theme is not wanted:
-            self._canvas.set_theme(wanted)
+        wanted, layers = self._store.state.paper(self._session.document, self._theme), self._canvas.layers
+        if layers.theme is not wanted:
+            self._canvas.set_paper(wanted)
 
     @switch(
         "thin_lines",
