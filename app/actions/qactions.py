@@ -249,15 +249,11 @@ class Actions(QObject):
 
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
-        now, on = self._now, set[str]()
+        now = self._now
         is_met = _remembering(now)
         for alike in self._alike:
             alike.render(now, is_met)
-        for each, action in self._switches:
-            is_on = each.is_on(now, is_met)
-            action.setChecked(is_on)
-            if is_on:
-                on.add(each.name)
+        self._check(is_met)
         for title, action in self._titled:
             action.setText(title(now))
         if now.view is not self._seen_of:
@@ -266,6 +262,21 @@ class Actions(QObject):
             self._seen.clear()
         for name, sight in self._seen.items():
             self._show(name, sight)
+
+    def take_back_click(self, name: str) -> None:
+        """Let a switch that was clicked, and those that went off with it, show what is on."""
+        # It may be there no more: its record went with what it did.
+        declared = self._declared.get(name)
+        if declared is not None and declared.checked is not None:
+            self._check(_remembering(self._now))
+
+    def _check(self, is_met: Callable[[Need], bool]) -> None:
+        now, on = self._now, set[str]()
+        for each, action in self._switches:
+            is_on = each.is_on(now, is_met)
+            action.setChecked(is_on)
+            if is_on:
+                on.add(each.name)
         bars = tuple(bar for bar in BARS if bar.is_shown(now))
         if (on, bars) != (self._on, self._bars):
             self._on, self._bars = on, bars

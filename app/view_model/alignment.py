@@ -53,6 +53,8 @@ def align_curves(
         The ones that were chosen first and last.
     """
     items = _items(document, views, chosen, strokes)
+    if not items:
+        raise EditError("What is chosen has no points to align.")
     if reference is Reference.PAGE:
         bounds = _page_of(document)
     elif reference in (Reference.FIRST, Reference.LAST):

@@ -81,8 +81,7 @@ class Commands:
             store = self._context.store
             store.change(**{action.field: not getattr(store.state, action.field)})
         self.attempt(handler)
-        # A switch that was clicked shows what is, also where nothing changed.
-        self._context.actions.render()
+        self._context.actions.take_back_click(action.name)
         self.wake()
 
     def widgets(self) -> dict[Place, ToolbarWidget]:

@@ -252,6 +252,16 @@ def test_what_needs_more_curves_says_so(four):
     assert not four.action("distributeGapsVertically").isEnabled()
 
 
+@pytest.mark.parametrize("to", ["EachOther", "First", "Largest", "Drawing"])
+def test_of_curves_without_points_there_is_nothing_to_align(four, to):
+    session = four.session
+    session.commit(Document((replace(session.document.curves[0], points=()),) * 2), "Empty", active=0)
+    session.selected.set_curves({0, 1})
+    four.action(f"alignTo{to}").trigger()
+    four.action("alignLeft").trigger()
+    assert four.window.status_line.text == "What is chosen has no points to align."
+
+
 def test_the_buttons_of_the_panel_align(four):
     four.trigger("openTransform")
     QTest.mouseClick(four.window.findChild(QToolButton, "alignBottomButton"), Qt.MouseButton.LeftButton)

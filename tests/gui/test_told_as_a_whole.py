@@ -55,3 +55,20 @@ def test_what_is_shown_is_what_is_there_then(editor, shown):
     editor.session.undo_stack.undo()
     assert names["redo"].isEnabled()
     assert len(shown[0]) <= 3, "undo is told of by the session and by the history"
+
+
+def test_an_action_is_shown_once(editor, shown):
+    editor.window.actions_by_name["deleteSelection"].trigger()
+    actions, panels = shown
+    assert len(editor.session.active_curve.points) == 2
+    assert (len(actions), len(panels)) == (1, 1)
+
+
+def test_a_switch_that_changes_nothing_shows_what_is_on(editor, shown):
+    switch = editor.window.actions_by_name["tangentEstimated"]
+    assert switch.isChecked()
+    document = editor.session.document
+    switch.trigger()
+    assert editor.session.document is document
+    assert switch.isChecked()
+    assert not shown[0]
