@@ -26,6 +26,7 @@ FEATURES = (
     "points",
     "transform",
     "clipboard",
+    "clones",
     "basis",
     "plots",
     "teaching",

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from app.document.clone import Clone
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
 from app.document.forms import Rectangle
@@ -37,6 +38,7 @@ FULL = Document(
             style=Style(width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT),
             text=Text("I", "Sans", 1.0, 2.0, 3.0),
             form=Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5),
+            clone=Clone("leaf", 0.5, 0.5, 0.5, 0.5, 1.0, 2.0),
         ),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
@@ -128,6 +130,7 @@ def test_every_length_goes_with_the_unit():
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {f"style.{name}" for name in of_styles}
+    of_curves |= {f"clone.{name}" for name in ("xx", "xy", "yx", "yy")}
     of_pictures = {"image.opacity", "kept_pictures.opacity", "kept_pictures.part"}
     # In units of the text, which goes with the unit as a whole.
     of_runs = {"size", "weight", "spacing", "right", "down", "fill_opacity", "stroke_opacity", "width"}

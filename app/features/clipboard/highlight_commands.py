@@ -44,8 +44,8 @@ class HighlightCommands:
         session = self._session
         what = highlighted(self._context).changeable(session.document)
         words = what.told(session.document)
-        if remove(session, what, "Delete") and not what.points.parts:
-            session.say(f"Deleted {words}.")
+        if (change := remove(session, what, "Delete")) and not what.points.parts:
+            session.say(f"Deleted {words}. {change.told}".rstrip())
 
     @action(
         "deleteLeavingHandles",
