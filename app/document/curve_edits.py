@@ -160,6 +160,9 @@ def refuse_locked(before: Document, after: Document) -> None:
     for place, curve in enumerate(before.curves):
         if not curve.locked or (same_places and after.curves[place] is curve):
             continue
+        if same_places and curve.clone is not None and after.curves[place].clone == curve.clone:
+            # It follows its original.
+            continue
         only_looks = same_places and without_looks(after.curves[place]) == without_looks(curve)
         # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
         if not only_looks and not any(other is curve for other in after.curves):
@@ -179,5 +182,14 @@ def locked_sentence(names: Sequence[str]) -> str:
 def without_looks(curve: Curve) -> Curve:
     """Return a curve without what does not shape it."""
     return replace(
-        curve, name="", style=PLAIN_STYLE, shape="", groups=(), visible=True, locked=False, text=None
+        curve,
+        name="",
+        style=PLAIN_STYLE,
+        shape="",
+        groups=(),
+        visible=True,
+        locked=False,
+        text=None,
+        identity="",
+        clone=None,
     )

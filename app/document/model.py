@@ -10,6 +10,7 @@ from typing import Annotated
 from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
+from .clone import Clone, Identity
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
@@ -206,6 +207,10 @@ class Curve(Value, frozen=True, dict=True):
         The text that it is a letter of, or a part of one; None for curves that were not written.
     form
         What it was drawn as: a rectangle, an ellipse; see ``view_model.formed`` for what it is of that now.
+    identity
+        What its clones know it by; empty for one that never had any.
+    clone
+        What it is a clone of, and the map from there.
     """
 
     name: str
@@ -225,6 +230,8 @@ class Curve(Value, frozen=True, dict=True):
     other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
     text: Text | None = None
     form: AnyForm | None = None
+    identity: Identity = ""
+    clone: Clone | None = None
 
     def with_family(self, family: Family) -> Curve:
         """Return this curve with another family, and the settings that it had when it was of that one."""

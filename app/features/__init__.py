@@ -27,6 +27,7 @@ FEATURES = (
     "choosing",
     "transform",
     "clipboard",
+    "clones",
     "basis",
     "plots",
     "teaching",

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Collection, Hashable, Sequence
+from functools import partial
 from pathlib import Path
 
 from msgspec.structs import replace
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoStack
 
+from ..document.clones import followed, settled, words_about_unlinked
 from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
@@ -198,7 +200,7 @@ class Session(SessionSignals):
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        document = tidy_shapes(plain(document, self._shown), self._shown)
+        document = tidy_shapes(self._with_clones(document, followed), self._shown)
         if document is self._shown:
             return True
         if reason := why_locked(self._committed, document):
@@ -219,7 +221,7 @@ class Session(SessionSignals):
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a locked curve is another one, or no file could hold it."""
-        document = tidy_shapes(plain(document, self._shown), self._shown)
+        document = tidy_shapes(self._with_clones(document, settled), self._shown)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
@@ -232,7 +234,15 @@ class Session(SessionSignals):
         after = State(document, self.active_index if active is None else active, self.files.beginning)
         self.history.push(before, after, text, run)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
-        return Change(is_done=True)
+        if told := words_about_unlinked(before.document, document):
+            self.telling.then(partial(self.say, told))
+        return Change(is_done=True, told=told)
+
+    def _with_clones(
+        self, document: Document, follow: Callable[[Document, Document, Document], Document]
+    ) -> Document:
+        """Return a document with plain values whose clones follow."""
+        return follow(plain(document, self._shown), self._committed, self._shown)
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""

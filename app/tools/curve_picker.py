@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from ..document.clones import words_of_clones
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
 from ..document.shape_edits import pressed
@@ -74,7 +75,8 @@ class CurvePicker:
             return Hint(f"{_words_within(context, hit)} · Drag: select with a rubber band", grab=True)
         click = _words_of_click(context, hit, is_chosen=is_chosen)
         drag = hints.to_move(group.quoted, context.pointer)
-        return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
+        clone = words_of_clones(host.document, [curve for curve, _ in group.parts])
+        return Hint(f"{drag}{clone} · {click}", cursor=Cursor.MOVE)
 
     def idle_hint(self, context: ToolContext) -> Hint | None:
         """Return the hint beside what can be pressed, where there is more to say than of points to select.
@@ -86,7 +88,8 @@ class CurvePicker:
             return Hint(locked)
         if group is not None and group.is_whole:
             after = "only the one edited" if host.selected.is_editing else "none"
-            return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns · Click here: {after}")
+            clone = words_of_clones(host.document, host.selected.chosen)
+            return Hint(f"{chosen_curves(host)}{clone} · G moves, S scales, R turns · Click here: {after}")
         if host.selected.is_editing:
             return None
         return Hint(

@@ -41,7 +41,11 @@ _LOOKS = ("stroke_bounds",)
 LINE = tuple(
     name
     for name in Curve.__struct_fields__
-    if name not in ("name", "style", "shape", "groups", "visible", "locked", "other_settings", "text")
+    if name
+    not in (
+        *("name", "style", "shape", "groups", "visible", "locked", "other_settings", "text"),
+        *("identity", "clone"),
+    )
 )
 """Fields of a curve that decide where it runs."""
 

@@ -116,7 +116,7 @@ PATH_OPERATIONS = (
     PathOperation(
         name="pathDivision",
         title="Division",
-        key="Ctrl+/, Alt+Shift+D",
+        key="Ctrl+/, Alt+Shift+V",
         icon="path-division",
         tip="Cut the hindmost shape into parts along the outlines of those in front",
         keywords="boolean divide split slice knife path",

@@ -9,6 +9,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.clip import Clip, ring_of
+from app.document.clone import Clone
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
 from app.document.forms import Rectangle
@@ -41,6 +42,7 @@ FULL = Document(
             ),
             text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
             form=Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5),
+            clone=Clone("leaf", 0.5, 0.5, 0.5, 0.5, 1.0, 2.0),
         ),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
@@ -133,6 +135,7 @@ def test_every_length_goes_with_the_unit():
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {"text.letter_spacing", "text.line_spacing"}
     of_curves |= {f"style.{name}" for name in of_styles}
+    of_curves |= {f"clone.{name}" for name in ("xx", "xy", "yx", "yy")}
     of_pictures = {"image.opacity", "kept_pictures.opacity", "kept_pictures.part"}
     # In units of the text, which goes with the unit as a whole.
     of_runs = {"size", "weight", "spacing", "right", "down", "fill_opacity", "stroke_opacity", "width"}

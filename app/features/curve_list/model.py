@@ -35,6 +35,7 @@ class Row(NamedTuple):
     visible: bool
     locked: bool
     facts: str
+    is_clone: bool = False
 
 
 class Entry(NamedTuple):
@@ -353,7 +354,9 @@ def _row_of_curve(curve: Curve) -> Row:
     facts = f"{family}, {count_of(len(curve.points), 'point')}"
     if curve.is_closed:
         facts += ", closed"
-    return Row(curve.name, curve.style, curve.visible, curve.locked, facts)
+    if is_clone := curve.clone is not None:
+        facts += ", clone"
+    return Row(curve.name, curve.style, curve.visible, curve.locked, facts, is_clone)
 
 
 def _state(row: Row, entry: Entry) -> str:

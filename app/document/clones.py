@@ -1,0 +1,339 @@
+"""Clones follow their originals: pure functions at the door that every change passes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from operator import attrgetter
+
+from msgspec.structs import replace
+
+from .clone import Clone
+from .derivatives import VECTORS
+from .edits import EditError
+from .model import Curve, Document, Point, Vector
+from .several_curves import Added, add_copies, named
+from .shapes import with_values
+from .steps import reshaped
+from .transforms import Affine, transform_points
+from .words import names_of
+
+_RULES = (
+    *("family", "parametrization", "velocity_rule", "acceleration_rule", "jerk_rule"),
+    *("closed", "settings", "form"),
+)
+"""What of a curve beside its points says how it runs, which a clone has as its original does."""
+
+_OFF = 1e-9
+"""Share of its size by which a clone may be off a map of its original: roundings."""
+
+_clone = attrgetter("clone")
+_rules = attrgetter(*_RULES)
+_known: tuple[tuple[Curve, ...], bool] = ((), False)
+
+
+# Making them
+
+
+def add_clones(document: Document, curves: Collection[int], identity: Callable[[], str]) -> Added:
+    """Add clones of curves, in their order, on them and as they look; see `add_copies`.
+
+    `identity` makes one for a curve that had no clone before.
+    """
+    originals = list(document.curves)
+    for place in curves:
+        if not originals[place].identity:
+            originals[place] = replace(originals[place], identity=identity())
+    document = replace(document, curves=tuple(originals))
+    added = add_copies(document, curves)
+    new = list(added.document.curves)
+    for original, place in zip(sorted(curves), added.places, strict=True):
+        clone = Clone(document.curves[original].identity)
+        new[place] = replace(new[place], identity="", text=None, clone=clone)
+    return Added(replace(added.document, curves=tuple(new)), added.places)
+
+
+def unlinked(document: Document, curves: Collection[int]) -> Document:
+    """Return the document in which these curves are clones no more; they stay as they are."""
+    new = (replace(each, clone=None) if at in curves else each for at, each in enumerate(document.curves))
+    return replace(document, curves=tuple(new))
+
+
+def original_of(document: Document, place: int) -> int:
+    """Return the place of what a curve is a clone of; −1 for none."""
+    clone = document.curves[place].clone
+    if clone is None:
+        return -1
+    return next((at for at, each in enumerate(document.curves) if each.identity == clone.of), -1)
+
+
+def words_of_clones(document: Document, places: Collection[int]) -> str:
+    """Return of what curves are a clone, to follow their name; empty where they are none."""
+    if not all(document.curves[place].clone is not None for place in places):
+        return ""
+    originals = {original_of(document, place) for place in places}
+    return f", a clone of “{named(document, originals)}”" if originals and -1 not in originals else ""
+
+
+def words_about_unlinked(before: Document, after: Document) -> str:
+    """Return which clones of `before` are curves of their own now, as a sentence; empty for none."""
+    if not _are_clones_in(before):
+        return ""
+    were = {curve.name for curve in before.curves if curve.clone is not None}
+    names = [f"“{each.name}”" for each in after.curves if each.clone is None and each.name in were]
+    if not names:
+        return ""
+    return f"{names_of(names)} {'is no clone' if len(names) == 1 else 'are no clones'} any more."
+
+
+# Following
+
+
+def followed(document: Document, before: Document, shown: Document) -> Document:
+    """Return the document whose clones run as their originals do.
+
+    Those that the edit itself has changed since `before`, or since what is `shown`, stay as they are.
+    """
+    if not (_are_clones_in(before) or (reshaped(shown, document) is None and _has_clones(document))):
+        return document
+    return _Following(document, before, shown).followed()
+
+
+def settled(document: Document, before: Document, shown: Document) -> Document:
+    """Return the same for a step of the history: a clone that was moved has another map.
+
+    One that runs otherwise than its original, or has lost that, is a clone no more.
+    """
+    if not (_are_clones_in(before) or (reshaped(shown, document) is None and _has_clones(document))):
+        return document
+    return _Following(document, before, shown).settled()
+
+
+def _has_clones(document: Document) -> bool:
+    return any(map(_clone, document.curves))
+
+
+def _are_clones_in(before: Document) -> bool:
+    """Whether there are clones in the last step of the history, which is asked at every move of a drag."""
+    global _known  # noqa: PLW0603
+    if _known[0] is not before.curves:
+        _known = before.curves, _has_clones(before)
+    return _known[1]
+
+
+class _Following:
+    """Clones of a document, their originals, and both as they were."""
+
+    def __init__(self, document: Document, before: Document, shown: Document) -> None:
+        self._document = document
+        self._before = _by_identity(before.curves)
+        self._now = _by_identity(document.curves, self._before)
+        self._untouched: dict[int, tuple[Curve, Mapping[str, Curve]]] = {}
+        for each, originals in ((shown, _by_identity(shown.curves)), (before, self._before)):
+            clones = (curve for curve in each.curves if curve.clone is not None)
+            self._untouched |= {id(curve.points): (curve, originals) for curve in clones}
+        self._done: dict[int, Curve] = {}
+
+    def followed(self) -> Document:
+        """Return the document with what runs as an original does that has changed."""
+        return self._with(lambda curve: self._following(curve, ()))
+
+    def settled(self) -> Document:
+        """Return it with the maps of clones that were moved, without those that are none any more."""
+        document = self._with(lambda curve: self._own(self._following(curve, ())))
+        if document is not self._document:
+            self._document, self._done = document, {}
+            self._now = _by_identity(document.curves, self._before)
+        return self._with(self._settled)
+
+    def _with(self, edit: Callable[[Curve], Curve]) -> Document:
+        curves = tuple(
+            edit(curve) if curve.clone is not None or curve.identity else curve
+            for curve in self._document.curves
+        )
+        is_same = all(new is old for new, old in zip(curves, self._document.curves, strict=True))
+        return self._document if is_same else replace(self._document, curves=curves)
+
+    def _own(self, curve: Curve) -> Curve:
+        """Return a curve without the identity of another one, of which it is a copy."""
+        own = self._now.get(curve.identity)
+        is_copy = own is not None and own.name != curve.name
+        return replace(curve, identity="") if is_copy else curve
+
+    def _following(self, curve: Curve, within: Sequence[str]) -> Curve:
+        clone = curve.clone
+        if clone is None or id(curve) in self._done:
+            return self._done.get(id(curve), curve)
+        found, known = self._now.get(clone.of), self._untouched.get(id(curve.points))
+        if found is None or known is None or clone.of in within:
+            return curve
+        original, (was, originals) = self._following(found, (*within, clone.of)), known
+        before = originals.get(clone.of)
+        if before is None or _is_same_course(original, before) or _rules(curve) != _rules(was):
+            return curve
+        try:
+            points = _mapped_points(original, map_of(clone))
+        except EditError:
+            # Beyond all limits: it stays, and is a clone no more.
+            return curve
+        values = {name: getattr(original, name) for name in _RULES}
+        if not before.style.is_placed and curve.style == before.style and not original.style.is_placed:
+            values["style"] = original.style
+        if len(points) == len(before.points) == len(curve.points):
+            # Where the person put it, and the same object, as long as its original is.
+            trios = zip(points, original.points, before.points, curve.points, strict=True)
+            points = tuple(own if now is then else point for point, now, then, own in trios)
+        self._done[id(curve)] = new = replace(with_values(curve, values), points=points)
+        return new
+
+    def _settled(self, curve: Curve) -> Curve:
+        clone = curve.clone
+        if clone is None:
+            return curve
+        original = self._now.get(clone.of)
+        if original is None or original is curve or _rules(original) != _rules(curve):
+            return replace(curve, clone=None)
+        by: Affine | None = map_of(clone)
+        if not _runs_as(original, curve.points, map_of(clone)):
+            by = map_between(original, curve.points)
+            clone = clone if by is None else clone_by(clone.of, by)
+        if by is None or not _is_image(original, by):
+            return replace(curve, clone=None)
+        return curve if clone == curve.clone else replace(curve, clone=clone)
+
+
+def _by_identity(curves: Sequence[Curve], before: Mapping[str, Curve] | None = None) -> dict[str, Curve]:
+    """Return the originals; of several of an identity the one that had it before, the others being copies."""
+    found: dict[str, Curve] = {}
+    for curve in curves:
+        if not curve.identity:
+            continue
+        if curve.identity in found:
+            was = before.get(curve.identity) if before else None
+            if was is None or curve.name != was.name:
+                continue
+        found[curve.identity] = curve
+    return found
+
+
+def _is_same_course(one: Curve, other: Curve) -> bool:
+    return one is other or (
+        one.points is other.points and _rules(one) == _rules(other) and one.style is other.style
+    )
+
+
+# Maps
+
+
+def map_of(clone: Clone) -> Affine:
+    """Return the map of a clone."""
+    return Affine(clone.xx, clone.xy, clone.yx, clone.yy, (0.0, 0.0), clone.shift)
+
+
+def clone_by(of: str, by: Affine) -> Clone:
+    """Return the clone by a map."""
+    x, y = by.point((0.0, 0.0))
+    return Clone(of, by.xx, by.xy, by.yx, by.yy, x, y)
+
+
+def _mapped_points(original: Curve, by: Affine) -> tuple[Point, ...]:
+    """Return the points that an original has where it is mapped as by hand."""
+    return transform_points(Document((original,)), 0, range(len(original.points)), by).curves[0].points
+
+
+def _is_image(original: Curve, by: Affine) -> bool:
+    """Whether the curve through mapped points is the mapped curve.
+
+    What is estimated, or spaced by distances, is so under some maps only; handles are taken along by all.
+    """
+    x, y = by.xx + 1.0, by.yy + 1.0
+    if not (by.xx or by.xy or by.yx or by.yy) and original.family.is_built_in:
+        return True
+    if _is_all_given(original):
+        return original.family.is_built_in
+    most = max(abs(each) for each in (x, y, by.xy, by.yx))
+    is_even = any(math.dist((x, by.xy), (sign * y, -sign * by.yx)) <= _OFF * most for sign in (1.0, -1.0))
+    asks = original.parametrization.kind.asks_where_points_are
+    return (
+        original.family.is_built_in
+        and all(rule.is_linear for rule in original.rules)
+        and (is_even or not asks)
+    )
+
+
+def _is_all_given(curve: Curve) -> bool:
+    """Whether the person set all derivatives that the curve has, of each joint on both sides."""
+    joints = curve.points if curve.is_closed else curve.points[1:-1]
+    if not all(point.corner for point in joints):
+        return False
+    for order in range(1, curve.family.derivatives + 1):
+        sides = [side for point in curve.points for side in point.explicit_sides(order)]
+        if None in (sides if curve.is_closed else sides[1:-1]):
+            return False
+    return curve.family.derivatives > 0
+
+
+def _sites(points: Sequence[Point]) -> Iterator[Vector]:
+    """Yield the places of points, and where the derivatives that are set there lead."""
+    for point in points:
+        yield point.position
+        for _, name in VECTORS:
+            if (vector := getattr(point, name)) is not None:
+                yield point.x + vector[0], point.y + vector[1]
+
+
+def _runs_as(original: Curve, points: Sequence[Point], by: Affine) -> bool:
+    """Whether a map takes an original to other points, but for roundings."""
+    try:
+        mapped = _mapped_points(original, by)
+    except EditError:
+        return False
+    pairs = list(zip(mapped, points, strict=False))
+    if len(mapped) != len(points) or any(_kind(one) != _kind(other) for one, other in pairs):
+        return False
+    here, there = list(_sites(mapped)), list(_sites(points))
+    room = _OFF * max((abs(value) for place in (*here, *there) for value in place), default=0.0)
+    return all(math.dist(a, b) <= room for a, b in zip(here, there, strict=True))
+
+
+def _kind(point: Point) -> tuple[object, ...]:
+    vectors = (getattr(point, name) is not None for _, name in VECTORS)
+    return (point.corner, point.tied, point.t, *vectors)
+
+
+def map_between(original: Curve, points: Sequence[Point]) -> Affine | None:
+    """Return the affine map that takes an original to other points; None where there is none."""
+    here, there = ([point.position for point in each] for each in (original.points, points))
+    if len(here) != len(there) or not here:
+        return None
+    return next((by for by in _guesses(here, there) if _runs_as(original, points, by)), None)
+
+
+def _guesses(here: Sequence[Vector], there: Sequence[Vector]) -> Iterator[Affine]:
+    """Yield maps that take some places where they should be: a shift, a similarity, any other."""
+    start, to = here[0], there[0]
+    shift = (to[0] - start[0], to[1] - start[1])
+    yield Affine(0.0, 0.0, 0.0, 0.0, start, shift)
+    far = max(range(len(here)), key=lambda at: math.dist(start, here[at]))
+    a, c = _way(start, here[far]), _way(to, there[far])
+    length = a[0] ** 2 + a[1] ** 2
+    if not length:
+        return
+    cos, sin = (a[0] * c[0] + a[1] * c[1]) / length, (a[0] * c[1] - a[1] * c[0]) / length
+    yield Affine(cos - 1.0, -sin, sin, cos - 1.0, start, shift)
+    off = max(range(len(here)), key=lambda at: abs(_cross(a, _way(start, here[at]))))
+    b, d = _way(start, here[off]), _way(to, there[off])
+    size = _cross(a, b)
+    if abs(size) <= _OFF * length:
+        return
+    xx, xy = (c[0] * b[1] - d[0] * a[1]) / size, (d[0] * a[0] - c[0] * b[0]) / size
+    yx, yy = (c[1] * b[1] - d[1] * a[1]) / size, (d[1] * a[0] - c[1] * b[0]) / size
+    yield Affine(xx - 1.0, xy, yx, yy - 1.0, start, shift)
+
+
+def _way(start: Vector, end: Vector) -> Vector:
+    return end[0] - start[0], end[1] - start[1]
+
+
+def _cross(a: Vector, b: Vector) -> float:
+    return a[0] * b[1] - a[1] * b[0]
