@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from ...document.kept import KeptPicture, KeptText
 from ..drawing.extents import extent_of
+from .clips import clip_of_box
 from .groups import Drawn, Group
 from .kept_pictures import KeptPictures
 from .kept_texts import KeptTexts
@@ -45,7 +46,8 @@ class KeptThings:
         """Keep what an element shows over so many paths; return what is said of it."""
         flaw = NO_CURVES[tag]
         if tag == "text" and (lines := self._reads_texts.lines(element, state)):
-            self._texts += [(line, behind, state.groups) for line in lines]
+            clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in state.windows))
+            self._texts += [(replace(line, clips=clips), behind, state.groups) for line in lines]
             return Flaw(flaw.why, _SHOWN)
         if tag == "image" and (picture := self._reads_pictures.picture(element, state)) is not None:
             self._pictures.append((picture, behind, state.groups))
