@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated, Final
 
+from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, above, at_least, between, few, matching
 from .guide import Length
 from .value import Value, Vector
@@ -25,6 +26,7 @@ _WORDS = Requirement(
     f"be a line of at most {MOST_LETTERS} letters",
     shown=len,
 )
+_FEW_CLIPS = few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips")
 _DATA = matching("[A-Za-z0-9+/]*={0,2}", "be the file of a picture in Base64")
 
 
@@ -93,6 +95,8 @@ class KeptText(Value, frozen=True):
         Whether it lies behind the curves.
     groups
         As in `Curve`.
+    clips
+        Areas beyond each of which nothing of it is seen.
     """
 
     x: Length
@@ -103,6 +107,7 @@ class KeptText(Value, frozen=True):
     anchor: Anchor = Anchor.START
     behind: bool = False
     groups: tuple[str, ...] = ()
+    clips: Annotated[tuple[Clip, ...], _FEW_CLIPS] = ()
 
     @property
     def words(self) -> str:
@@ -129,6 +134,8 @@ class KeptPicture(Value, frozen=True):
         Whether it lies behind the curves.
     groups
         As in `Curve`.
+    clips
+        Areas beyond each of which nothing of it is seen.
     """
 
     x: Length
@@ -140,3 +147,4 @@ class KeptPicture(Value, frozen=True):
     opacity: Annotated[float, SHARE] = 1.0
     behind: bool = False
     groups: tuple[str, ...] = ()
+    clips: Annotated[tuple[Clip, ...], _FEW_CLIPS] = ()

@@ -69,7 +69,8 @@ def with_kept_mapped(
         x, y = place(corner)
         ends = ((kept.x + way[0], kept.y + way[1]) for way in (kept.across, kept.down))
         right, down = (_way((x, y), place(end)) for end in ends)
-        return replace(kept, x=x, y=y, across=right, down=down)
+        clips = tuple(clip.mapped(place) for clip in kept.clips)
+        return replace(kept, x=x, y=y, across=right, down=down, clips=clips)
 
     return replace(
         document,

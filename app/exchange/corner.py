@@ -8,6 +8,7 @@ from ..document.edits import EditError
 from ..document.model import Document, Guide, Page, Vector
 from ..document.several_curves import stepped, whole_curves
 from ..document.transforms import decimal_sum
+from .drawing.kept_drawn import placed
 
 
 def shifted(document: Document, by: Vector) -> Document:
@@ -29,19 +30,23 @@ def shifted(document: Document, by: Vector) -> Document:
         for each in (document.page, document.image)
     )
     guides = tuple(_moved(guide, by) for guide in document.guides)
-    texts, pictures = (
-        tuple(replace(each, x=decimal_sum(each.x, by[0]), y=decimal_sum(each.y, by[1])) for each in kept)
-        for kept in (document.kept_texts, document.kept_pictures)
-    )
+
+    def place(at: Vector) -> Vector:
+        return (decimal_sum(at[0], by[0]), decimal_sum(at[1], by[1]))
+
     return replace(
         document,
         curves=curves,
         page=page,
         guides=guides,
         image=image,
-        kept_texts=texts,
-        kept_pictures=pictures,
+        kept_texts=placed(document.kept_texts, place, _way),
+        kept_pictures=placed(document.kept_pictures, place, _way),
     )
+
+
+def _way(way: Vector) -> Vector:
+    return way
 
 
 def _moved(guide: Guide, by: Vector) -> Guide:

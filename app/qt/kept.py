@@ -22,6 +22,7 @@ from PySide6.QtGui import (
 
 from ..document.kept import WHOLE, Anchor, KeptPicture, KeptRun, KeptText
 from ..document.style import NO_PAINT
+from .clips import clipped
 from .glyphs import has_fonts
 from .picture_data import ImageFileError, decoded
 from .strokes import with_opacity
@@ -70,14 +71,12 @@ def paint_kept(
 ) -> None:
     """Paint texts over pictures where a way leads from the plane."""
     for picture in pictures:
-        painter.save()
-        _paint_picture(painter, picture, plane_of(picture) * way, inks)
-        painter.restore()
+        with clipped(painter, picture.clips, way):
+            _paint_picture(painter, picture, plane_of(picture) * way, inks)
     for text in texts:
-        painter.save()
-        painter.setTransform(plane_of(text) * way, True)
-        _paint_text(painter, text, inks)
-        painter.restore()
+        with clipped(painter, text.clips, way):
+            painter.setTransform(plane_of(text) * way, True)
+            _paint_text(painter, text, inks)
 
 
 def _paint_picture(painter: QPainter, picture: KeptPicture, way: QTransform, inks: Inks) -> None:

@@ -50,8 +50,10 @@ FULL = Document(
     page=Page(0.0, 0.0, 1.0, 1.0),
     layers=("Layer 1",),
     empty_layers=(EmptyLayer("Layer 1"),),
-    kept_texts=(KeptText(1.0, 2.0, PAIR, PAIR, (KeptRun("I", spacing=1.0, right=1.0, down=1.0),)),),
-    kept_pictures=(KeptPicture(1.0, 2.0, PAIR, PAIR),),
+    kept_texts=(
+        KeptText(1.0, 2.0, PAIR, PAIR, (KeptRun("I", spacing=1.0, right=1.0, down=1.0),), clips=(CLIP,)),
+    ),
+    kept_pictures=(KeptPicture(1.0, 2.0, PAIR, PAIR, clips=(CLIP,)),),
 )
 """A number wherever a document may have one."""
 

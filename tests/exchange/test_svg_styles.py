@@ -216,6 +216,20 @@ CLIP = '<clipPath id="c"><{}/></clipPath><g clip-path="url(#c)"><path id="a" d="
 MISSED = [
     ('<text id="t">Hi</text>', "<text> “t”: text is no curve; shown in a new document, but not edited."),
     ("<text>Hi you</text>", "<text> “Hi you”: text is no curve; shown in a new document, but not edited."),
+    (
+        '<text id="t"><tspan rotate="30">Hi</tspan></text>',
+        "<text> “t”: text is no curve; shown in a new document without turned or stretched letters, "
+        "but not edited.",
+    ),
+    (
+        '<text id="t" textLength="99">Hi</text>',
+        "<text> “t”: text is no curve; shown in a new document without turned or stretched letters, "
+        "but not edited.",
+    ),
+    (
+        '<text id="t" rotate="0">Hi</text>',
+        "<text> “t”: text is no curve; shown in a new document, but not edited.",
+    ),
     ('<image href="file:///etc/passwd"/>', "<image> (element 2): a picture is no curve; left out."),
     ('<use href="other.svg#a"/>', "<use> (element 2): what it uses is not in the file; left out."),
     ('<path d="M0 0h9" fill="none"/>', "<path> (element 2): it has neither a stroke nor a fill; left out."),

@@ -21,7 +21,8 @@ def placed(
     found = []
     for each in kept:
         x, y = place((each.x, each.y))
-        found.append(replace(each, x=x, y=y, across=way(each.across), down=way(each.down)))
+        clips = tuple(clip.mapped(place) for clip in each.clips)
+        found.append(replace(each, x=x, y=y, across=way(each.across), down=way(each.down), clips=clips))
     return tuple(found)
 
 

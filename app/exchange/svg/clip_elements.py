@@ -37,6 +37,15 @@ class ClipElements:
             self.lines += [f'    <clipPath id="{name}">', f"      {_path(clips[0], rest)}", "    </clipPath>"]
         return f"url(#{self._known[clips]})"
 
+    def around(self, element: str, clips: tuple[Clip, ...]) -> str:
+        """Return an element within groups that are cut by clips.
+
+        Clips of clips are not read by all programs, and a group without a name is none of the drawing.
+        """
+        for each in clips:
+            element = f'<g clip-path="{self.reference((each,))}">{element}</g>'
+        return element
+
 
 def _path(clip: Clip, rest: str) -> str:
     rule = ' clip-rule="evenodd"' if clip.evenodd else ""

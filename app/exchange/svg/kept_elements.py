@@ -9,15 +9,18 @@ from msgspec.structs import replace
 from ...document.kept import WHOLE, KeptPicture, KeptRun, KeptText
 from ...document.style import NO_PAINT
 from ..drawing.drawing import Drawing
+from .clip_elements import ClipElements
 from .numbers import number
 from .tree import escaped, quoted
 
 
-def kept_elements(drawing: Drawing, *, behind: bool) -> list[str]:
+def kept_elements(drawing: Drawing, clips: ClipElements, *, behind: bool) -> list[str]:
     """Return what a drawing shows beside curves, in front of them or behind them; pictures that are in it."""
     pictures = [each for each in drawing.kept_pictures if each.behind is behind and each.data]
     texts = [each for each in drawing.kept_texts if each.behind is behind]
-    return [f"  {each}" for each in (*map(_picture, pictures), *map(_text, texts))]
+    elements = [(_picture(each), each.clips) for each in pictures]
+    elements += [(_text(each), each.clips) for each in texts]
+    return [f"  {clips.around(*each)}" for each in elements]
 
 
 def _matrix(kept: KeptText | KeptPicture) -> str:

@@ -15,6 +15,7 @@ from curvecore.arrays import FloatArray
 from ...document.kept import MOST_DATA, KeptPicture
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
+from .clips import clip_of_box
 from .matrices import Box, combined, fitted_box, moved
 from .shapes import length_of
 from .state import State
@@ -57,17 +58,19 @@ class KeptPictures:
             return None
         (right, other_right, x), (up, other_up, y) = matrix.tolist()
         opacity = round(state.properties.opacity, 6)
-        return KeptPicture(x, y, (right, up), (other_right, other_up), text, part, opacity)
+        askew = (each for each in state.windows if not _is_along(combined(_inverse(matrix), each.matrix)))
+        clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in askew))
+        return KeptPicture(x, y, (right, up), (other_right, other_up), text, part, opacity, clips=clips)
 
 
 def _seen(matrix: FloatArray, state: State) -> tuple[float, float, float, float] | None:
     """Return what of a picture is seen in the boxes around it that lie along its edges; None for nothing."""
-    inverse = np.linalg.inv(np.vstack([matrix, (0.0, 0.0, 1.0)]))[:2]
+    inverse = _inverse(matrix)
     low, high = np.zeros(2), np.ones(2)
     for window in state.windows:
         x, y, width, height = window.box
         by = combined(inverse, window.matrix)
-        if np.count_nonzero(np.abs(by[:, :2]) > _ASKEW * np.abs(by[:, :2]).max()) != 2:
+        if not _is_along(by):
             continue
         ends = moved(np.array([(x, y), (x + width, y + height)]), by)
         low, high = np.maximum(low, ends.min(axis=0)), np.minimum(high, ends.max(axis=0))
@@ -75,6 +78,16 @@ def _seen(matrix: FloatArray, state: State) -> tuple[float, float, float, float]
         return None
     (left, top), (right, bottom) = low.tolist(), high.tolist()
     return left, top, right, bottom
+
+
+def _inverse(matrix: FloatArray) -> FloatArray:
+    found: FloatArray = np.linalg.inv(np.vstack([matrix, (0.0, 0.0, 1.0)]))[:2]
+    return found
+
+
+def _is_along(by: FloatArray) -> bool:
+    """Whether a matrix leaves edges along edges."""
+    return int(np.count_nonzero(np.abs(by[:, :2]) > _ASKEW * np.abs(by[:, :2]).max())) == 2
 
 
 def _place_of(element: ET.Element, state: State, size: tuple[float, float] | None) -> Box | None:

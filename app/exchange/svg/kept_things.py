@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from ...document.kept import KeptPicture, KeptText
 from ..drawing.extents import extent_of
+from .clips import clip_of_box
 from .groups import Drawn, Group
 from .kept_pictures import KeptPictures
 from .kept_texts import KeptTexts
@@ -29,6 +30,7 @@ NO_CURVES |= dict.fromkeys(("set", "animateMotion", "animateTransform"), NO_CURV
 """Elements that show something else than curves, and what is said of them where they are not shown."""
 
 _SHOWN = "shown in a new document, but not edited"
+_EVEN = "shown in a new document without turned or stretched letters, but not edited"
 _FRAMED = "its file lies elsewhere: a frame shows where it is"
 
 
@@ -45,8 +47,9 @@ class KeptThings:
         """Keep what an element shows over so many paths; return what is said of it."""
         flaw = NO_CURVES[tag]
         if tag == "text" and (lines := self._reads_texts.lines(element, state)):
-            self._texts += [(line, behind, state.groups) for line in lines]
-            return Flaw(flaw.why, _SHOWN)
+            clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in state.windows))
+            self._texts += [(replace(line, clips=clips), behind, state.groups) for line in lines]
+            return Flaw(flaw.why, _EVEN if _is_uneven(element) else _SHOWN)
         if tag == "image" and (picture := self._reads_pictures.picture(element, state)) is not None:
             self._pictures.append((picture, behind, state.groups))
             return Flaw(flaw.why, _SHOWN if picture.data else _FRAMED)
@@ -72,6 +75,13 @@ class KeptThings:
             for each, place, groups in self._pictures
         )
         return texts, pictures
+
+
+def _is_uneven(text: ET.Element) -> bool:
+    """Whether letters of a text are turned, or stretched to a length."""
+    return any(
+        each.get("textLength") or (each.get("rotate") or "0").strip() not in ("0", "") for each in text.iter()
+    )
 
 
 def _covers(picture: KeptPicture, drawn: Sequence[Drawn]) -> bool:

@@ -35,6 +35,8 @@ class Tree:
     ----------
     lines
         What was written so far.
+    clips
+        What it is cut by.
 
     Of the drawing's layers it says whether all in them is hidden or locked; empty ones are written, too.
     """
@@ -56,13 +58,13 @@ class Tree:
         self._open: tuple[str, ...] = ()
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
-        self._clips = ClipElements(self._ids)
+        self.clips = ClipElements(self._ids)
         self.lines: list[str] = []
 
     @property
     def definitions(self) -> list[str]:
         """The gradients that paint what was written, and what it is cut by, in an element of their own."""
-        found = [*self._gradients.lines, *self._clips.lines]
+        found = [*self._gradients.lines, *self.clips.lines]
         return ["  <defs>", *found, "  </defs>"] if found else []
 
     def add(self, shape: tuple[Outline, ...]) -> None:
@@ -70,18 +72,15 @@ class Tree:
         first = shape[0]
         self._go_into(first.groups)
         style = style_attributes(first.style, self._style, self._usual_width, self._gradients)
-        clips = [self._clips.reference((each,)) for each in first.style.clips]
+        clips = first.style.clips
         around = [self._layers[name] for name in self._layers_of(first)]
         # What a layer says goes for all in it.
         unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
         tag, runs = _as_form(shape) or ("path", f' d="{path_data(shape)}"')
-        cut = "".join(f' clip-path="{each}"' for each in clips[:1])
+        cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
         element = f"<{tag}{self._called(first.shape or first.name)}{runs}{style}{cut}{unseen}{locked}/>"
-        # Clips of clips are not read by all programs: a group without a name is none of the drawing.
-        for each in clips[1:]:
-            element = f'<g clip-path="{each}">{element}</g>'
-        self._write(element)
+        self._write(self.clips.around(element, clips[1:]))
 
     def close(self) -> None:
         """Close all groups."""

@@ -100,6 +100,7 @@ def svg_text(
     curves = _curves(drawing, style, report)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
+    behind, front = (kept_elements(drawing, curves.clips, behind=each) for each in (True, False))
     note = accuracy_of(drawing) if tells_exactness else ""
     mark = note or f"{CLOSE if drawing.deviation else EXACT}."
     parts = [
@@ -114,11 +115,11 @@ def svg_text(
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
         *curves.definitions,
-        *kept_elements(drawing, behind=True),
+        *behind,
         *(["  <g>"] if in_group else []),
         *curves.lines,
         *(["  </g>"] if in_group else []),
-        *kept_elements(drawing, behind=False),
+        *front,
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
         *_annotations(drawing, style, "basis"),
