@@ -12,7 +12,6 @@ from msgspec.structs import replace
 
 from ..document.derivatives import DERIVATIVES
 from ..document.edits import EditError, set_closed, set_position
-from ..document.lines import line_beside
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_group import PointGroup
 from ..document.ties import tied_if_parallel
@@ -51,8 +50,8 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
     """Join the end of each curve to the start of the next: one curve, its parameters one after the other.
 
     All keep their shapes. Where end and start coincide they become one point, a corner if the derivatives
-    there differ; else a segment leads from one to the other: a straight one beside a straight segment, or
-    one that goes on from the curves, at the mean of the speeds on both sides.
+    there differ; else a straight segment leads from one to the other, at the mean of the speeds on both
+    sides, or one that goes on from the curves where the family has no derivatives to make corners with.
 
     Parameters
     ----------
@@ -86,7 +85,7 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
     curve = part_of(parts[kept], points, last, parts[kept].name)
     if is_closed:
         curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
-    if lines := [*_straight_bridges(parts, waits)]:
+    if curve.family.derivatives and (lines := [*_bridges(parts, waits)]):
         curve = with_straight_segments(view_of(curve), lines)
     residual = _residual_of(views, view_of(curve), shifts)
     _refuse_another_shape(views, residual)
@@ -120,15 +119,15 @@ def _one_after_the_other(
     return points, seams
 
 
-def _straight_bridges(parts: Sequence[Curve], waits: Sequence[float]) -> Iterator[int]:
-    """Yield the segments that lead from one curve to the next and lie beside a straight one."""
+def _bridges(parts: Sequence[Curve], waits: Sequence[float]) -> Iterator[int]:
+    """Yield the segments that lead from one curve to the next."""
     last = -1
-    for part, following, wait in zip(parts, (*parts[1:], parts[0]), waits, strict=False):
+    for part, wait in zip(parts, waits, strict=False):
         last += len(part.points)
-        if not wait:
-            last -= 1
-        elif line_beside(part, len(part.points) - 1, ahead=False) or line_beside(following, 0, ahead=True):
+        if wait:
             yield last
+        else:
+            last -= 1
 
 
 def _met(points: Sequence[Point], wait: float) -> list[Point]:

@@ -128,5 +128,6 @@ class Messages(QObject):
             return self._offered[0], False
         if self._image_problem:
             return self._image_problem, True
-        hidden = f"“{view.source.name}” is hidden; it is drawn faintly while you edit it."
-        return self._greeting if view.source.visible else hidden, False
+        if view.source.visible or not self._session.selected.is_editing:
+            return self._greeting, False
+        return f"“{view.source.name}” is hidden; it is drawn faintly while you edit it.", False

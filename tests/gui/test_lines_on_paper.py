@@ -163,11 +163,19 @@ def test_a_page_widens_the_lines_that_are_there_and_undo_takes_it_back(automatic
     canvas.camera.show_box((3.0, 7.0), (6.0, 10.0))
 
     def thickness():
-        """Return how many pixels are blue above one another where the wave turns."""
+        """Return how much blue ink there is above one another where the wave turns, in pixels."""
         session.selected.choose(())
-        column = picture_of(automatic)[:, round(canvas.to_pixel(5.0, 8.0).x())]
-        return int((column == 0x0000D0).sum())
+        place = canvas.to_pixel(5.0, 9.5)
+        # Below the ruler.
+        column = picture_of(automatic)[place.y() :, place.x()].astype(int)
+        # Of white, red below it and blue, only blue has more blue than green: 208 of it where it covers all.
+        return float(((column & 0xFF) - (column >> 8 & 0xFF)).clip(0).sum()) / 0xD0
+
+    def printed():
+        return session.document.page.usual_width * canvas.pixel_map.sy
 
     wide = thickness()
+    assert wide == pytest.approx(printed(), rel=0.03)
     automatic.trigger("undo")
-    assert 8 * thickness() < wide < 16 * thickness()
+    assert thickness() == pytest.approx(printed(), rel=0.03)
+    assert wide == pytest.approx(10 * thickness(), rel=0.05)

@@ -430,6 +430,12 @@ def test_a_locked_curve_refuses_gestures_and_edits_with_a_sentence(three):
 def test_a_hidden_curve_that_is_edited_is_explained(three):
     three.trigger("curveVisible")
     assert three.message == "“B” is hidden; it is drawn faintly while you edit it."
+    # It is not edited while it is only chosen.
+    active = three.session.active_index
+    three.session.selected.choose([active])
+    assert three.message == ""
+    three.session.selected.edit_chosen()
+    assert three.message.startswith("“B” is hidden")
     three.trigger("curveVisible")
     assert three.message == ""
 

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.derivatives import VelocityRule
 from app.document.edits import EditError
+from app.document.lines import is_line
 from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
@@ -333,7 +334,9 @@ def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, c
     assert made.residual < ROUNDING
     assert made.sentence.startswith("Shape kept")
     corners = [index for index, point in enumerate(made.curve.points) if point.corner]
-    assert corners == ([] if apart else [len(first.points) - 1])
+    last = len(first.points) - 1
+    assert corners == ([last, last + 1] if apart else [last])
+    assert is_line(made.curve, last) is bool(apart)
 
 
 def test_a_change_that_is_no_rounding_is_not_called_kept():
@@ -343,15 +346,18 @@ def test_a_change_that_is_no_rounding_is_not_called_kept():
     assert Split((curve, curve), 1e-3).sentence == "the shape is another, largest change 0.001."
 
 
-def test_between_curves_that_do_not_meet_a_smooth_segment_leads_from_one_to_the_other():
+def test_between_curves_that_do_not_meet_a_straight_segment_leads_from_one_to_the_other():
     first = view()
     second = view(HERMITE, [(9.0, 1.0), (10.0, 4.0), (12.0, 5.0)])
     made = joined(first, second)
     after = view_of(made.curve)
     assert len(made.curve.points) == 9
     assert made.residual < ROUNDING
-    assert after.velocity_of(5) == first.velocity_of(5)
+    assert after.velocity_of(5, ahead=False) == first.velocity_of(5)
     assert after.velocity_of(6) == second.velocity_of(0)
+    assert is_line(made.curve, 5)
+    halfway = after.curve.evaluate(after.parameters[5:7].mean())
+    assert halfway == pytest.approx((first.points[-1] + second.points[0]) / 2)
 
 
 @pytest.mark.parametrize(
