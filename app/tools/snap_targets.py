@@ -12,8 +12,9 @@ from ..document.lines import ends_of, is_line
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from ..document.shapes import shapes
-from ..view_model.bounds import NINE, Bounds, Strokes, bounds_of, find_bounds, name_of_place
+from ..view_model.bounds import NINE, Bounds, Strokes, bounds_of, name_of_place
 from ..view_model.curve_view import CurveView
+from ..view_model.exact_boxes import find_boxes
 from ..view_model.nearest import NearestPoint
 from .snapping import Edges, SnapKind, SnapPlaces, Targets
 
@@ -139,7 +140,7 @@ def _boxes(
 ) -> Iterator[tuple[Bounds, str]]:
     """Yield the boxes of visible objects that stay, with their names: the curves of a shape are one."""
     # All at once: one by one takes six times as long.
-    find_bounds([view for view in views if view.source.visible and len(view.points) > 1 and view.is_current])
+    find_boxes([view for view in views if view.source.visible and len(view.points) > 1 and view.is_current])
     for places in shapes([view.source for view in views]):
         if not {*moving}.isdisjoint(places) or not views[places[0]].source.visible:
             continue

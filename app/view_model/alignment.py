@@ -12,7 +12,7 @@ from ..document.point_group import PointGroup
 from ..document.several_curves import changeable, moved, whole_curves
 from ..document.shape_edits import objects
 from ..document.transforms import Edge, Reference, Spacing
-from .bounds import Bounds, Strokes, bounds_of
+from .bounds import Bounds, Strokes, bounds_of_each
 from .curve_view import CurveView
 
 
@@ -106,7 +106,7 @@ def _items(
 ) -> list[_Item]:
     """Return what moves as one of some curves: whole groups and shapes, those that have points."""
     groups = [whole_curves(document, node.places) for node in objects(document, curves)]
-    found = [(group, bounds_of(views, group, strokes)) for group in groups]
+    found = zip(groups, bounds_of_each(views, groups, strokes), strict=True)
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
 
 

@@ -17,6 +17,7 @@ from ..document.model import Vector
 from ..document.point_group import PointGroup
 from ..document.style import USUAL_WIDTH, Style
 from .curve_view import CurveView
+from .exact_boxes import box_found, find_boxes
 from .stroked import Line, farthest_reach, half_width, is_round, line_of, polygonal, stroke_box
 
 
@@ -103,21 +104,34 @@ def bounds_of(
     it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
     of a curve, they are those of the points.
     """
-    whole, some = list[CurveView](), list[FloatArray]()
-    for curve, indices in group.parts:
-        view = views[curve]
-        if is_whole(view, indices):
-            whole.append(view)
-        elif indices:
-            some.append(view.points[sorted(indices)])
+    whole = _whole(views, group)
+    known = {id(view) for view in whole}
+    some = [
+        views[curve].points[sorted(indices)]
+        for curve, indices in group.parts
+        if indices and id(views[curve]) not in known
+    ]
     if not as_drawn:
         whole = _reaching_out(whole, strokes)
-        find_bounds(whole)
-    lines = [view.drawn_box if as_drawn else _found(view) for view in whole]
+        find_boxes(whole)
+    lines = [view.drawn_box if as_drawn else box_found(view) for view in whole]
     boxes = [*lines, *some]
     if strokes.measured:
         boxes += _stroke_boxes(whole, lines, strokes, as_drawn=as_drawn)
     return around(boxes)
+
+
+def bounds_of_each(
+    views: Sequence[CurveView], groups: Sequence[PointGroup], strokes: Strokes
+) -> list[Bounds | None]:
+    """Return the bounds of many groups, as `bounds_of`, whose curves are measured all at once."""
+    find_boxes([view for group in groups for view in _reaching_out(_whole(views, group), strokes)])
+    return [bounds_of(views, group, strokes) for group in groups]
+
+
+def _whole(views: Sequence[CurveView], group: PointGroup) -> list[CurveView]:
+    """Return the views of those curves all of whose points are in a group."""
+    return [views[curve] for curve, indices in group.parts if is_whole(views[curve], indices)]
 
 
 def _reaching_out(views: Sequence[CurveView], strokes: Strokes) -> list[CurveView]:
@@ -185,7 +199,7 @@ def _stroke_box(view: CurveView, strokes: Strokes, *, as_drawn: bool) -> FloatAr
         return view.polyline if line is None else stroke_box(line, style)
     if view.__dict__.get("stroke_bounds", (None,))[0] != style:
         line = _exact_line(view)
-        box = _found(view) if line is None else stroke_box(line, style)
+        box = box_found(view) if line is None else stroke_box(line, style)
         view.__dict__["stroke_bounds"] = (style, box)
     found: FloatArray = view.__dict__["stroke_bounds"][1]
     return found
@@ -214,20 +228,3 @@ def around(boxes: Sequence[FloatArray]) -> Bounds | None:
 def is_whole(view: CurveView, indices: frozenset[int]) -> bool:
     """Whether points are all of a curve that there is: its bounds count, not those of its points."""
     return len(indices) == len(view.points) > 1 and view.is_current
-
-
-def _found(view: CurveView) -> FloatArray:
-    found: FloatArray = view.__dict__["bounds"]
-    return found
-
-
-def find_bounds(views: Sequence[CurveView]) -> None:
-    """Find the exact bounds of curves, all at once, and keep them with their views."""
-    from curvecore.analysis.bounding_boxes import bounding_boxes  # noqa: PLC0415 - when first looked at
-    from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415
-
-    missing = [view for view in views if "bounds" not in view.__dict__]
-    curves = [view.curve for view in missing if view.curve is not None]
-    boxes = bounding_boxes(curves, [bezier_pieces(curve) for curve in curves])
-    for view, box in zip(missing, boxes, strict=True):
-        view.__dict__["bounds"] = np.array([box.minimum, box.maximum])

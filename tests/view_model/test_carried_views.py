@@ -14,6 +14,7 @@ from app.document.transforms import Affine, flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.carried_views import views_after
 from app.view_model.curve_view import CurveView, view_of
+from app.view_model.exact_boxes import box_found, find_boxes
 from curvecore.bezier.polylines import segment_distance
 
 PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
@@ -40,6 +41,31 @@ def several(family, kind=ParametrizationKind.CENTRIPETAL, **values) -> Document:
     for place in range(len(curves)):
         document = edits.set_parametrization(document, place, kind, [0.0, 0.2, 0.5, 0.6, 1.0])
     return document
+
+
+@pytest.mark.parametrize("name", ["moved", "flipped", "made larger"])
+@pytest.mark.parametrize("is_known", [True, False])
+def test_exact_boxes_come_along_and_reach_as_far_as_points_do_to_the_last_digit(name, is_known):
+    """A box took a millisecond for each curve that was moved: its curve was made and asked where it turns."""
+    document = several(HERMITE)
+    before = seen(document)
+    if is_known:
+        find_boxes(before)
+    after = mapped(document, whole_curves(document, range(len(before))), MAPS[name])
+    carried = views_after(after.curves, before)
+    find_boxes(carried)
+    assert all(view.is_followed for view in carried)
+    anew = [view_of(view.source) for view in carried]
+    find_boxes(anew)
+    ends = 0
+    for view, fresh in zip(carried, anew, strict=True):
+        box, expected = box_found(view), box_found(fresh)
+        size = np.abs(expected).max()
+        assert box == pytest.approx(expected, rel=0.0, abs=1e-14 * size)
+        by_points = expected == fresh.extent[0]
+        assert (box[by_points] == expected[by_points]).all()
+        ends += by_points.sum()
+    assert ends > 3
 
 
 def seen(document: Document) -> list[CurveView]:
