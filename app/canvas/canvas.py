@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
@@ -66,10 +68,6 @@ class Canvas(ToolPlot):
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self.move_again)
-        tools.curves_at, tools.locked_at = self.drawing.curves_at, self.drawing.locked_at
-        tools.write_at, tools.open_text = self.text_placed.emit, self.text_opened.emit
-        tools.colour_at, tools.give_colour = self.drawing.colour_at, self.colour_picked.emit
-        tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
         self.camera.changed.connect(self.hover_again)
 
     # What is shown
@@ -137,6 +135,27 @@ class Canvas(ToolPlot):
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         return self.drawing.hit(pointer, tool)
+
+    def curves_at(self, pointer: Pointer) -> Sequence[int]:
+        return self.drawing.curves_at(pointer)
+
+    def locked_at(self, pointer: Pointer) -> int:
+        return self.drawing.locked_at(pointer)
+
+    def colour_at(self, pointer: Pointer) -> str:
+        return self.drawing.colour_at(pointer)
+
+    def grid_spacing(self) -> float:
+        return self.drawing.grid.spacing(self.pixel_map)
+
+    def write_at(self, place: Vector) -> None:
+        self.text_placed.emit(place)
+
+    def open_text(self, curve: int) -> None:
+        self.text_opened.emit(curve)
+
+    def give_colour(self, paint: str, colour: str) -> None:
+        self.colour_picked.emit(paint, colour)
 
     def words_of(self, hint: Hint, pointer: Pointer) -> str:
         # Whoever draws is told what a press does; who points at something, what that is.

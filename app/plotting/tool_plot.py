@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from ..tasks.single_task import SingleTask
 from ..tools.pointer import Hint, Hit, Pointer
-from ..tools.tool import Tool
+from ..tools.surface import Surface
 from ..tools.toolbox import Toolbox
 from .keys import ARROWS, cursor_of, key_name, stride_of
 from .plot_widget import PlotWidget
@@ -17,7 +17,7 @@ _WORDS_MS = 33
 """Milliseconds between two readouts of a gesture."""
 
 
-class ToolPlot(PlotWidget):
+class ToolPlot(PlotWidget, Surface):
     """Plot whose mouse and keys are events of a tool.
 
     Attributes
@@ -51,7 +51,7 @@ class ToolPlot(PlotWidget):
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.tools = tools
-        tools.hit_test = self.hit
+        tools.surface = self
         self.jobs = SingleTask(self)
         self.jobs.progressed.connect(self._show_share)
         self.jobs.ended.connect(self._show_progress)
@@ -64,10 +64,6 @@ class ToolPlot(PlotWidget):
         self._words_due.timeout.connect(self.tell)
 
     # A subclass fills in these.
-
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
-        """Return what of the plot a tool hits at the pointer."""
-        return None
 
     def _hit_at(self, place: QPointF) -> Hit | None:
         """Return what lies at a place of the viewport."""

@@ -5,6 +5,7 @@
 - ``explain``, ``move_image``: tools of the canvas that belong to features.  ``transform_tool``: the one of a
   transform that a key begins.  ``rail``: those over t, and the drag of ticks.
 - ``pointer``: position, keys, and what lies under the pointer.
+- ``surface``: what a tool can ask of the plot, and have done there.
 - ``drag_machine``: the state machine all drags share: threshold, preview, commit, cancel.
 - ``drag``: the base class of the drags.  ``drags``, ``pen_drags``: what each makes of the document.
   ``parts``: presses on points and handles.

@@ -30,7 +30,7 @@ def find_below(context: ToolContext) -> Below | None:
     pointer, host = context.pointer, context.host
     if not pointer.alt or pointer.shift or pointer.ctrl:
         return None
-    places = context.curves_at(pointer)
+    places = context.surface.curves_at(pointer)
     # Several curves of one group are one thing to choose; to edit, each shape is one.
     is_editing, choice = host.selected.is_editing, host.selected.choice
     meant = {

@@ -158,7 +158,7 @@ def _dragged(context: ToolContext, hit: Hit) -> PointGroup:
 def _words_of_locked(context: ToolContext) -> str:
     """Return why a press on a line does nothing to it: it is locked; empty where none is."""
     document, pointer = context.host.document, context.pointer
-    place = context.locked_at(pointer) if pointer.is_there else -1
+    place = context.surface.locked_at(pointer) if pointer.is_there else -1
     return hints.LOCKED.format(named(document, shape_of(document, place))) if place >= 0 else ""
 
 
@@ -177,7 +177,7 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
     elif context.pointer.shift:
         selected.choose(_toggled(selected.chosen, _meant(context, hit)))
     elif _opens_text(context, hit):
-        context.open_text(hit.index)
+        context.surface.open_text(hit.index)
         return
     elif selected.is_editing or context.pointer.is_double:
         edit_curve(context, hit.index)

@@ -111,7 +111,7 @@ class FormTool(Tool):
     def click(self, context: ToolContext) -> None:
         """Edit the form under the pointer, or tell how one is drawn."""
         host = context.host
-        for curve in context.curves_at(context.pointer):
+        for curve in context.surface.curves_at(context.pointer):
             if formed(host.document.curves[curve]) is not None:
                 host.selected.activate(curve)
                 host.say(f"Editing “{host.document.curves[curve].name}” now.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import msgspec
 from msgspec.structs import replace
@@ -22,6 +22,7 @@ from .pencil_detail import PencilDetail
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
 from .snappers import Snappers
 from .snapping import SnapKind, Snapping, with_snap
+from .surface import Surface
 from .target import TransformTarget
 
 
@@ -72,42 +73,29 @@ class ToolContext(msgspec.Struct, frozen=True):
         The session: the document, its views, the selection, and the way to change them.
     settings
         Snapping, the unit, whether there is a box with grips.
-    grid
-        Tells the spacing of the grid.
     drags
         Begins a drag, follows it, makes it a step of the history.
     snappers
         Makes what a drag snaps with.
     target
         The selected points or curves that transforms act on.
-    hit_test, curves_at
-        Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
-    locked_at
-        Finds the place of a locked curve under a pointer, which presses go through; −1 for none.
     background
         Does what takes longer than a moment.
-    write_at, open_text
-        Asks for the words of a text whose baseline begins at a place; for other words of the text that a
-        curve is a letter of.
-    colour_at, give_colour
-        Finds the colour under a pointer; gives one to the "fill" or the "stroke" of what is chosen.
+    surface
+        The plot: what lies under a pointer, the colour there, the spacing of the grid.
+    tool
+        The tool in use.
     """
 
     pointer: Pointer
     host: EditingHost
     settings: ToolSettings
-    grid: Callable[[], float]
     drags: DragMachine
     snappers: Snappers
     target: TransformTarget
-    hit_test: Callable[[Pointer], Hit | None]
-    curves_at: Callable[[Pointer], Sequence[int]]
-    locked_at: Callable[[Pointer], int]
     background: Background
-    write_at: Callable[[Vector], object]
-    open_text: Callable[[int], object]
-    colour_at: Callable[[Pointer], str]
-    give_colour: Callable[[str, str], object]
+    surface: Surface
+    tool: Tool
 
     @property
     def hit(self) -> Hit | None:
@@ -119,13 +107,17 @@ class ToolContext(msgspec.Struct, frozen=True):
         """The curve that is edited."""
         return self.host.active_view
 
+    def grid(self) -> float:
+        """Return the spacing of the grid at the present zoom."""
+        return self.surface.grid_spacing()
+
     def at(self, pointer: Pointer) -> ToolContext:
         """Return the context of an event somewhere else."""
         return replace(self, pointer=pointer)
 
     def with_hit(self) -> ToolContext:
         """Return the context with what lies under the pointer now."""
-        hit = self.hit_test(self.pointer) if self.pointer.is_there else None
+        hit = self.surface.hit(self.pointer, self.tool) if self.pointer.is_there else None
         return self.at(replace(self.pointer, hit=hit))
 
     def preview_snap(self, place: int) -> None:

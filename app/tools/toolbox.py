@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from msgspec.structs import replace
 
@@ -12,15 +12,13 @@ from ..document.paper import DocumentKind, kind_of
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
-from .pointer import ELSEWHERE, Hint, Hit, Pointer, Stride
+from .pointer import ELSEWHERE, Hint, Pointer, Stride
 from .snappers import Snappers
+from .surface import Surface
 from .target import TransformTarget
 from .tool import Tool, ToolContext, ToolRecord, ToolSettings
 from .transform import TransformKind
 from .transform_tool import TransformTool
-
-HitTest = Callable[[Pointer, Tool], Hit | None]
-"""Finds what of the plot lies under the pointer, as far as a tool can hit it."""
 
 
 class Toolbox:
@@ -33,34 +31,20 @@ class Toolbox:
     ----------
     record
         The tool that is chosen.
-    hit_test, curves_at, locked_at
-        Finds what lies under the pointer, all curves there, and the locked one; who shows the plot sets it.
+    surface
+        The plot: tells what lies under the pointer, for one; whoever shows it sets it.
     settings
         What the person has chosen.
-    grid
-        Tells the spacing of the grid at the present zoom; whoever shows the plot sets it.
     target
         Subject of the transforms, and their pivot.
     background
         Does what takes longer than a moment, whichever tool is in use by then.
-    write_at, open_text
-        Asks for the words of a text that begins at a place, for other words of the text that a curve is a
-        letter of; whoever shows the plot sets it.
-    colour_at, give_colour
-        Finds the colour under a pointer; gives it to the "fill" or the "stroke" of what is chosen. Likewise.
     """
 
     def __init__(self, host: EditingHost, record: ToolRecord) -> None:
         self.record = record
-        self.hit_test: HitTest = lambda _pointer, _tool: None
-        self.curves_at: Callable[[Pointer], Sequence[int]] = lambda _pointer: ()
-        self.locked_at: Callable[[Pointer], int] = lambda _pointer: -1
+        self.surface = Surface()
         self.settings = ToolSettings()
-        self.grid: Callable[[], float] = lambda: 1.0
-        self.write_at: Callable[[Vector], object] = lambda _place: None
-        self.open_text: Callable[[int], object] = lambda _curve: None
-        self.colour_at: Callable[[Pointer], str] = lambda _pointer: ""
-        self.give_colour: Callable[[str, str], object] = lambda _paint, _colour: None
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
         self._host = host
         self._drags = DragMachine(host)
@@ -88,19 +72,17 @@ class Toolbox:
             self._pointer,
             self._host,
             self.settings,
-            self.grid,
             self._drags,
             self._snappers,
             self.target,
-            lambda pointer: self.hit_test(pointer, self.tool),
-            self.curves_at,
-            self.locked_at,
             self.background,
-            self.write_at,
-            self.open_text,
-            self.colour_at,
-            self.give_colour,
+            self.surface,
+            self.tool,
         )
+
+    def grid(self) -> float:
+        """Return the spacing of the grid at the present zoom."""
+        return self.surface.grid_spacing()
 
     @property
     def is_pressed(self) -> bool:

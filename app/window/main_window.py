@@ -116,6 +116,7 @@ class MainWindow(Guarded, QMainWindow):
         for changed in (
             self.store.changed,
             session.history_changed,
+            session.file_changed,
             session.grips_changed,
             clipboard.changed,
         ):

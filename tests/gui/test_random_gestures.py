@@ -26,6 +26,7 @@ from app.tools.explain import EXPLAIN
 from app.tools.pointer import Hit, Part, Pointer, Stride
 from app.tools.rail import RAIL
 from app.tools.snapping import Snapping
+from app.tools.surface import Surface
 from app.tools.tool import TOOLS, ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
@@ -56,6 +57,16 @@ def refused(_document):
     raise EditError("This is refused.")
 
 
+class Answers(Surface):
+    """A plot of which one thing is known: what is hit."""
+
+    def __init__(self, hit):
+        self.hit = hit
+
+    def grid_spacing(self):
+        return 0.5
+
+
 class Gestures(RuleBasedStateMachine):
     """Keeps the list of documents that the history must hold, and where in it we are."""
 
@@ -68,8 +79,7 @@ class Gestures(RuleBasedStateMachine):
         )
         self.session.files.replace(Document(curves), None)
         self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
-        self.tool.hit_test, self.tool.grid = self.hit, lambda: 0.5
-        self.rail.hit_test = lambda _pointer, _tool: self.tick
+        self.tool.surface, self.rail.surface = Answers(self.hit), Answers(lambda _pointer, _tool: self.tick)
         self.now = 0.0
         self.session.history.clock = lambda: self.now
         # As the window connects them.

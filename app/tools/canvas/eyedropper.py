@@ -30,7 +30,7 @@ class EyedropperTool(Tool):
 
     def _pick(self, context: ToolContext) -> None:
         if meant_shapes(context.host):
-            context.give_colour(self._paint_for(context), context.colour_at(context.pointer))
+            context.surface.give_colour(self._paint_for(context), context.surface.colour_at(context.pointer))
         else:
             context.host.refuse(_NOTHING)
 
@@ -39,7 +39,7 @@ class EyedropperTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return the colour here, and what a click gives it to."""
-        self._seen = context.colour_at(context.pointer) if context.pointer.is_there else ""
+        self._seen = context.surface.colour_at(context.pointer) if context.pointer.is_there else ""
         if not self._seen:
             return Hint()
         curves = meant_shapes(context.host)

@@ -116,7 +116,7 @@ class SelectTool(Tool):
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
         if (letter := text_chosen(context.host.document, selected.chosen)) >= 0:
-            context.open_text(letter)
+            context.surface.open_text(letter)
             return True
         selected.edit_chosen()
         select_hit(context)

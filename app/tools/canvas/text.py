@@ -23,7 +23,7 @@ class Placing(Gesture):
 
     def release(self, context: ToolContext) -> None:
         """Ask for the words."""
-        context.write_at(self._snapper.at(context.pointer))
+        context.surface.write_at(self._snapper.at(context.pointer))
 
     def progress(self, context: ToolContext) -> str:
         """Return what letting go does."""
@@ -36,7 +36,7 @@ class Opening(Gesture):
     def release(self, context: ToolContext) -> None:
         """Ask for other words."""
         if (curve := _letter_at(context)) >= 0:
-            context.open_text(curve)
+            context.surface.open_text(curve)
 
     def progress(self, context: ToolContext) -> str:
         """Return what letting go does."""
@@ -66,7 +66,9 @@ def _letter_at(context: ToolContext) -> int:
     if context.pointer.shift or not context.pointer.is_there:
         return -1
     curves = context.host.document.curves
-    return next((place for place in context.curves_at(context.pointer) if curves[place].text is not None), -1)
+    return next(
+        (place for place in context.surface.curves_at(context.pointer) if curves[place].text is not None), -1
+    )
 
 
 TEXT = ToolRecord(

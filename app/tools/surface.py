@@ -1,0 +1,52 @@
+"""What a tool can ask of the plot that it works on, and have done there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ..document.model import Vector
+from .pointer import Hit, Pointer
+
+if TYPE_CHECKING:
+    from .tool import Tool
+
+
+class Surface:
+    """What tools work on: by default nothing lies anywhere, and nothing is done.
+
+    A further question is a method here, answered by the plots that know; tools ask ``context.surface``.
+    """
+
+    # What is there
+
+    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+        """Return what a tool hits at the pointer."""
+        return None
+
+    def curves_at(self, pointer: Pointer) -> Sequence[int]:
+        """Return the places of all free curves at the pointer, the topmost first, one of each shape."""
+        return ()
+
+    def locked_at(self, pointer: Pointer) -> int:
+        """Return the place of the locked curve at the pointer, which presses go through; −1 for none."""
+        return -1
+
+    def colour_at(self, pointer: Pointer) -> str:
+        """Return the colour at the pointer, "#rrggbb"; empty for none."""
+        return ""
+
+    def grid_spacing(self) -> float:
+        """Return the spacing of the grid at the present zoom."""
+        return 1.0
+
+    # What a tool asks for
+
+    def write_at(self, place: Vector) -> None:
+        """Ask for the words of a text whose baseline begins at a place."""
+
+    def open_text(self, curve: int) -> None:
+        """Ask for other words of the text that a curve is a letter of."""
+
+    def give_colour(self, paint: str, colour: str) -> None:
+        """Give a colour to the "fill" or the "stroke" of what is chosen."""
