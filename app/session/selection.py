@@ -232,9 +232,10 @@ class Selection:
 
     def begin_opened(self) -> None:
         """Begin with a document that was opened: nobody chose its curves; none hidden or locked is edited."""
+        self.next_style.marked = Marked.OPENED
         if not self._session.active_curve.is_free:
             self.choose(())
-        self.next_style.marked = Marked.OPENED
+            self.next_style.marked = Marked.OPENED
 
     def show_choice(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""

@@ -10,7 +10,9 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QUndoView
 
-from app.document.style import PLAIN_STYLE
+from app.document.model import Document, make_curve
+from app.document.style import PLAIN_STYLE, Style
+from app.families import HERMITE
 from app.features.text.commands import TextCommands
 from app.testing import spin
 
@@ -111,6 +113,17 @@ def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool):
     assert drawn_with(drawing, tool) == before[1].style
     drawing.session.selected.choose({0})
     assert drawn_with(drawing, tool) == replace(before[0].style, width=0.3)
+
+
+def test_nor_of_one_that_nobody_can_choose(editor):
+    """The active curve of a document that begins is locked: it is let go before it says anything."""
+    curve = make_curve([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0)], family=HERMITE)
+    locked = replace(curve, style=Style(fill="#1d3557"), locked=True, closed=True)
+    editor.session.new()
+    editor.session.selected.activate(0)
+    editor.session.files.replace(Document((locked,)), None)
+    assert not editor.session.selected.marked
+    assert editor.session.model.style == PLAIN_STYLE
 
 
 def test_a_text_takes_the_colour_chosen_last(drawing):
