@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import ClassVar, NamedTuple, Self
 
+import msgspec
 from msgspec.structs import replace
 
 from ..document import words
 from ..document.form import FormHandle
+from ..document.form_edits import drawn_place, with_form_drawn
 from ..document.forms import AnyForm
-from ..document.model import Document
+from ..document.model import Document, Vector
 from ..document.several_curves import named, whole_curves
+from ..document.style import Style
 from ..view_model.formed import Formed, formed, with_form
 from .drag import Drag
-from .marks import FormMark, GestureMarks
+from .marks import FormMark, GestureMarks, Note
 from .pointer import Cursor, Hint, Pointer
 from .snapping import Snapper
 from .tool import GestureRow, Tool, ToolContext
+from .typed_amount import TypedAmount
 
 _REACH = 8.0
 """Pixels from a handle within which a press means it."""
@@ -78,23 +82,144 @@ def numbers_of(form: AnyForm, unit: str) -> str:
     return f"{' · '.join(shown)} {unit}".rstrip()
 
 
-class FormTool(Tool):
-    """Tool that draws a form; the handles of chosen forms can be dragged, and a click chooses another one."""
+class Begun(msgspec.Struct, frozen=True):
+    """What there was at the press that begins to draw a form.
 
-    # What it does beside the handles
+    Attributes
+    ----------
+    active, layer
+        The curve that was edited, and the layer to draw in.
+    start
+        Where it was.
+    unit
+        The name of the unit of length.
+    style
+        Of what is drawn.
+    """
 
-    def begin(self, context: ToolContext) -> None:
-        """Begin to draw; a release before a drag is `click`."""
+    active: int
+    layer: str
+    start: Vector
+    snapper: Snapper
+    unit: str
+    style: Style
+
+
+class DrawForm(Drag, frozen=True):
+    """A drag that draws a form; its numbers can be typed meanwhile.
+
+    Attributes
+    ----------
+    typed
+        The numbers as typed so far.
+    typed_keys
+        What can be typed: keys of `TypedAmount`, and "tab".
+    """
+
+    begun: Begun
+    typed: TypedAmount = TypedAmount()
+
+    typed_keys: ClassVar[frozenset[str]] = frozenset("0123456789.") | {"backspace", "tab"}
+
+    @property
+    def modifiers(self) -> str:
+        """Effects of the modifier keys."""
         raise NotImplementedError
 
     @property
-    def how(self) -> str:
-        """What draws one."""
+    def sides(self) -> Sequence[str]:
+        """The numbers that can be typed, in words."""
         raise NotImplementedError
 
-    def hint(self, context: ToolContext) -> Hint:
-        """Return what a press beside all handles would do."""
+    def form_at(self, pointer: Pointer) -> AnyForm:
+        """Return the form as drawn to the pointer; raise EditError where it is none yet."""
         raise NotImplementedError
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys, and what else can be typed."""
+        sides, at = self.sides, self.typed.at
+        return f"{self.modifiers} · digits: {sides[at]}, Tab: {sides[(at + 1) % len(sides)]}"
+
+    def with_key(self, key: str) -> Self | None:
+        """Return the drag after a key that types; None for any other key."""
+        if key not in self.typed_keys:
+            return None
+        typed = self.typed.after_tab(None, len(self.sides)) if key == "tab" else self.typed.after(key)
+        return None if typed is None else replace(self, typed=typed)
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the form."""
+        begun = self.begun
+        return with_form_drawn(self.document, begun.active, self.form_at(pointer), begun.style, begun.layer)
+
+
+class FormTool(Tool):
+    """Tool that draws a form; the handles of chosen forms can be dragged, and a click chooses another one.
+
+    A further one has its own `DrawForm`, which `drag` makes, and these words.
+
+    Attributes
+    ----------
+    how
+        What draws one.
+    modifiers
+        Effects of the modifier keys.
+    too_late
+        What to do about a digit that is typed after the drag.
+    """
+
+    how: str
+    modifiers: str
+    too_late: str
+
+    def __init__(self) -> None:
+        self._drag: DrawForm | None = None
+
+    def drag(self, context: ToolContext, begun: Begun) -> DrawForm:
+        """Return the drag that draws a form."""
+        raise NotImplementedError
+
+    # Drawing
+
+    def begin(self, context: ToolContext) -> None:
+        """Begin to draw; a release before a drag is `click`."""
+        host, snapper = context.host, context.snappers.for_new(-1)
+        active, layer, start = host.active_index, host.selected.layer, snapper.at(context.pointer)
+        begun = Begun(active, layer, start, snapper, context.settings.unit, host.model.style)
+        self._drag = self.drag(context, begun)
+        place = drawn_place(host.document, active, layer)
+        context.drags.press(context.pointer, self._drag, lambda: self.click(context), active=place)
+
+    def end(self) -> None:
+        """Drop the drag."""
+        super().end()
+        self._drag = None
+
+    def claims(self, context: ToolContext, key: str) -> bool:
+        """Whether a key is for its numbers: a digit also after the drag, when it would be a shortcut."""
+        drag = self._drag
+        return key.isdigit() or (drag is not None and (key == "enter" or key in drag.typed_keys))
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Take what is typed of its numbers while it is dragged; "enter" ends that."""
+        if self._drag is None:
+            if key.isdigit():
+                otherwise = "The toolbar changes the family, or V and then the digit."
+                context.host.refuse(f"{self.too_late} (Ctrl+Shift+M). {otherwise}")
+            return key.isdigit()
+        if key == "enter":
+            context.drags.release(context.pointer)
+            return True
+        changed = self._drag.with_key(key)
+        if changed is not None:
+            self._drag = changed
+            context.drags.exchange(context.pointer, changed)
+        return changed is not None
+
+    def hint(self) -> Hint:
+        """Return what a press beside all handles would do."""
+        return Hint(f"{self.how} · {self.modifiers} · V goes back to Select")
 
     # Events
 
@@ -124,16 +249,20 @@ class FormTool(Tool):
         if held is not None:
             return Hint(_hint_of(context, held), cursor=Cursor.MOVE)
         context.preview_snap(-1)
-        return self.hint(context)
+        return self.hint()
 
     def marks(self, context: ToolContext) -> GestureMarks:
-        """Return the handles of chosen forms, and what is snapped to."""
+        """Return the handles of chosen forms, what is snapped to, and the numbers of what is drawn."""
         forms = tuple(
             FormMark(place, is_round=handle.is_round)
             for _, now in _chosen_forms(context)
             for handle, place in now.handles
         )
-        return replace(super().marks(context), forms=forms)
+        marks, drag, pointer = super().marks(context), self._drag, context.pointer
+        note = None
+        if drag is not None and context.drags.progress_at(pointer):
+            note = Note(pointer.position, drag.readout(pointer), drag.begun.start)
+        return replace(marks, forms=forms, note=note or marks.note)
 
 
 def _hint_of(context: ToolContext, held: _Held) -> str:

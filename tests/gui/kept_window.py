@@ -197,6 +197,8 @@ class KeptEditor:
             self._editor.window.context.actions.keymap.reset_all()
             settings.clear()
             self._editor.window.store.read_preferences()
+            # It goes on naming the files of its last opening otherwise.
+            self._editor.window.menus.recent.aboutToShow.emit()
 
     def _reset_drawing(self) -> None:
         """Take back what is neither a setting nor shown by an action that is checked."""

@@ -255,8 +255,6 @@ def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor,
     editor.settle()
     assert editor.session.files.beginning is not beginning
     assert editor.session.files.foreign.path == path
-    editor.window.preferences.clear_recent_files()
-    recent.aboutToShow.emit()
 
 
 def test_what_a_drawing_cannot_keep_is_asked_about_once(editor, tmp_path, monkeypatch):
@@ -566,7 +564,9 @@ def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path
     assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4
 
 
-def test_closing_saves_to_the_opened_drawing_before_the_window_goes(editor, tmp_path, monkeypatch):
+def test_closing_saves_to_the_opened_drawing_before_the_window_goes(new_editor, tmp_path, monkeypatch):
+    # Its own: it is closed.
+    editor = new_editor
     path, asked = tmp_path / "badge.svg", []
     path.write_text(INCH, encoding="utf-8")
     open_as_document(editor, path)

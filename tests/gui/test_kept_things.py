@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QDialog
 
 from app.canvas import kept_layer
-from app.testing import spin
 from tests.effort import noted_calls
 from tests.gui.pixels import is_colour
 
@@ -20,23 +18,11 @@ DRAWING = (
 )
 RED = QColor("#ff0000")
 
-pytestmark = pytest.mark.usefixtures("drawings_read_here")
-
 
 @pytest.fixture
-def drawing(editor, tmp_path):
+def drawing(open_drawing):
     """An SVG opened as a document."""
-    path = tmp_path / "in.svg"
-    path.write_text(DRAWING)
-    editor.session.new()
-    editor.window.context.files.open(path)
-    editor.wait_for_work()
-    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
-    while dialog.jobs.is_busy:
-        spin(5)
-    dialog.ok.click()
-    editor.settle()
-    return editor
+    return open_drawing(DRAWING)
 
 
 def red(editor):

@@ -8,13 +8,12 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QUndoView
+from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QUndoView
 
 from app.document.model import Document, make_curve
 from app.document.style import PLAIN_STYLE, Style
 from app.families import HERMITE
 from app.features.text.commands import TextCommands
-from app.testing import spin
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
@@ -22,22 +21,11 @@ DRAWING = (
     '<path id="r2" d="M20 20L30 20L30 30Z" fill="#ff0000" stroke="#0000ff" stroke-width="1"/></svg>'
 )
 
-pytestmark = pytest.mark.usefixtures("drawings_read_here")
-
 
 @pytest.fixture
-def drawing(editor, tmp_path):
+def drawing(open_drawing):
     """An SVG opened as a document; none of its two triangles is chosen."""
-    path = tmp_path / "in.svg"
-    path.write_text(DRAWING)
-    editor.session.new()
-    editor.window.context.files.open(path)
-    editor.wait_for_work()
-    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
-    while dialog.jobs.is_busy:
-        spin(5)
-    dialog.ok.click()
-    editor.settle()
+    editor = open_drawing(DRAWING)
     assert [curve.name for curve in editor.session.document.curves] == ["r1", "r2"]
     assert not editor.session.selected.marked
     return editor

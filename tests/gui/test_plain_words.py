@@ -166,6 +166,7 @@ def test_what_was_not_saved_is_named_as_it_is(planted, tmp_path):
     bar = RecoveryBar(planted.window.canvas)
     bar.render([offer], NAME)
     check("Label recoveryNote", "ElidedLabel recoveryTold")
+    bar.deleteLater()
 
 
 @pytest.mark.usefixtures("drawings_read_here")
