@@ -22,7 +22,8 @@ from app.exchange.svg.writer import svg_of
 from app.families import LAGRANGE
 from app.features.import_export.commands import ExchangeCommands
 from app.testing import spin
-from app.workbench.document_files import DocumentFiles, title_of
+from app.workbench.document_files import DocumentFiles
+from app.workbench.file_names import title_of
 
 SVG = Path(__file__).parents[1] / "data" / "svg"
 INCH = (

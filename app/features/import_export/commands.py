@@ -36,7 +36,7 @@ from ...storage.files import StorageError, read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
-from ...workbench.document_files import file_stem
+from ...workbench.file_names import file_stem
 from .. import import_export
 from .copy_commands import CopyCommands
 from .import_series import ImportSeries
