@@ -22,7 +22,7 @@ from app.document.style import Style
 from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
-from app.workbench.document_files import file_stem, title_of
+from app.workbench.file_names import file_stem, title_of
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "resources" / "examples"

@@ -217,6 +217,37 @@ def stepped_layer(document: Document, layer: str, step: int) -> Document:
     return gathered(document, {place: document.curves[place] for place in node.places}, at).document
 
 
+def moved_layers(
+    document: Document, layers: Collection[str], into: Container, behind: Sequence[str]
+) -> Document:
+    """Bring layers in front of the first one that stays of those they are to be in front of, or behind all.
+
+    Where there are curves in them, these are there already; the others come into a layer.
+
+    Raises
+    ------
+    EditError
+        If one would be in itself.
+    """
+    if not set(layers).isdisjoint(into.groups):
+        raise EditError("A layer cannot go into itself.")
+    order = [each for each in document.layers if each not in layers]
+    at = next((order.index(each) + 1 for each in behind if each in order), 0)
+    order[at:at] = [each for each in document.layers if each in layers]
+    inside = into.groups[-1] if into.groups else ""
+    empty = tuple(
+        replace(each, inside=inside) if each.name in layers else each for each in document.empty_layers
+    )
+    return replace(document, layers=tuple(order), empty_layers=empty)
+
+
+def whole_layers(document: Document, curves: Collection[int]) -> list[str]:
+    """Return the layers all of whose curves are among these, without those in one of them."""
+    found = [node for node in layer_nodes(document) if node.places and set(node.places) <= set(curves)]
+    names = {node.name for node in found}
+    return [node.name for node in found if names.isdisjoint(node.around.groups)]
+
+
 def layers_beside(document: Document, layer: str) -> list[str]:
     """Return a layer and those in the same one, from the back to the front."""
     return [each.name for each in _beside(document, layer_node(document, layer))]

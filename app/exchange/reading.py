@@ -83,9 +83,9 @@ def import_file(
 
 
 def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, report: Report) -> Imported:
+    if form.kind is ContentKind.DOCUMENT or is_document(data):
+        return exchange.cubics_in.Imported(document_in(data, path))
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
         return exchange.child.limited(form.read, data, options.tolerance, report=report)
-    if form.kind is ContentKind.TABLE and not is_document(data):
-        return table.read.read_table(path, ending_in(path, form), data, options, report)
-    return exchange.cubics_in.Imported(document_in(data, path))
+    return table.read.read_table(path, ending_in(path, form), data, options, report)

@@ -105,6 +105,13 @@ class Files:
             session.saved.emit()
             session.file_changed.emit()
 
+    def go_over_to(self, foreign: Foreign, beginning: Beginning, document: Document) -> None:
+        """Let a document that began so stand for the file of another format that it was just written to."""
+        if self.beginning is beginning:
+            self._take(None, None)
+        self.note_written_back(beginning, foreign, document)
+        self._session.file_changed.emit()
+
     def close(self) -> None:
         """Go on without a file."""
         self._take(None, None)

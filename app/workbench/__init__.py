@@ -6,7 +6,7 @@
 - ``docks``: panels at the sides.  ``dock``: one of them; many are built when they are first shown.
   ``dock_room``: room for one that needs more than its share.  ``dock_title``: its buttons.
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
-  ``disk_watch``: notices that a file may have changed.
+  ``file_names``: what documents are called.  ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -32,8 +31,18 @@ from ..tasks.progress import Report, part
 from ..tasks.task import Work
 from ..view_model.curve_view import CurveView
 from ..view_model.views_ahead import views_ahead
+from .file_names import (
+    SAVED_KINDS,
+    SUFFIX,
+    file_stem,
+    is_misnamed,
+    is_svg,
+    path_to_save,
+    short_name,
+    title_of,
+    why_not_saved_as,
+)
 
-SUFFIX = ".curve.json"
 NEW_NAME = empty_document().curves[0].name
 """The name that a curve has before anyone gives it one."""
 
@@ -48,9 +57,6 @@ _A4 = Page(0.0, 0.0, 210.0, 297.0)
 
 _READ = 0.1
 """Share of opening that is reading the file."""
-
-_LONGEST_STEM = 80
-_DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
 
 
 class DocumentFiles:
@@ -79,6 +85,11 @@ class DocumentFiles:
         """Saves to the file of another format that the document was opened from; returns whether it is saved.
 
         Where the window waits for that it is asked already what is lost; else it is done beside the window.
+        """
+        self.save_as_svg: Callable[[Path, bool], bool] = lambda _path, _waits: False
+        """Saves to an SVG that the document stands for from then on, while the window waits for that, or not.
+
+        Returns whether it is saved.
         """
         self.open_window: Callable[[], object] | None = None
         """Opens a window with an empty document; None where somebody else keeps the windows."""
@@ -255,11 +266,11 @@ class DocumentFiles:
         file = self._session.files.file
         if self._foreign is not None and self.save_back is not None:
             return self.save_back(waits)
-        if self._session.files.path is None or (
-            self._session.files.is_read_only and file and not file.take_if_free()
-        ):
-            return self.ask_and_save()
-        return self._save(self._session.files.path)
+        path = self._session.files.path
+        is_taken = self._session.files.is_read_only and file and not file.take_if_free()
+        if path is None or is_taken or is_misnamed(path):
+            return self.ask_and_save(waits=waits)
+        return self._save(path)
 
     @property
     def _foreign(self) -> Foreign | None:
@@ -270,23 +281,28 @@ class DocumentFiles:
         """Save to the document's file although it was changed meanwhile; return whether it was saved."""
         return self._session.files.path is not None and self._save(self._session.files.path, overwrite=True)
 
-    def ask_and_save(self) -> bool:
-        """Let the person choose a file and save there."""
+    def ask_and_save(self, *, waits: bool = False) -> bool:
+        """Let the person choose a file and save there; an SVG beside the window, unless that `waits`."""
         foreign = self._foreign
         folder = foreign.path.parent if foreign is not None else self._preferences.last_folder
-        start = self._session.files.path or folder / (file_stem(self._session) + SUFFIX)
+        proposed, path = file_stem(self._session) + SUFFIX, self._session.files.path
+        start = path or folder / proposed
+        if is_misnamed(start):
+            start = start.with_name(proposed)
         if self._session.files.is_read_only:
             start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
+        name, kind = QFileDialog.getSaveFileName(self._window, "Save As", str(start), SAVED_KINDS)
         if not name:
             return False
-        path = with_suffix(Path(name))
+        path = path_to_save(Path(name), kind)
+        reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
             # The dialog asked about the name without the suffix, if it asked at all.
-            why = StorageError(f"“{path.name}” is there already. Choose it in the list to replace it.")
-            self.refused(path, f"{path.name} was not saved. {why}", why)
+            reason = f"“{path.name}” is there already. Choose it in the list to replace it."
+        if reason:
+            self.refused(path, f"{path.name} was not saved. {reason}", StorageError(reason))
             return False
-        return self._save(path)
+        return self.save_as_svg(path, waits) if is_svg(path) else self._save(path)
 
     def _save(self, path: Path, *, overwrite: bool = False) -> bool:
         file = self._session.files.file
@@ -319,7 +335,7 @@ class DocumentFiles:
         if answer == QMessageBox.StandardButton.Save:
             return self.save(waits=True)
         if answer == QMessageBox.StandardButton.SaveAll:
-            return self.ask_and_save()
+            return self.ask_and_save(waits=True)
         return answer == QMessageBox.StandardButton.Discard
 
     def release(self) -> None:
@@ -342,7 +358,7 @@ class DocumentFiles:
         question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         if foreign is not None and lost:
             question.addButton(buttons.SaveAll).setText("Save As…")
-            question.button(buttons.Save).setText(f"Save in {_short(foreign.path.name)}")
+            question.button(buttons.Save).setText(f"Save in {short_name(foreign.path.name)}")
         question.setDefaultButton(buttons.Save)
         answer = question.exec()
         # Else every question ever asked would stay a part of the window.
@@ -370,36 +386,13 @@ def _question_about(session: Session, lost: str) -> tuple[str, str]:
     """
     files, file = session.files, session.files.file
     if lost:
-        return f"Save the changes to {_short(title_of(session))}?", lost
-    is_named = files.path is not None or files.beginning.title
-    name = _short(title_of(session)) if is_named else "the sketch"
+        return f"Save the changes to {short_name(title_of(session))}?", lost
+    is_named = files.path is not None or files.foreign is not None or files.beginning.title
+    name = short_name(title_of(session)) if is_named else "the sketch"
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if files.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."
     return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
-
-
-def _short(name: str) -> str:
-    """Return a name without its middle where it is long; the title of the window has it whole."""
-    half = _LONGEST_STEM // 2
-    return name if len(name) <= _LONGEST_STEM else f"{name[:half]}…{name[-half:]}"
-
-
-def title_of(session: Session) -> str:
-    """Return what the document is called: its file; a curve's name would change with the order of curves."""
-    path = session.files.path
-    return path.name if path is not None else session.files.beginning.title or "Untitled"
-
-
-def file_stem(session: Session) -> str:
-    """Return a file name for the document, without ending."""
-    if session.files.path is not None:
-        return session.files.path.name.removesuffix(SUFFIX)
-    drawn = "Drawing" if session.document.page is not None else session.document.curves[0].name
-    name = session.files.beginning.file_stem or drawn
-    name = "".join(character for character in name if character.isprintable())
-    # What some system does not allow in a file's name.
-    return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
 
 
 def _sentence(what: str, problem: Exception) -> str:
@@ -407,8 +400,3 @@ def _sentence(what: str, problem: Exception) -> str:
     if isinstance(problem, FormatError):
         return f"{what}: {problem}."
     return f"{what}. {problem}"
-
-
-def with_suffix(path: Path) -> Path:
-    """Return `path` with the documents' suffix if it has none."""
-    return path if path.suffix else path.with_name(path.name + SUFFIX)

@@ -274,7 +274,8 @@ _MARK_WITHIN = 4096
 
 def is_document(data: bytes) -> bool:
     """Whether JSON is, or claims to be, a document of Curvebench."""
-    return _DOCUMENT_MARK.search(data[:_MARK_WITHIN]) is not None
+    beginning = data[:_MARK_WITHIN]
+    return beginning.lstrip().startswith(b"{") and _DOCUMENT_MARK.search(beginning) is not None
 
 
 def file_filters() -> str:
@@ -297,12 +298,8 @@ def can_import(path: Path) -> bool:
     # Before the registry is asked: a window that opens a document starts without the other formats.
     if name.endswith(DOCUMENT_ENDING) or not name.endswith(endings_of(FORMATS.read)):
         return False
-    return not name.endswith(".json") or (path.is_file() and not _looks_like_document(path))
-
-
-def _looks_like_document(path: Path) -> bool:
     try:
         with path.open("rb") as file:
-            return is_document(file.read(_MARK_WITHIN))
+            return not is_document(file.read(_MARK_WITHIN))
     except OSError:
-        return True  # whoever opens it says what is wrong with it
+        return not name.endswith(".json")  # whoever opens it says what is wrong with it

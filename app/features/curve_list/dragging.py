@@ -45,8 +45,8 @@ class RowDrag:
         self._opening.timeout.connect(self._open_below)
 
     def press(self, row: int, place: QPoint) -> None:
-        """Begin on a row; what holds no curve is not dragged."""
-        self.row, self._press = row, place if self._model.entries[row].places else None
+        """Begin on a row."""
+        self.row, self._press = row, place
 
     def move(self, place: QPoint) -> None:
         """Follow the pointer."""

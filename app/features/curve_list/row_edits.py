@@ -7,12 +7,13 @@ from functools import partial
 
 from ...document.curve_tree import Node, NodeKind
 from ...document.edits import EditError, rename_curve
-from ...document.layers import looks_of, with_layer_looks
+from ...document.layers import looks_of, moved_layers, whole_layers, with_layer_looks
 from ...document.model import Document
 from ...document.several_curves import named, with_appearance
 from ...document.shape_edits import moved_into, named_anew
 from ...document.shapes import whole_shapes
 from ...document.style_edits import with_style
+from ...document.words import names_of
 from ...session import Session
 from ...tools.drag_machine import CANCELLED
 from .dropping import Drop
@@ -131,21 +132,21 @@ class RowEdits:
         session.change(f"{verb} {named(session.committed, curves)}", lambda document: edit(document, curves))
 
     def _move(self, node: Node, drop: Drop) -> None:
-        session, curves = self._session, self._meant(frozenset(node.places))
+        session, before, is_layer = self._session, self._session.committed, node.kind is NodeKind.LAYER
+        curves = self._meant(frozenset(node.places)) if node.places else frozenset()
         # All that is in a layer may go from it, and the layer stays.
-        left = () if node.kind is NodeKind.LAYER else session.committed.layers
+        left = () if is_layer else before.layers
+        layers = (whole_layers(before, curves) or [node.name]) if is_layer else []
         try:
-            moved = moved_into(
-                session.committed, curves, drop.at, drop.container, {*left, *node.around.groups}
-            )
+            moved = moved_into(before, curves, drop.at, drop.container, {*left, *node.around.groups})
+            document = moved_layers(moved.document, layers, drop.container, drop.behind)
         except EditError as reason:
             session.refuse(str(reason))
             return
         chosen = [moved.order.index(place) for place in session.selected.curves]
         active = moved.order.index(session.active_index)
-        if session.change(
-            f"Reorder {named(session.committed, curves)}", lambda _: moved.document, active=active
-        ):
+        what = names_of(layers) if is_layer else named(before, curves)
+        if session.change(f"Reorder {what}", lambda _: document, active=active):
             session.selected.set_curves(chosen, active)
 
     def _set_name(self, node: Node, name: str) -> None:

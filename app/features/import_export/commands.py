@@ -36,7 +36,7 @@ from ...storage.files import StorageError, read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
-from ...workbench.document_files import file_stem
+from ...workbench.file_names import file_stem
 from .. import import_export
 from .copy_commands import CopyCommands
 from .import_series import ImportSeries
@@ -167,6 +167,9 @@ class ExchangeCommands:
         dialog.bring_up()
 
     def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
+        if path == self._opened and not isinstance(found, _OpenTable) and self._knows(path):
+            self._take_in(path, found, True)
+            return
         dialogs, parent = import_export, self._context.window
         verbs = dialogs.form_parts.Verb
         verb = verbs.OPEN if path == self._opened else verbs.IMPORT
@@ -182,6 +185,10 @@ class ExchangeCommands:
         dialog.chosen.connect(partial(self._take_in, path))
         self._ask(dialog)
 
+    def _knows(self, path: Path) -> bool:
+        """Whether a file was opened or saved here lately: nobody needs to be shown what it is."""
+        return path.absolute() in self._preferences.recent_files
+
     def _take_in(self, path: Path, taken: Imported | PreparedTable, anew: bool) -> None:
         """Begin with the curves or add them, and go on with the next file; many are computed beside."""
         files, session, intake = self._context.files, self._session, import_export.intake
@@ -191,6 +198,8 @@ class ExchangeCommands:
             return
         new, begins = taken.document, anew or session.files.is_untouched
         target, rest = self._target(anew), self._words_about_rest(new, anew)
+        if path == self._opened and self._knows(path) and (missed := len(getattr(taken, "missed", ()))):
+            rest = f"{count_of(missed, 'element')} otherwise than drawn. {rest}"
         layer = "" if begins else free_layer(target, session.selected.layer)
 
         def work(report: Report) -> Arrival:

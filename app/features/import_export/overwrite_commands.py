@@ -97,9 +97,10 @@ class OverwriteCommands:
     """Writes a drawing back to the file that it was opened from."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._session, self._work = context.session, context.work
+        self._session, self._work, self._preferences = context.session, context.work, context.preferences
         self._told: tuple[Foreign, Document] | None = None
         context.files.save_back = self._save
+        context.files.save_as_svg = self._save_as
 
     @action(
         "overwriteForeign",
@@ -126,6 +127,29 @@ class OverwriteCommands:
             return False
         self._write(waits=waits)
         return not session.files.is_modified
+
+    def _save_as(self, path: Path, waits: bool) -> bool:
+        """Save to another file, which the document stands for from then on; say what it does not keep."""
+        session = self._session
+        session.cancel()
+        document, files = session.committed, session.files
+        work = partial(_written_to, path.absolute(), files.foreign, document)
+        done = partial(self._go_over, document, files.beginning, files.foreign)
+        start = self._work.do_now if waits else self._work.start
+        start(f"Writing {shown(path.name)}", work, done, path, "saved")
+        return not files.is_modified
+
+    def _go_over(
+        self, document: Document, beginning: Beginning, origin: Foreign | None, found: _Done
+    ) -> None:
+        session, path = self._session, found.now.path
+        session.files.go_over_to(found.now, beginning, document)
+        self._preferences.add_recent_file(path)
+        self._preferences.last_folder = path.parent
+        session.offer(exchange.lasting.words_about_loss(document, path), "saveDocumentAs")
+        near = _words_about(origin or found.now, found)
+        session.say(" ".join([f"Saved {shown(path.name)}{near}.", *found.written.changes]))
+        self._work.warn_of(found.written.remarks)
 
     def _write(self, *, waits: bool) -> None:
         session, foreign = self._session, self._session.files.foreign
@@ -173,6 +197,26 @@ def _written_back(foreign: Foreign, document: Document, may: bool, report: Repor
     if kept is not None:
         writing.put(kept, foreign.path, report)
         return _Done(kept, True, copy, foreign.as_it_is(document, is_kept=True))
+    return _anew(foreign, document, copy, report)
+
+
+def _anew(foreign: Foreign, document: Document, copy: Path | None, report: Report) -> _Done:
+    """Write a file with a document and nothing else."""
     options = replace(exchange.options.DEFAULT, unit=document.unit, tells_exactness=False)
-    written = writing.export(document, foreign.path, options.reporting(report))
+    written = exchange.writing.export(document, foreign.path, options.reporting(report))
     return _Done(written, False, copy, foreign.as_it_is(document, is_kept=False))
+
+
+def _written_to(path: Path, origin: Foreign | None, document: Document, report: Report) -> _Done:
+    """Write a document to another file, with all else in that which it came from if it is of that format."""
+    writing, new = exchange.writing, Foreign(path)
+    content = origin.content() if origin is not None and origin.path.suffix == path.suffix else None
+    if origin is None or content is None:
+        return _anew(new, document, None, report)
+    ahead = part(report, 0.0, 0.9)
+    kept = writing.with_changes(content.data, path, document, origin.begun, ahead)
+    if kept is None:
+        return _anew(new, document, None, report)
+    writing.put(kept, path, report)
+    new = replace(new, missed=origin.missed)
+    return _Done(kept, True, None, new.as_it_is(document, is_kept=True))

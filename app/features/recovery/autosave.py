@@ -14,7 +14,7 @@ from ...storage.foreign import Foreign
 from ...storage.reasons import shown
 from ...storage.recovery import Origin, SnapshotFile
 from ...tasks.task import Task
-from ...workbench.document_files import SUFFIX
+from ...workbench.file_names import SUFFIX
 
 _log = logging.getLogger("curvebench.autosave")
 

@@ -50,6 +50,27 @@ def set_empty_layers(
     return has_changed
 
 
+def arrange_empty_layers(reading: Reading, order: Sequence[str]) -> bool:
+    """Put empty layers between those beside them as the `order` of all has them; whether some moved."""
+    nodes = {name: node for node, name in reading.groups.items() if node in reading.layers}
+    empty, has_moved = set(reading.empty_layers), False
+    for around in {node.parent for node in nodes.values()}:
+        wanted = [nodes[name] for name in order if name in nodes and nodes[name].parent is around]
+        for index, node in enumerate(wanted):
+            now = [each for each in around.elements if each in wanted] if around is not None else []
+            place = now.index(node) if node in empty else 0
+            before = now[place - 1] if place else None
+            if node not in empty or before is (wanted[index - 1] if index else None):
+                continue
+            node.take_out()
+            if index:
+                node.put_behind(wanted[index - 1])
+            else:
+                node.put_before(now[0])
+            has_moved = True
+    return has_moved
+
+
 def has_empty_layers(reading: Reading, wanted: Sequence[EmptyLayer], begun: Collection[str]) -> bool:
     """Whether a file has these empty layers, and no others that the document `begun` with."""
     known = {each.name: each for each in reading.empty_layers.values()}

@@ -30,7 +30,7 @@ from ..matrices import combined, is_uneven, mean_scale, moved
 from ..our_own import OurOwn
 from ..sheet import Sheet
 from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, move_whole, redraw
-from .empty_layers import has_empty_layers, set_empty_layers
+from .empty_layers import arrange_empty_layers, has_empty_layers, set_empty_layers
 from .found import Found, Reading, Wanted, runs_as
 from .looks import Definitions, Looks, declare_style
 from .lost_clones import lost_clones
@@ -193,6 +193,8 @@ class _Round:
         if not self.wrong:
             reading = Reading(source)
             if set_empty_layers(source, reading, job.document.empty_layers, job.layers):
+                reading = Reading(source)
+            if arrange_empty_layers(reading, job.document.layers):
                 reading = Reading(source)
             self.wrong = self._check(reading)
 

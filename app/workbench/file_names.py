@@ -1,0 +1,82 @@
+"""Names of documents and of their files."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from ..exchange.formats import DOCUMENT_ENDING, FORMATS, endings_of, format_of
+from ..session import Session
+
+SUFFIX = DOCUMENT_ENDING
+_SVG = ".svg"
+_SVG_KIND = f"SVG drawings (*{_SVG})"
+SAVED_KINDS = f"Curvebench documents (*{SUFFIX});;{_SVG_KIND};;All files (*)"
+"""The kinds of files that a document is saved as, for the dialog that asks for a name."""
+
+_LONGEST_STEM = 80
+
+
+def short_name(name: str) -> str:
+    """Return a name without its middle where it is long; the title of the window has it whole."""
+    half = _LONGEST_STEM // 2
+    return name if len(name) <= _LONGEST_STEM else f"{name[:half]}…{name[-half:]}"
+
+
+def title_of(session: Session) -> str:
+    """Return what the document is called: its file; a curve's name would change with the order of curves."""
+    files = session.files
+    path = files.path or (files.foreign.path if files.foreign is not None else None)
+    return path.name if path is not None else files.beginning.title or "Untitled"
+
+
+def file_stem(session: Session) -> str:
+    """Return a file name for the document, without ending."""
+    if session.files.path is not None:
+        return _stem_of(session.files.path)
+    if session.files.foreign is not None:
+        return _stem_of(session.files.foreign.path)
+    drawn = "Drawing" if session.document.page is not None else session.document.curves[0].name
+    name = session.files.beginning.file_stem or drawn
+    name = "".join(character for character in name if character.isprintable())
+    # What some system does not allow in a file's name.
+    return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
+
+
+def _stem_of(path: Path) -> str:
+    return path.with_suffix("").name if is_svg(path) else path.name.removesuffix(SUFFIX)
+
+
+def is_svg(path: Path) -> bool:
+    """Whether a file is an SVG by its name."""
+    return path.name.lower().endswith(_SVG)
+
+
+def is_misnamed(path: Path) -> bool:
+    """Whether a document of ours has the name of another format's file, where nothing would look for one."""
+    return is_svg(path) or bool(why_not_saved_as(path.name))
+
+
+def path_to_save(typed: Path, kind: str) -> Path:
+    """Return where a document is saved for a typed name and a kind of files, as `SAVED_KINDS` has it.
+
+    What is neither JSON nor a file of a known format by its name gets the suffix of documents.
+    """
+    name = typed.name
+    if kind == _SVG_KIND and not is_svg(typed):
+        return typed.with_name(name.removesuffix(SUFFIX) + _SVG)
+    known = (".json", *endings_of(FORMATS.written))
+    return typed if name.lower().endswith(known) else typed.with_name(name + SUFFIX)
+
+
+def why_not_saved_as(name: str) -> str:
+    """Return why no document may have such a name, as sentences; empty where it may.
+
+    Under the ending of another format no program, this one among them, would open it.
+    """
+    name = name.lower()
+    others = tuple(each for each in endings_of(FORMATS.written) if each not in (SUFFIX, _SVG))
+    if not name.endswith(others):
+        return ""
+    title = format_of(name, FORMATS.written).title
+    return f"A document is saved as {SUFFIX} or {_SVG}. File › Export writes a {title}."

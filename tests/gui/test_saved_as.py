@@ -1,0 +1,103 @@
+"""Save As under the names of other formats: the file is what its name says, or there is none."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog
+
+from app.exchange.svg.reader import read_svg
+from app.storage.files import load
+from app.workbench.file_names import SAVED_KINDS, title_of
+
+pytestmark = pytest.mark.usefixtures("drawings_read_here")
+
+ANY, SVG = "", SAVED_KINDS.split(";;")[1]
+A4 = 297.0
+
+
+@pytest.fixture
+def save_as(editor, tmp_path, monkeypatch):
+    """Save a drawing of one rectangle under a typed name with a kind of the list chosen."""
+    editor.trigger("newDrawing")
+    editor.trigger("rectangleTool")
+    editor.drag((20, 20), (90, 90))
+
+    def save(name, kind=ANY):
+        answer = str(tmp_path / name), kind
+        monkeypatch.setattr(
+            QFileDialog, "getSaveFileName", lambda *words: proposed.append(words[2]) or answer
+        )
+        editor.trigger("saveDocumentAs")
+        editor.wait_for_work()
+
+    proposed = []
+    save.proposed = proposed
+    return save
+
+
+def places(curve, rise=0.0):
+    return sorted((round(x, 6), round(y + rise, 6)) for x, y in (point.position for point in curve.points))
+
+
+def holds(path, editor):
+    """Whether an SVG holds the rectangle of the document; there y goes down from the top of the page."""
+    (found,) = read_svg(path.read_bytes()).document.curves
+    return places(found, A4) == places(editor.session.document.curves[0])
+
+
+def test_a_document_saved_as_svg_is_one_and_stands_for_it_from_then_on(editor, save_as, tmp_path):
+    """It wrote the document's JSON under that name, which no program opens, this one among them."""
+    session, files = editor.session, editor.session.files
+    # Typed, and by the list with the proposed name left as it is; also where it had a file of ours.
+    for typed, kind, name in (("a.svg", ANY, "a.svg"), ("b.curve.json", SVG, "b.svg")):
+        save_as(typed, kind)
+        assert (editor.status, editor.message) == (f"Saved {name}, exact.", "")
+        assert (title_of(session), files.path, files.is_modified) == (name, None, False)
+        assert editor.window.windowTitle() == f"{name}[*] – Curvebench"
+        assert holds(tmp_path / name, editor)
+        assert editor.window.preferences.recent_files[0] == tmp_path / name
+        # What is saved from now on goes there.
+        editor.session.selected.choose({0})
+        editor.key(Qt.Key.Key_Right)
+        assert files.is_modified
+        assert not holds(tmp_path / name, editor)
+        editor.trigger("saveDocument")
+        editor.wait_for_work()
+        assert holds(tmp_path / name, editor)
+        assert not files.is_modified
+        editor.trigger("undo")
+        save_as(f"own {name[0]}")
+        own = tmp_path / f"own {name[0]}.curve.json"
+        assert (files.path, load(own)) == (own, session.document)
+    assert sorted(each.name for each in tmp_path.glob("[!.]*")) == [
+        "a.svg",
+        "b.svg",
+        "own a.curve.json",
+        "own b.curve.json",
+    ]
+
+
+@pytest.mark.parametrize("name", ["icons.PNG", "icons.dxf", "icons.points.csv"])
+def test_nothing_of_ours_has_the_name_of_another_format(editor, save_as, tmp_path, name):
+    save_as(name)
+    assert editor.file_bar.text.startswith(
+        f"{name} was not saved. A document is saved as .curve.json or .svg. File › E"
+    )
+    assert (list(tmp_path.glob("[!.]*")), editor.session.files.is_modified) == ([], True)
+    save_as("logo v1.2")
+    assert [each.name for each in tmp_path.glob("[!.]*")] == ["logo v1.2.curve.json"]
+
+
+def test_a_document_under_the_name_of_an_svg_opens_as_what_it_is_and_is_saved_elsewhere(
+    editor, save_as, tmp_path
+):
+    path = tmp_path / "icons.svg"
+    editor.session.save(path)
+    held, document = path.read_bytes(), editor.session.document
+    editor.session.new()
+    editor.window.context.files.open(path)
+    assert (editor.session.document, editor.session.files.path) == (document, path)
+    save_as("icons.curve.json")
+    assert save_as.proposed[-1] == str(tmp_path / "icons.curve.json")
+    assert path.read_bytes() == held
