@@ -148,7 +148,7 @@ class PointLayer(Layer):
     def _have_kinds(self, view: CurveView) -> None:
         """Tell the kinds of the points; under a drag they stay, and so do these arrays."""
         source, arrays = view.source, view.arrays
-        made_of = (source.family, source.is_closed, arrays.corners, arrays.ties, arrays.given)
+        made_of = (source.family, source.is_closed, arrays.corners, arrays.ties, arrays.evens, arrays.given)
         if len(made_of) == len(self._kinds_of) and all(map(is_, made_of, self._kinds_of)):
             return
         self._kinds_of, kinds = made_of, kinds_of(view)

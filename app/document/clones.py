@@ -298,7 +298,7 @@ def _runs_as(original: Curve, points: Sequence[Point], by: Affine) -> bool:
 
 def _kind(point: Point) -> tuple[object, ...]:
     vectors = (getattr(point, name) is not None for _, name in VECTORS)
-    return (point.corner, point.tied, point.t, *vectors)
+    return (point.corner, point.tied, point.even, point.t, *vectors)
 
 
 def map_between(original: Curve, points: Sequence[Point]) -> Affine | None:

@@ -109,6 +109,8 @@ class Point(Value, frozen=True, gc=False):
     tied
         Whether the velocities before and after a corner, both set, go the same way and keep doing so: the
         curve is smooth there, and its handles have lengths of their own.
+    even
+        Whether tied velocities also keep the ratio of their speeds, which made their handles equally long.
     """
 
     x: Length
@@ -122,6 +124,7 @@ class Point(Value, frozen=True, gc=False):
     jerk: Lengths = None
     jerk_after: Lengths = None
     tied: bool = False
+    even: bool = False
 
     @property
     def position(self) -> Vector:
@@ -140,7 +143,9 @@ class Point(Value, frozen=True, gc=False):
 
     def without_corner(self) -> Point:
         """Return the point with the derivatives before it on both sides."""
-        return replace(self, corner=False, tied=False, **{each.after: None for each in DERIVATIVES})
+        return replace(
+            self, corner=False, tied=False, even=False, **{each.after: None for each in DERIVATIVES}
+        )
 
     def with_derivatives(self, before: Sequence[Vector | None], after: Sequence[Vector | None]) -> Point:
         """Return the point with derivatives before and, at a corner, after it, by their orders from 1 on."""

@@ -26,7 +26,7 @@ from .value import Value
 
 Values = TypeVar("Values", bound=Value)
 
-_x, _y, _t, _corner, _tied = map(attrgetter, ("x", "y", "t", "corner", "tied"))
+_x, _y, _t, _corner, _tied, _even = map(attrgetter, ("x", "y", "t", "corner", "tied", "even"))
 
 
 def plain(document: Document, before: Document | None = None) -> Document:
@@ -96,7 +96,7 @@ def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple
 
 def _are_plain(points: Sequence[Point]) -> bool:
     """Whether points hold plain values, asked without a call for each."""
-    if not all(map(is_, map(_tied, points), repeat(False))):
+    if not all(map(is_, chain(map(_tied, points), map(_even, points)), repeat(False))):
         return all(map(_is_plain, points))
     vectors = [vector for vector in chain.from_iterable(map(vectors_of, points)) if vector is not None]
     return (
@@ -116,6 +116,7 @@ def _is_plain(point: Point) -> bool:
         and (t is float or point.t is None)
         and type(point.corner) is bool
         and (point.tied is False or (point.tied is True and holds(point)))
+        and (point.even is False or point.even is point.tied)
         and all(vector is None or _is_plain_vector(vector) for vector in vectors_of(point))
     )
 
@@ -126,7 +127,8 @@ def _is_plain_vector(vector: Vector) -> bool:
 
 def _plain_point(point: Point) -> Point:
     changed = _plain_values(point)
-    return replace(changed, tied=changed.tied and holds(changed))
+    is_tied = changed.tied and holds(changed)
+    return replace(changed, tied=is_tied, even=is_tied and changed.even)
 
 
 def _plain_number(value: object) -> object:

@@ -1,8 +1,9 @@
 """Ties: velocities before and after a point that go the same way, each at a speed of its own.
 
 A point that is tied is a corner whose two velocities are parallel: the curve has a tangent there (G¹), and
-its two handles have lengths of their own. Whoever turns one velocity turns the other along, and a straight
-segment beside the point gives both their direction. No Qt, no arrays.
+its two handles have lengths of their own, or, where it is even, are as long as each other. Whoever turns one
+velocity turns the other along, and a straight segment beside the point gives both their direction. No Qt, no
+arrays.
 """
 
 from __future__ import annotations
@@ -73,7 +74,7 @@ def tied_if_parallel(point: Point) -> Point:
 
 def untied(point: Point) -> Point:
     """Return a point whose velocities are free of each other, themselves what they are."""
-    return replace(point, tied=False) if point.tied else point
+    return replace(point, tied=False, even=False) if point.tied else point
 
 
 BY_HAND = math.radians(5)
@@ -105,7 +106,8 @@ def with_derivative(
 ) -> Point:
     """Return point `index` of a curve with another derivative on one side, and what is tied to that.
 
-    Of a tied point the velocity on the other side turns along and keeps its length. Where a straight segment
+    Of a tied point the velocity on the other side turns along and keeps its length, or where it is even, its
+    share of the other's. Where a straight segment
     lies there, it stays straight: the velocity goes along it, as far as it did. One that is left to the rules
     (None) ends the tie. `point` stands for the one of the curve where that has been changed already.
     """
@@ -114,13 +116,28 @@ def with_derivative(
     if not point.tied or order > 1:
         return replace(point, **{name: vector})
     if vector is None:
-        return replace(point, tied=False, **{name: None})
+        return replace(untied(point), **{name: None})
     held: Vector = getattr(point, other)
+    was: Vector = getattr(point, name)
     if line_beside(curve, index, ahead=not ahead):
         x, y = unit(held)
         far = max(vector[0] * x + vector[1] * y, 0.0)
-        return replace(point, **{name: (far * x, far * y)})
-    return replace(point, **{name: vector, other: turned(held, vector)})
+        vector = (far * x, far * y)
+        return replace(point, **{name: vector} | ({other: _in_step(held, was, vector)} if point.even else {}))
+    other_way = _in_step(held, was, vector) if point.even else turned(held, vector)
+    return replace(point, **{name: vector, other: other_way})
+
+
+def _in_step(held: Vector, was: Vector, vector: Vector) -> Vector:
+    """Return the velocity across an even point: along `vector`, at its speed by the ratio that there was.
+
+    Handles that are equally long stay so, whatever the lengths of the segments are: speeds go by their ratio.
+    """
+    length = math.hypot(*was)
+    if not length or not any(held) or not any(vector):
+        return turned(held, vector)
+    (x, y), far = unit(vector), math.hypot(*vector) * (math.hypot(*held) / length)
+    return (far * x, far * y)
 
 
 def along_lines(curve: Curve, index: int) -> Point:

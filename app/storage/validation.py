@@ -66,14 +66,16 @@ _what_runs = attrgetter("points", "parametrization", "closed")
 
 
 def _validate_ties(curve: Curve, place: str) -> None:
-    """Raise FormatError unless tied velocities are both there, in one direction."""
-    if not any(map(attrgetter("tied"), curve.points)):
+    """Raise FormatError unless tied velocities are both there, in one direction; those of even points are."""
+    if not any(map(any, map(attrgetter("tied", "even"), curve.points))):
         return
     for index, point in enumerate(curve.points):
         if point.tied and not (type(point.tied) is bool and holds(point)):
             raise FormatError(
                 f"{place}.points[{index}].tied needs a corner, velocity and velocity_after in one direction"
             )
+        if point.even and not (type(point.even) is bool and point.tied):
+            raise FormatError(f"{place}.points[{index}].even needs a point that is tied")
 
 
 def _validate_parameters(curve: Curve, place: str) -> None:

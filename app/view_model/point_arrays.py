@@ -35,6 +35,8 @@ class PointArrays(msgspec.Struct, frozen=True, eq=False, gc=False):
         Whether each point has derivatives of its own on each side, (n,).
     ties
         Whether its velocities are tied there, (n,).
+    evens
+        Whether tied velocities keep their handles equally long, (n,).
     given
         Derivatives that the person set: ``[i, side, order - 1]``, side 0 before and 1 after the point;
         (n, 2, highest order, 2).
@@ -45,6 +47,7 @@ class PointArrays(msgspec.Struct, frozen=True, eq=False, gc=False):
     times: FloatArray
     corners: BoolArray
     ties: BoolArray
+    evens: BoolArray
     given: FloatArray
 
 
@@ -53,7 +56,7 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     if previous is None or len(previous.points) != len(points):
         return PointArrays(points, *_columns(points))
     rows = rows_changed(points, previous.points)
-    old = (previous.positions, previous.times, previous.corners, previous.ties, previous.given)
+    old = (previous.positions, *_columns_besides_places(previous))
     if not rows:
         return PointArrays(points, *old)
     if have_only_moved([previous.points[row] for row in rows], [points[row] for row in rows]):
@@ -91,7 +94,7 @@ def arrays_of_all(points: Sequence[tuple[Point, ...]], previous: Sequence[PointA
 
 
 def _columns_besides_places(arrays: PointArrays) -> tuple[NDArray[Any], ...]:
-    return arrays.times, arrays.corners, arrays.ties, arrays.given
+    return arrays.times, arrays.corners, arrays.ties, arrays.evens, arrays.given
 
 
 def _parts(column: NDArray[Any], points: Sequence[Sequence[Point]]) -> list[NDArray[Any]]:
@@ -110,17 +113,20 @@ def rows_changed(points: Sequence[Point], before: Sequence[Point]) -> list[int]:
     return list(compress(range(len(points)), map(is_not, points, before)))
 
 
-def _columns(points: Sequence[Point]) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray, FloatArray]:
+def _columns(
+    points: Sequence[Point],
+) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray, BoolArray, FloatArray]:
     positions = np.array([(point.x, point.y) for point in points], dtype=float).reshape(-1, 2)
     times = np.array([np.nan if point.t is None else point.t for point in points], dtype=float)
     corners = np.array([point.corner for point in points], dtype=bool)
     ties = np.array([point.tied for point in points], dtype=bool)
+    evens = np.array([point.even for point in points], dtype=bool)
     given = np.array([_given(point) for point in points], dtype=float)
     given = given.reshape(-1, 2, len(DERIVATIVES), 2)
-    for column in (positions, times, corners, ties, given):
+    for column in (positions, times, corners, ties, evens, given):
         # Views of one curve after the other share what did not change.
         column.setflags(write=False)
-    return positions, times, corners, ties, given
+    return positions, times, corners, ties, evens, given
 
 
 def _given(point: Point) -> list[Vector]:

@@ -171,7 +171,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     corners = _corners_of(curve, is_closed=is_closed)
     places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
     points = [
-        replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners, tied=False)
+        replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners, tied=False, even=False)
         for index, ((x, y), t) in enumerate(places)
     ]
     start, end = curve.domain

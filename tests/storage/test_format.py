@@ -154,7 +154,7 @@ def test_the_description_of_the_derivatives_is_that_of_points_and_curves(each):
     assert {each.name, each.after} <= set(Point.__struct_fields__)
     assert type(getattr(make_curve(()), each.rule_field)) is each.rules
     of_derivatives = {name for each in DERIVATIVES for name in (each.name, each.after)}
-    assert set(Point.__struct_fields__) - of_derivatives == {"x", "y", "t", "corner", "tied"}
+    assert set(Point.__struct_fields__) - of_derivatives == {"x", "y", "t", "corner", "tied", "even"}
 
 
 @pytest.mark.parametrize(

@@ -50,7 +50,9 @@ class DerivativeCommands:
             [view.derivative_of(index, each.order, ahead=ahead) for each in derivatives.DERIVATIVES]
             for ahead in (False, True)
         )
-        jet = Point(0.0, 0.0, corner=point.corner, tied=point.tied).with_derivatives(before, after)
+        jet = Point(0.0, 0.0, corner=point.corner, tied=point.tied, even=point.even).with_derivatives(
+            before, after
+        )
         mark = decimal_mark()
         numbers = [number for vector in before for number in vector or ()]
         data = QMimeData()
@@ -105,4 +107,4 @@ def _with_derivatives(point: Point, jet: Point) -> Point:
     """Return `point` with the derivatives of `jet`; of a higher order it keeps its own."""
     copied = [each for each in derivatives.DERIVATIVES if getattr(jet, each.name) is not None]
     vectors = {name: getattr(jet, name) for each in copied for name in (each.name, each.after)}
-    return replace(point, corner=jet.corner, tied=jet.tied, **vectors)
+    return replace(point, corner=jet.corner, tied=jet.tied, even=jet.even, **vectors)

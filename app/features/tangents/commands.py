@@ -13,6 +13,7 @@ from ...document.curve_edits import replace_curve
 from ...document.edits import AlreadySoError, EditError
 from ...document.lines import ends_of
 from ...document.model import Curve, Document
+from ...document.paper import is_for_paper
 from ...document.point_group import PointGroup, points_of, some_points
 from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve_view import CurveView
@@ -73,7 +74,8 @@ class TangentCommands:
             for curve, indices in group.parts
         )
         left_out = f"; {kind.ends}" if inner.count < group.count else ""
-        if self._reshape(kind.step, kind.made, inner if inner.parts else group):
+        made = (is_for_paper(self._session.document) and kind.made_on_paper) or kind.made
+        if self._reshape(kind.step, made, inner if inner.parts else group):
             self._tell(f"{kind.title} at {_points(inner)}{left_out}.", curves, inner)
 
     @action(
