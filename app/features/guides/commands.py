@@ -106,8 +106,8 @@ class GuideCommands:
         if place is None:
             self._context.store.change(guides_shown=True)
             name = f"Guide at {place_words(guide)}"
-            axis, place = guide.axis, (guide.position, guide.lean, guide.across)
-            self._session.change(name, lambda document: add_guide(document, axis, *place))
+            drawn = guide.axis, guide.position, guide.lean, guide.across
+            self._session.change(name, lambda document: add_guide(document, *drawn))
         else:
             name = f"Move guide to {place_words(guide)}"
             self._session.change(name, lambda document: move_guide(document, place, guide))
