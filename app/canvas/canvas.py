@@ -233,6 +233,8 @@ class Canvas(ToolPlot):
             hit = Hit(Part.OTHER_CURVE, self.tools.context.host.active_index, middle)
         corner = (place or self.camera.centre()).toPoint()
         self._asked_at = self.pointer_at(QPointF(corner))
+        if not by_key and (hit is None or hit.inside):
+            hit = self.drawing.locked_guide_at(self._asked_at, self.tools.tool) or hit
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
 
     def hit_at(self, place: QPoint) -> Hit | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
@@ -36,9 +37,11 @@ class GuidesLayer(Layer):
     guides
         What is drawn.
     lit, last
-        The guide under the pointer, or that is dragged, None for none; the one that was this last.
+        The guide under the pointer, or that is dragged, None for none; the one that was this last, or −1.
     locked
-        Whether they cannot be grabbed.
+        Whether none of them can be grabbed.
+    pointed_at
+        Told of `last` when it changes.
     """
 
     z = 5.0
@@ -47,8 +50,9 @@ class GuidesLayer(Layer):
         super().__init__(plot)
         self.guides: tuple[Guide, ...] = ()
         self.lit: int | None = None
-        self.last: int | None = None
+        self.last = -1
         self.locked = False
+        self.pointed_at: Callable[[int], object] = lambda _place: None
         self._unit = ""
         self._halo = Halo()
         self.set_shown(False)
@@ -64,14 +68,23 @@ class GuidesLayer(Layer):
         """Draw one of the guides lit, with its place in words."""
         if place != self.lit:
             self.lit = place
-            self.last = self.last if place is None else place
             self.update()
+        if place is not None:
+            self.point_at(place)
 
-    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
-        """Return the guide at a pixel of the plot area, the nearest of several."""
+    def point_at(self, place: int) -> None:
+        """Take one of the guides for the one that is meant."""
+        if place != self.last:
+            self.last = place
+            self.pointed_at(place)
+
+    def hit(self, pixel: Vector, shown: PixelMap, *, locked: bool = False) -> Hit | None:
+        """Return the guide at a pixel of the plot area, the nearest of several; a locked one where asked."""
         if self.locked or not self.is_visible or not self.guides:
             return None
-        away = [_distance(guide, pixel, shown) for guide in self.guides]
+        away = [
+            _distance(guide, pixel, shown) if guide.locked is locked else math.inf for guide in self.guides
+        ]
         # Of those at one place the last one wins: it is drawn on top.
         nearest = len(away) - 1 - int(np.argmin(away[::-1]))
         if away[nearest] > _REACH:

@@ -50,12 +50,15 @@ class Guide(Value, frozen=True):
         Degrees by which it is turned from upright or level, counterclockwise.
     across
         The other coordinate of the point that it leans about; 0 where it does not.
+    locked
+        Whether it stays where it is.
     """
 
     axis: Axis
     position: Length
     lean: Annotated[float, between(-MOST_LEAN, MOST_LEAN)] = 0.0
     across: Length = 0.0
+    locked: bool = False
 
     @property
     def point(self) -> Vector:

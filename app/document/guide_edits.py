@@ -20,39 +20,61 @@ def place_words(guide: Guide, unit: str = "") -> str:
     return f"{guide.axis.value} = {number(guide.position, _DIGITS)}{suffix}"
 
 
+def locked_words(guide: Guide) -> str:
+    """Return why a guide is neither moved nor removed."""
+    return f"The guide at {place_words(guide)} is locked."
+
+
 def add_guide(
     document: Document, axis: Axis, position: float, lean: float = 0.0, across: float = 0.0
 ) -> Document:
     """Draw a guide more, of these values; refused where there is one."""
     guide = _checked(Guide(axis, position, lean, across))
-    if guide in document.guides:
+    if any(replace(each, locked=False) == guide for each in document.guides):
         raise AlreadySoError(f"There is a guide at {place_words(guide)} already.")
     return replace(document, guides=(*document.guides, guide))
 
 
 def move_guide(document: Document, place: int, to: Guide) -> Document:
     """Put another guide in the place of one of the document."""
-    _guide(document, place)
-    moved = _checked(to)
-    return replace(document, guides=(*document.guides[:place], moved, *document.guides[place + 1 :]))
+    _refuse_locked(document, place)
+    return _with_guide(document, place, _checked(to))
+
+
+def lock_guide(document: Document, place: int, *, locked: bool = True) -> Document:
+    """Keep a guide where it is, or let it be moved and removed again."""
+    return _with_guide(document, place, replace(_guide(document, place), locked=locked))
 
 
 def remove_guide(document: Document, place: int) -> Document:
     """Remove a guide."""
-    _guide(document, place)
-    return replace(document, guides=(*document.guides[:place], *document.guides[place + 1 :]))
+    _refuse_locked(document, place)
+    return _with_guide(document, place)
 
 
 def clear_guides(document: Document) -> Document:
-    """Remove all guides."""
+    """Remove all guides but those that are locked."""
     if not document.guides:
         raise EditError("There are no guides.")
-    return replace(document, guides=())
+    kept = tuple(each for each in document.guides if each.locked)
+    if kept == document.guides:
+        raise EditError("All guides are locked.")
+    return replace(document, guides=kept)
 
 
 def _checked(guide: Guide) -> Guide:
     position = checked(guide.position, f"The {guide.axis.value} of a guide")
     return guide.through(position, checked(guide.across, f"The {guide.axis.other.value} of a guide"))
+
+
+def _with_guide(document: Document, place: int, *other: Guide) -> Document:
+    return replace(document, guides=(*document.guides[:place], *other, *document.guides[place + 1 :]))
+
+
+def _refuse_locked(document: Document, place: int) -> None:
+    guide = _guide(document, place)
+    if guide.locked:
+        raise EditError(locked_words(guide))
 
 
 def _guide(document: Document, place: int) -> Guide:

@@ -61,6 +61,8 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the grid, the panels at the side and the lessons are shown.
     rulers, guides_shown, guides_locked
         Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
+    guide
+        Place in the document of the guide that was pointed at last; −1 for the last one there is.
     kept_shown
         Whether texts and pictures of other programs, which are not edited, are shown.
     thin_lines
@@ -104,6 +106,7 @@ class WindowState(msgspec.Struct, frozen=True):
     rulers: bool = True
     guides_shown: bool = True
     guides_locked: bool = False
+    guide: int = -1
     kept_shown: bool = True
     thin_lines: bool = False
     as_printed: bool = False

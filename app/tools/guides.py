@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from ..document.guide_edits import move_guide, place_words, remove_guide
+from ..document.guide_edits import locked_words, move_guide, place_words, remove_guide
 from ..document.model import Axis, Document, Guide, Vector
 from ..document.transforms import decimal_sum
 from ..document.words import number
@@ -184,8 +184,11 @@ class GuidePicker:
         place = self.chosen
         if place is None or context.settings.guides_stay:
             return False
-        way = direction[context.host.document.guides[place].axis.coordinate]
-        if way:
+        guide = context.host.document.guides[place]
+        way = direction[guide.axis.coordinate]
+        if guide.locked:
+            context.host.refuse(locked_words(guide))
+        elif way:
             step = way * context.step_of(stride)
             nudge = NudgeGuide(context.host.document, place, step, context.settings.unit)
             context.drags.nudge(nudge, ("guide", place))

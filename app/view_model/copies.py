@@ -1,4 +1,4 @@
-"""Copies of curves in a circle or in a row, each a step further than the one before."""
+"""Copies of curves in a circle, a row, or rows and columns, each a step further than the one before."""
 
 from __future__ import annotations
 
@@ -15,16 +15,40 @@ MOST_COPIES: Final = 500
 
 
 class Copies(NamedTuple):
-    """How many there are in all, and how far each is from the one before."""
+    """How many there are, and how far each is from the one before.
 
-    total: int
+    Attributes
+    ----------
+    columns, step
+        How many there are in a circle or in a row, and what is between two of them.
+    rows, row_step
+        How many such rows there are, and what is between two of them.
+    """
+
+    columns: int
     step: Turn | Move
+    rows: int = 1
+    row_step: Move = Move((0.0, 0.0))
+
+    @property
+    def total(self) -> int:
+        """How many there are in all, the original among them."""
+        return self.columns * self.rows
 
     @property
     def words(self) -> str:
-        """What a step of the history says: "5 of {}, each by 72°"."""
-        _, _, apart = self.step.words.partition(" by ")
-        return f"{self.total} of {{}}, each by {apart}"
+        """What a step of the history says: "5 of {}, each by 72°", "4 × 3 of {}, each by 20, 30"."""
+        step, count = self.step, str(self.columns)
+        if self.rows > 1 and isinstance(step, Move):
+            step, count = Move((step.by[0], self.row_step.by[1])), f"{self.columns} × {self.rows}"
+        _, _, apart = step.words.partition(" by ")
+        return f"{count} of {{}}, each by {apart}"
+
+    def placed(self, document: Document, curves: Collection[int], about: Vector, number: int) -> Document:
+        """Return the document with one of the copies, counted along the rows, where it belongs."""
+        row, column = divmod(number, self.columns)
+        document = self.step.done(document, whole_curves(document, curves), about, column)
+        return self.row_step.done(document, whole_curves(document, curves), about, row) if row else document
 
 
 class Copied(NamedTuple):
@@ -52,5 +76,5 @@ def copied(document: Document, curves: Collection[int], copies: Copies, about: V
     at = {id(curve): place for place, curve in enumerate(document.curves)}
     sets = [[at[id(curve)] for curve in curves] for curves in made]
     for number, places in enumerate(sets, start=1):
-        document = copies.step.done(document, whole_curves(document, places), about, number)
+        document = copies.placed(document, places, about, number)
     return Copied(document, frozenset(at[id(curve)] for curve in originals).union(*sets))

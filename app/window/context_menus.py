@@ -44,6 +44,7 @@ class ContextMenus:
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(place)
         elif hit is not None and hit.part is Part.GUIDE:
+            self._context.central.canvas.drawing.guides.point_at(hit.index)
             strip_menu(self._context, GUIDE_MENU, "guideMenu").popup(place)
         elif hit is not None:
             if hit.index not in session.selection:

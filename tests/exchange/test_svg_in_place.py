@@ -224,6 +224,10 @@ EDITS = {
             *('+position="25,10"', '+orientation="-0.8660254037844387,-0.5"'),
         ],
     ),
+    "a guide is locked": (
+        lambda d: replace(d, guides=(replace(d.guides[0], locked=True), *d.guides[1:])),
+        ['-inkscape:locked="false" />', '+inkscape:locked="true" />'],
+    ),
     "the page is wider": (
         lambda d: replace(d, page=Page(0.0, 0.0, 120.0, 80.0)),
         ['-width="100mm"', '+width="120mm"', '-viewBox="0 0 100 80"', '+viewBox="0 0 120 80"'],

@@ -462,6 +462,36 @@ def test_locked_guides_stay_and_a_press_goes_to_what_is_behind(drawing):
     drawing.trigger("lockGuides")
 
 
+def test_one_guide_is_locked_and_unlocked_by_its_menu_and_nothing_moves_it_meanwhile(drawing):
+    with_guides(drawing, ("x", -1.0), ("y", 4.25))
+    drawing.click((-1.0, 1.0))
+    menu = drawing.open_menu((-1.0, 1.0))
+    assert [each.text() for each in menu.actions() if each.objectName() == "lockGuide"] == ["Lock Guide"]
+    drawing.choose("lockGuide")
+    assert [each.locked for each in drawing.session.document.guides] == [True, False]
+    assert drawing.session.undo_stack.undoText() == "Lock guide at x = −1"
+    # Neither a drag, nor keys while it is the one that was clicked, nor a double click.
+    drawing.hover((-1.0, 0.0))
+    for key in (Qt.Key.Key_Right, Qt.Key.Key_Delete):
+        drawing.key(key)
+        assert "The guide at x = −1 is locked." in drawing.status
+    drawing.drag((-1.0, 1.0), (-2.0, 0.0))
+    double_click(drawing, drawing.window.canvas.to_pixel(-1.0, 1.0))
+    drawing.trigger("clearGuides")
+    assert guides(drawing) == [("x", -1.0)]
+    locked = drawing.session.document
+    assert locked.curves == LINE.curves
+    assert 'inkscape:locked="true"' in svg_of(locked, Options()).content
+    # Its menu alone lets it go.
+    menu = drawing.open_menu((-1.0, 1.0))
+    assert menu.objectName() == "guideMenu"
+    assert not drawing.action("removeGuide").isEnabled()
+    assert [each.text() for each in menu.actions() if each.objectName() == "lockGuide"] == ["Unlock Guide"]
+    drawing.choose("lockGuide")
+    drawing.drag((-1.0, 1.0), (-2.0, 0.0))
+    assert guides(drawing) == [("x", pytest.approx(-2.0, abs=drawing.pixel))]
+
+
 def test_all_guides_are_cleared_in_one_step(drawing):
     with_guides(drawing, ("x", -1.0), ("y", 4.0))
     drawing.trigger("clearGuides")

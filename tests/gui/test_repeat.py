@@ -197,3 +197,45 @@ def test_a_row_has_a_step_with_its_unit_and_what_cannot_be_is_told_in_the_field(
     assert len(session.selected.chosen) == 6
     found = {curve.name: place for place, curve in enumerate(session.document.curves)}
     assert points(petal, found["Petal copy 2"]) == pytest.approx(start + np.array([20, -4]))
+
+
+def test_a_grid_is_typed_seen_meanwhile_and_one_step(petal):
+    petal.set_unit("mm")
+    session, start, before = petal.session, points(petal), petal.session.document
+    session.selected.choose([0])
+    width, height = petal.window.canvas.tools.target.bounds.size
+    petal.run_command("Copies in Rows and Columns")
+    frame = petal.window.findChild(QWidget, "copiesField")
+    seen = [float(field(petal, name).text().removesuffix(" mm")) for name in ("copiesX", "copiesY")]
+    assert seen == pytest.approx([width, height], rel=1e-3), "copies touch, until other steps are typed"
+    QTest.keyClicks(QApplication.focusWidget(), "30")
+    enter(petal, field(petal, "copiesRows"), "20")
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Return)
+    petal.settle()
+    assert "There are 2 to 500 in all" in frame.remark
+    assert not session.is_previewing
+    enter(petal, field(petal, "copiesCount"), "4")
+    enter(petal, field(petal, "copiesRows"), "3")
+    enter(petal, field(petal, "copiesX"), "1 cm")
+    enter(petal, field(petal, "copiesY"), "-7/2")
+    assert session.is_previewing
+    assert len(session.document.curves) == len(before.curves) + 11
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Escape)
+    petal.settle()
+    assert session.document is before
+
+    petal.run_command("array grid")
+    QTest.keyClicks(QApplication.focusWidget(), "4")
+    enter(petal, field(petal, "copiesRows"), "2")
+    enter(petal, field(petal, "copiesX"), "1 cm")
+    enter(petal, field(petal, "copiesY"), "-7/2")
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Return)
+    petal.settle()
+    assert session.undo_stack.undoText() == "4 × 2 of Petal, each by 10, \N{MINUS SIGN}3.5"
+    made = sorted(session.selected.chosen)
+    assert len(made) == 8
+    for number, place in enumerate(made):
+        shift = np.array([10 * (number % 4), -3.5 * (number // 4)])
+        assert points(petal, place) == pytest.approx(start + shift)
+    petal.key(Key.Key_Z, CTRL)
+    assert session.document == before

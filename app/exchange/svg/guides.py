@@ -6,10 +6,12 @@ import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 
+from msgspec.structs import replace
+
 from ...document.guide import Axis, Guide, guide_at
 from ...document.model import MAX_MAGNITUDE
 from ..drawing.drawing import Frame
-from .names import SODIPODI
+from .names import LOCKED, SODIPODI
 from .numbers import number
 from .sheet import Sheet
 
@@ -39,7 +41,8 @@ def _guide(element: ET.Element, sheet: Sheet) -> Guide | None:
     # Written so that NaN fails.
     if not (0 < math.hypot(*way) < math.inf and max(map(abs, point)) <= MAX_MAGNITUDE):
         return None
-    return guide_at(point, round(math.degrees(math.atan2(way[1], way[0])), _ANGLE_DIGITS))
+    guide = guide_at(point, round(math.degrees(math.atan2(way[1], way[0])), _ANGLE_DIGITS))
+    return replace(guide, locked=element.get(LOCKED) == "true")
 
 
 def guide_elements(guides: Sequence[Guide], frame: Frame) -> list[str]:
@@ -59,7 +62,8 @@ def _element(guide: Guide, frame: Frame) -> str:
         place, normal = f"{number(x - frame.left)},0", "1,0"
     else:
         place, normal = f"0,{number(y - frame.bottom)}", "0,1"
-    return f'<sodipodi:guide position="{place}" orientation="{normal}"/>'
+    lock = ' inkscape:locked="true"' if guide.locked else ""
+    return f'<sodipodi:guide position="{place}" orientation="{normal}"{lock}/>'
 
 
 def _pair(text: str) -> tuple[float, float] | None:

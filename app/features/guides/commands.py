@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
-from msgspec.structs import astuple
 from PySide6.QtCore import QPoint, QPointF, Qt
 
 from ...actions.declaration import action, also, switch
 from ...actions.needs import Need
 from ...actions.sections import VIEW_DRAWING, VIEW_GUIDES, VIEW_GUIDES_MORE
+from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, GUIDE_MENU
-from ...document.guide_edits import add_guide, clear_guides, move_guide, place_words, remove_guide
-from ...document.model import Axis, Guide
+from ...document.guide_edits import (
+    add_guide,
+    clear_guides,
+    lock_guide,
+    move_guide,
+    place_words,
+    remove_guide,
+)
+from ...document.model import Axis, Document, Guide
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 from .. import guides
 
 _SOME_GUIDE = Need("a guide", lambda now: bool(now.session.document.guides))
+_FREE_GUIDE = Need("a guide that is not locked", lambda now: _is_locked(now) is False)
 _BESIDE = 6
 """Pixels between the field and the guide, or the ruler."""
 
@@ -32,12 +40,16 @@ class GuideCommands:
         self._typed: int | None = None
         self._show_state(None, context.store.state)
         context.store.changed.connect(self._show_state)
+        self._guides.pointed_at = lambda place: context.store.change(guide=place)
         self._canvas.guide_drawn.connect(lambda: context.store.change(guides_shown=True))
         self._canvas.guide_opened.connect(self._open)
 
     def show_document(self) -> None:
         """Show the guides of the document."""
-        self._guides.render(self._session.document.guides, self._unit)
+        drawn = self._session.document.guides
+        self._guides.render(drawn, self._unit)
+        if not drawn:
+            self._guides.point_at(-1)
 
     @property
     def _unit(self) -> str:
@@ -94,7 +106,8 @@ class GuideCommands:
         if place is None:
             self._context.store.change(guides_shown=True)
             name = f"Guide at {place_words(guide)}"
-            self._session.change(name, lambda document: add_guide(document, *astuple(guide)))
+            drawn = guide.axis, guide.position, guide.lean, guide.across
+            self._session.change(name, lambda document: add_guide(document, *drawn))
         else:
             name = f"Move guide to {place_words(guide)}"
             self._session.change(name, lambda document: move_guide(document, place, guide))
@@ -119,7 +132,7 @@ class GuideCommands:
         """Type where a new guide lies and at which angle: “x = 20”, “y = 1 in”; or drag it from a ruler."""
         self._open(Axis.X)
 
-    @action("typeGuide", "Type Place…", VIEW_GUIDES, full_name="Type Place of Guide…", needs=_SOME_GUIDE)
+    @action("typeGuide", "Type Place…", VIEW_GUIDES, full_name="Type Place of Guide…", needs=_FREE_GUIDE)
     @also(GUIDE_MENU(10))
     def _type(self) -> None:
         """Type where the guide lies that was pointed at last, and at which angle."""
@@ -131,7 +144,7 @@ class GuideCommands:
         VIEW_GUIDES,
         "",
         "delete",
-        needs=_SOME_GUIDE,
+        needs=_FREE_GUIDE,
         keywords="delete guideline",
     )
     @also(GUIDE_MENU(11))
@@ -141,10 +154,26 @@ class GuideCommands:
         where = place_words(self._session.document.guides[place])
         self._session.change(f"Remove guide at {where}", lambda document: remove_guide(document, place))
 
+    @action(
+        "lockGuide",
+        "Lock Guide",
+        VIEW_GUIDES,
+        "",
+        "lock",
+        needs=_SOME_GUIDE,
+        title=lambda now: "Unlock Guide" if _is_locked(now) else "Lock Guide",
+        keywords="unlock guideline fix protect",
+    )
+    @also(GUIDE_MENU(12))
+    def _lock_one(self) -> None:
+        """Keep the guide that was pointed at last where it is, whatever is pressed; or let it go again."""
+        place = self._last()
+        guide = self._session.document.guides[place]
+        text = f"{'Unlock' if guide.locked else 'Lock'} guide at {place_words(guide)}"
+        self._session.change(text, lambda document: lock_guide(document, place, locked=not guide.locked))
+
     def _last(self) -> int:
-        """Return the guide that was pointed at last, else the last one that was added."""
-        count, last = len(self._session.document.guides), self._guides.last
-        return last if last is not None and last < count else count - 1
+        return _pointed_at(self._session.document, self._context.store.state)
 
     @switch(
         "guides_shown",
@@ -168,13 +197,25 @@ class GuideCommands:
     )
     @also(GUIDE_MENU(20))
     def _lock(self) -> None:
-        """Keep the guides where they are: a press goes to what lies behind them."""
+        """Keep all guides where they are: a press goes to what lies behind them."""
 
     @action("clearGuides", "Clear Guides", VIEW_GUIDES_MORE, needs=_SOME_GUIDE, keywords="remove all guides")
     @also(GUIDE_MENU(21))
     def _clear(self) -> None:
-        """Remove all guides."""
+        """Remove all guides but those that are locked."""
         self._session.change("Clear guides", clear_guides)
+
+
+def _pointed_at(document: Document, state: WindowState) -> int:
+    """Return the place of the guide that was pointed at last, else of the last one that was added."""
+    count = len(document.guides)
+    return state.guide if 0 <= state.guide < count else count - 1
+
+
+def _is_locked(now: Situation) -> bool | None:
+    """Whether the guide that was pointed at last is locked; None without guides."""
+    guides = now.session.document.guides
+    return guides[_pointed_at(now.session.document, now.state)].locked if guides else None
 
 
 COMMAND_SETS = (GuideCommands,)

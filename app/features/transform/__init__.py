@@ -2,7 +2,7 @@
 
 - ``commands``: the actions.  ``align_commands``: those that align and distribute.
 - ``repeat_commands``: the last transform once more.  ``size_commands``: the size of what was copied.
-- ``copies_commands``: copies in a circle or a row.  ``copies_field``: how many, and how far apart.
+- ``copies_commands``: copies in a circle, a row or a grid.  ``copies_field``: how many, and how far apart.
 - ``panel``: the same in numbers.  ``panel_commands``: keeps it in step.  ``pivot_chooser``: nine places.
   ``form_row``: the numbers of a rectangle, an ellipse, a star.
 """

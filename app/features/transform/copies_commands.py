@@ -1,4 +1,4 @@
-"""Copies all around the pivot, or in a row: typed, seen meanwhile, made in one step."""
+"""Copies all around the pivot, in a row or in a grid: typed, seen meanwhile, made in one step."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .. import transform
 
 if TYPE_CHECKING:
     from ...view_model.copies import Copies
-    from .copies_field import CopiesField
+    from .copies_field import CopiesField, CopiesKind
 
 _MOST_SEEN = 20_000
 """Points of copies that are seen while they are typed; more take too long for every key."""
@@ -58,8 +58,24 @@ class CopiesCommands:
         needs=CHOSEN,
         keywords="array pattern circular polar radial rotate petals flower row step repeat tile clones",
     )
-    def _ask(self) -> None:
+    def _ask_around(self) -> None:
         """Type how many copies of what is chosen stand about its pivot, or in a row, and how far apart."""
+        self._ask(transform.copies_field.CopiesKind.CIRCLE)
+
+    @action(
+        "copiesInGrid",
+        "Rows and Columns…",
+        EDIT_TRANSFORM_AGAIN,
+        icon="copies-in-grid",
+        full_name="Copies in Rows and Columns…",
+        needs=CHOSEN,
+        keywords="array grid pattern rectangular tile tiles step repeat matrix clones",
+    )
+    def _ask_grid(self) -> None:
+        """Type how many columns and rows there shall be of what is chosen, and how far apart they are."""
+        self._ask(transform.copies_field.CopiesKind.GRID)
+
+    def _ask(self, kind: CopiesKind) -> None:
         self._canvas.cancel_gesture()
         session, target = self._session, self._target
         self._originals = session.selected.highlight(whole_curves=True).curves
@@ -68,7 +84,7 @@ class CopiesCommands:
             return
         bounds = target.bounds_of(whole_curves(session.document, self._originals))
         self._about, self._corner = target.pivot or bounds.centre, bounds.high
-        self.field.open_for(bounds.size[0], session.document.unit, self._place)
+        self.field.open_for(bounds.size, session.document.unit, self._place, kind)
 
     def _place(self) -> QPoint:
         return self._canvas.to_pixel(*self._corner) + QPoint(_BESIDE, 0)

@@ -44,7 +44,7 @@ def _is_same(one: Page, other: Page) -> bool:
 
 
 def set_guides(source: Source, reading: Reading, wanted: tuple[Guide, ...]) -> None:
-    """Move, take out and put in guides; what else is said of one that was moved stays, such as its lock."""
+    """Move, lock, take out and put in guides; what else is said of one stays, such as its colour."""
     sheet = reading.sheet
     if (page := sheet.page) is None:
         return
@@ -57,7 +57,8 @@ def set_guides(source: Source, reading: Reading, wanted: tuple[Guide, ...]) -> N
     known = [(node, guide) for node, guide in reading.guides if guide is not None]
     new = [each for each in wanted if not any(is_same(each, guide) for _, guide in known)]
     for node, guide in known:
-        if any(is_same(guide, each) for each in wanted):
+        if same := [each for each in wanted if is_same(guide, each)]:
+            _lock(source, node, guide, same[0])
             continue
         moved = next((each for each in new if each.axis is guide.axis), None)
         if moved is None:
@@ -65,10 +66,19 @@ def set_guides(source: Source, reading: Reading, wanted: tuple[Guide, ...]) -> N
         else:
             new.remove(moved)
             _put(node, moved, sheet, page)
+            _lock(source, node, guide, moved)
     for guide in new:
         node = Node(source.sodipodi("guide"))
         _put(node, guide, sheet, page)
+        if guide.locked:
+            node.set(source.inkscape("locked"), "true")
         node.put_last(_view(source))
+
+
+def _lock(source: Source, node: Node, old: Guide, new: Guide) -> None:
+    """Say whether a guide is locked, where the file says otherwise."""
+    if new.locked is not old.locked:
+        node.set(source.inkscape("locked"), "true" if new.locked else "false")
 
 
 def _view(source: Source) -> Node:
