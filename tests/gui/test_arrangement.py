@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QTabBar, QToolButton
+from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
 
 from app.document.model import Page
 from app.document.plane_edits import set_page
@@ -174,3 +174,19 @@ def test_it_is_remembered_from_window_to_window(fresh, tmp_path):
     begin_lesson(second)
     assert not shows_functions(second)
     assert in_front(second) == SKETCH
+
+
+def test_growth_of_errors_is_told_where_functions_are_at_hand(editor):
+    readout = editor.window.findChild(QLabel, "lebesgueConstant")
+    assert readout.text().startswith("Λ ")
+    begin_drawing(editor)
+    for x in (40, 80, 120):
+        editor.click((x, 100))
+    editor.wait_for_rest()
+    assert not readout.text()
+    editor.trigger("toggleBasis")
+    editor.settle()
+    assert readout.text().startswith("Λ")
+    editor.trigger("toggleBasis")
+    begin_lesson(editor)
+    assert readout.text().startswith("Λ ")
