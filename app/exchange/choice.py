@@ -93,6 +93,7 @@ class ExportChoice:
             with_estimates=with_estimates,
             unit=unit,
             own=values,
+            from_corner=part.page is None and (document.page is not None or self[EXTENT] is Extent.CHOSEN),
         )
         return Order(part, options)
 

@@ -23,6 +23,7 @@ from app.document.shape_edits import grouped
 from app.document.style import Style
 from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
+from app.exchange.reading import import_file
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.storage.files import load
@@ -500,6 +501,29 @@ def test_all_curves_are_exported_where_none_is_chosen_or_all_are_asked_for(waves
     choose(dialog.form.fields["extent"].widget, "Chosen curves")
     path = export(editor, dialog, tmp_path / "b.svg", monkeypatch)
     assert len(paths_in(path)) == 1, "the curve that is edited"
+
+
+def test_a_part_of_a_drawing_begins_in_its_own_corner(editor, tmp_path, monkeypatch):
+    """The icon was seen from “79 -38”, where it lies on its page."""
+    icon = make_curve([(79.1, 22), (95.1, 22), (95.1, 38), (79.1, 38)], name="icon", family=HERMITE)
+    other = make_curve([(7, 22), (23, 38)], name="other", family=HERMITE)
+    document = Document((icon, other), unit="mm", page=Page(0.0, 0.0, 120.0, 60.0))
+    editor.session.commit(document, "Begin")
+    editor.session.selected.choose({0})
+    for what, points in (("Chosen curves", icon.points), ("All curves", (*icon.points, *other.points))):
+        editor.trigger("exportPicture")
+        dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+        choose_format(dialog, ".svg")
+        choose(dialog.form.fields["extent"].widget, what)
+        path = export(editor, dialog, tmp_path / f"{what}.svg", monkeypatch)
+        left, top, width, height = ElementTree.parse(path).getroot().get("viewBox").split()
+        assert (left, top) == ("0", "0")
+        back = [point.position for curve in import_file(path).document.curves for point in curve.points]
+        # As far from each other as they were, to the last decimal, and all on the page.
+        (x, y), (old_x, old_y) = back[0], points[0].position
+        there = [(round(a - x, 9), round(b - y, 9)) for a, b in back]
+        assert there == [(round(a - old_x, 9), round(b - old_y, 9)) for a, b in (p.position for p in points)]
+        assert all(0 <= a <= float(width) and 0 <= -b <= float(height) for a, b in back)
 
 
 def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_path, monkeypatch):
