@@ -54,7 +54,7 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     style, report = options.vector_style(document), part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
     if options.from_corner and not drawing.has_page:
-        by = (-drawing.frame.left, -drawing.frame.top)
+        by = (-float(number(drawing.frame.left)), -float(number(drawing.frame.top)))
         drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
     text = svg_text(
         drawing,
