@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from ..document.export import Export
 from ..document.model import Document
-from ..document.several_curves import alone
+from ..document.several_curves import alone, name_of
 from ..document.shapes import whole_shapes
 from .drawing.styles import DARK, LIGHT
 from .formats import FORMATS, Format
@@ -93,6 +93,7 @@ class ExportChoice:
             with_estimates=with_estimates,
             unit=unit,
             own=values,
+            from_corner=part.page is None and (document.page is not None or self[EXTENT] is Extent.CHOSEN),
         )
         return Order(part, options)
 
@@ -134,8 +135,17 @@ def choice_of(export: Export) -> ExportChoice | None:
     return _usable(export.ending, kept)
 
 
-def note_of(choice: ExportChoice, name: str) -> Export:
-    """Return what a document remembers of an export to a file."""
+def known_name(choice: ExportChoice, document: Document, chosen: Collection[int], last: Export) -> str:
+    """Return what is exported is called, without ending, or was the last time; empty for neither."""
+    if choice[EXTENT] is Extent.CHOSEN:
+        return name_of(document, whole_shapes(document, chosen)) or ""
+    return last.name.removesuffix(last.ending) if last.ending == choice.ending else ""
+
+
+def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
+    """Return what a document remembers of an export to a file; what a part was called says nothing of it."""
+    if choice[EXTENT] is Extent.CHOSEN:
+        name = last.name if last.ending == choice.ending else ""
     values = {key: value for key, value in choice.values.items() if value is not Extent.CHOSEN}
     options = tuple((key, msgspec.json.encode(value).decode()) for key, value in sorted(values.items()))
     return Export(choice.ending, name, options)

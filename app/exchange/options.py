@@ -258,6 +258,9 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         The file that is written, for formats that say where other files lie.
     tells_exactness
         Of an SVG: whether it has a sentence about how near it is to the true curves.
+    from_corner
+        Of an SVG without a page: whether its coordinates begin in its upper left corner, and not where those
+        of the document do.
     """
 
     width: int | None = None
@@ -276,6 +279,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     report: Report = silent
     path: str = ""
     tells_exactness: bool = True
+    from_corner: bool = False
 
     def __getitem__(self, option: Option[Value]) -> Value:
         """Return an option that one format alone has."""

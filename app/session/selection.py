@@ -231,9 +231,13 @@ class Selection:
         self.next_style.marked = was_chosen or Marked.LENT
 
     def begin_opened(self) -> None:
-        """Begin with a document that was opened: nobody chose its curves; none hidden or locked is edited."""
-        self.next_style.marked = Marked.OPENED
-        if not self._session.active_curve.is_free:
+        """Begin with a document that was opened: nobody chose its curves.
+
+        None hidden or locked is edited, nor any on a page, where one chooses first.
+        """
+        document, self.next_style.marked = self._session.document, Marked.OPENED
+        is_drawing = document.page is not None and not is_blank(document)
+        if is_drawing or not self._session.active_curve.is_free:
             self.choose(())
             self.next_style.marked = Marked.OPENED
 

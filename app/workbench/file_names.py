@@ -36,8 +36,13 @@ def file_stem(session: Session) -> str:
         return _stem_of(session.files.path)
     if session.files.foreign is not None:
         return _stem_of(session.files.foreign.path)
-    drawn = "Drawing" if session.document.page is not None else session.document.curves[0].name
-    name = session.files.beginning.file_stem or drawn
+    curves = session.document.curves
+    drawn = "Drawing" if session.document.page is not None or len(curves) > 1 else curves[0].name
+    return own_name(session.files.beginning.file_stem or drawn)
+
+
+def own_name(name: str) -> str:
+    """Return a file name without ending for what has a name."""
     name = "".join(character for character in name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"

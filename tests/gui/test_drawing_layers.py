@@ -350,6 +350,7 @@ def test_what_is_chosen_moves_to_the_layer_above_or_below(layered):
     for name in ("Inner", "Notes"):
         editor.key(Qt.Key.Key_PageUp, SHIFT)
         assert layers(editor)["left"] == name
+        assert session.undo_stack.undoText() == f"Move left to layer {name}"
         assert {session.document.curves[place].name for place in session.selected.chosen} == {"left"}
         assert layer_now(editor) == f"Layer: {name}"
     assert not editor.action("moveToLayerAbove").isEnabled()
@@ -368,6 +369,7 @@ def test_a_curve_is_dragged_into_an_empty_layer(layered):
     editor.settle()
     assert rows(editor) == ["Notes", "Art", "  Inner", "  right", "  left", "Sketch", "Back"]
     drag_row(editor, 3, view.parts.entry_rect(0).center())
+    assert editor.session.undo_stack.undoText() == "Move right to layer Notes"
     assert layers(editor) == {"ground": "Back", "left": "Art", "right": "Notes"}
 
 

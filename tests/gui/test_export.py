@@ -19,9 +19,11 @@ from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, Q
 from app.document.export import NEVER_EXPORTED, Export
 from app.document.gradient import Gradient, Stop
 from app.document.model import Document, Page, make_curve
+from app.document.shape_edits import grouped
 from app.document.style import Style
 from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
+from app.exchange.reading import import_file
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.storage.files import load
@@ -213,7 +215,7 @@ def test_what_a_document_remembers_wrongly_counts_as_nothing(export):
 
 def test_a_document_remembers_every_kind_of_option():
     choice = ExportChoice(".csv", {"samples": 5, "columns": ("x",), "scale": 2.0, "tolerance": 0.5})
-    assert choice_of(note_of(choice, "a.csv")) == choice
+    assert choice_of(note_of(choice, "a.csv", NEVER_EXPORTED)) == choice
     assert choice_of(NEVER_EXPORTED) is None
 
 
@@ -499,6 +501,72 @@ def test_all_curves_are_exported_where_none_is_chosen_or_all_are_asked_for(waves
     choose(dialog.form.fields["extent"].widget, "Chosen curves")
     path = export(editor, dialog, tmp_path / "b.svg", monkeypatch)
     assert len(paths_in(path)) == 1, "the curve that is edited"
+
+
+def test_a_part_of_a_drawing_begins_in_its_own_corner(editor, tmp_path, monkeypatch):
+    """The icon was seen from “79 -38”, where it lies on its page."""
+    icon = make_curve([(79.1, 22), (95.1, 22), (95.1, 38), (79.1, 38)], name="icon", family=HERMITE)
+    other = make_curve([(7, 22), (23, 38)], name="other", family=HERMITE)
+    document = Document((icon, other), unit="mm", page=Page(0.0, 0.0, 120.0, 60.0))
+    editor.session.commit(document, "Begin")
+    editor.session.selected.choose({0})
+    for what, points in (("Chosen curves", icon.points), ("All curves", (*icon.points, *other.points))):
+        editor.trigger("exportPicture")
+        dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+        choose_format(dialog, ".svg")
+        choose(dialog.form.fields["extent"].widget, what)
+        path = export(editor, dialog, tmp_path / f"{what}.svg", monkeypatch)
+        left, top, width, height = ElementTree.parse(path).getroot().get("viewBox").split()
+        assert (left, top) == ("0", "0")
+        back = [point.position for curve in import_file(path).document.curves for point in curve.points]
+        # As far from each other as they were, to the last decimal, and all on the page.
+        (x, y), (old_x, old_y) = back[0], points[0].position
+        there = [(round(a - x, 9), round(b - y, 9)) for a, b in back]
+        assert there == [(round(a - old_x, 9), round(b - old_y, 9)) for a, b in (p.position for p in points)]
+        assert all(0 <= a <= float(width) and 0 <= -b <= float(height) for a, b in back)
+
+
+def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_path, monkeypatch):
+    """With nothing chosen it was the curve edited last, and everything was called after the first."""
+    editor, asked = waves("ABC"), []
+    selected, files = editor.session.selected, editor.session.files
+    editor.session.change("Group", lambda document: grouped(document, {1, 2}).document)
+    (name,) = editor.session.document.curves[1].groups
+    whole = files.beginning.file_stem or "Drawing"
+
+    def proposed(dialog):
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *given: asked.append(given[2]) or ("", ""))
+        dialog.chosen.emit(dialog.form.choice())
+        return Path(asked[-1]).name
+
+    selected.choose({0})
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose_format(dialog, ".svg")
+    what = dialog.form.fields["extent"].widget
+    entry = what.model().item(what.findText("Chosen curves"))
+    for chosen, text, stem in (
+        ({0}, "Chosen curves", "A"),
+        ((), "All curves", whole),
+        ({1, 2}, "Chosen curves", name),
+        ({0, 1}, "Chosen curves", whole),
+    ):
+        selected.choose(chosen)
+        settled(editor, dialog)
+        assert (what.currentText(), entry.isEnabled(), proposed(dialog)) == (
+            text,
+            bool(chosen),
+            f"{stem}.svg",
+        )
+    # What a part was called is not what the next export of all is.
+    selected.choose({1, 2})
+    export(editor, settled(editor, dialog), tmp_path / f"{name}.svg", monkeypatch)
+    selected.choose(())
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert dialog.form.fields["extent"].widget.currentText() == "All curves"
+    assert proposed(dialog) == f"{whole}.svg"
+    dialog.close()
 
 
 def test_the_preview_follows_what_is_chosen(waves):

@@ -14,6 +14,7 @@ from app.families import HERMITE, LAGRANGE
 from app.testing import Editor
 from app.window.main_window import MainWindow
 from app.workbench.document_files import DocumentFiles
+from tests.gui.curve_rows import view_of
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -130,3 +131,28 @@ def test_close_closes_its_window_and_quit_all_of_them_unless_one_is_kept(qtbot, 
     fourth = Editor(qtbot)
     fourth.key(Qt.Key.Key_Q, CTRL)
     assert (fourth.window.isVisible(), second.window.isVisible()) == (False, False)
+
+
+def test_a_drawing_lists_nothing_before_something_is_drawn_and_opens_with_nothing_edited(usual, tmp_path):
+    """It listed a “Curve 1” that nobody had drawn; opened again its first curve was edited."""
+    usual.session.new()
+    draw(usual)
+    usual.show_dock("curvesDock")
+    usual.settle()
+    view = view_of(usual)
+
+    def seen():
+        return [row for row in range(view.curves.rowCount()) if not view.isRowHidden(row)]
+
+    assert seen() == []
+    usual.trigger("rectangleTool")
+    usual.drag((20, 20), (90, 90))
+    assert [view.curves.index(row).data() for row in seen()] == ["Rectangle 1"]
+    path = tmp_path / "one.curve.json"
+    usual.session.save(path)
+    usual.trigger("undo")
+    assert seen() == []
+    usual.session.open(path)
+    usual.settle()
+    selected = usual.session.selected
+    assert (seen(), selected.is_editing, selected.marked) == ([0], False, frozenset())

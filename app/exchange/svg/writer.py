@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
-from ..corner import from_upper_left
+from ..corner import from_upper_left, shifted
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, drawing_of
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
@@ -26,6 +28,7 @@ from .tree import Tree, escaped, pair
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
 
+_ROUNDING = 1e-9
 _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
 
@@ -33,7 +36,8 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     """Return a document as SVG.
 
     Coordinates are the document's own with y negated, in full precision but for noise (see `number`); where
-    its page stands on the origin they are those from its upper left corner, as usual in SVG. A piece of a
+    its page stands on the origin they are those from its upper left corner, as usual in SVG, and of a part of
+    a document they may be those from its own. A piece of a
     cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many
     cubics as the tolerance takes; the largest deviation stands in a comment and in the metadata. The curves
     of a shape are one path, in their groups and with its style; hidden ones are there, and not displayed.
@@ -49,6 +53,9 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     document = from_upper_left(document)
     style, report = options.vector_style(document), part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
+    if options.from_corner and not drawing.has_page:
+        by = (-float(number(drawing.frame.left)), -float(number(drawing.frame.top)))
+        drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
     text = svg_text(
         drawing,
         style=style,
@@ -76,6 +83,14 @@ def picture_of(
         return trimmed(plain) if options.is_to_scale and not options.points else plain
     # Views of basis functions and handles are no business of a plain drawing.
     return drawing.annotations.annotated(plain, document, options, style.theme)
+
+
+def _cornered(drawing: Drawing) -> Drawing:
+    """Return a drawing whose upper left corner is on the origin but for rounding with it right there."""
+    frame = drawing.frame
+    if max(abs(frame.left), abs(frame.top)) > _ROUNDING * frame.side:
+        return drawing  # too far away for a document
+    return replace(drawing, frame=replace(frame, left=0.0, bottom=-frame.height))
 
 
 def nominal_width(drawing: Drawing, width: float | None) -> float:

@@ -17,6 +17,7 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, layered_tree
 from ...document.layers import layer_node, looks_of
 from ...document.model import Curve, Document
+from ...document.several_curves import is_blank
 from ...document.steps import changed_besides_points
 from ...document.style import PLAIN_STYLE, Style
 from ...document.words import count_of
@@ -190,6 +191,13 @@ class CurveListModel(Guarded, QAbstractListModel):
         return Row(node.name, style, *looks_of(self._document, node), what)
 
     # Rows and places
+
+    @property
+    def undrawn_row(self) -> int:
+        """Row of the curve of a drawing in which nothing is drawn yet; −1 where there is something."""
+        document = self._document
+        is_empty = document is not None and document.page is not None and is_blank(document)
+        return self.row_of(0) if is_empty else -1
 
     def row(self, row: int) -> Row:
         """Return what is shown in a row."""

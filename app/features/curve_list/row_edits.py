@@ -7,10 +7,10 @@ from functools import partial
 
 from ...document.curve_tree import Node, NodeKind
 from ...document.edits import EditError, rename_curve
-from ...document.layers import looks_of, moved_layers, whole_layers, with_layer_looks
+from ...document.layers import layer_of, looks_of, moved_layers, whole_layers, with_layer_looks
 from ...document.model import Document
 from ...document.several_curves import named, with_appearance
-from ...document.shape_edits import moved_into, named_anew
+from ...document.shape_edits import Gathered, moved_into, named_anew
 from ...document.shapes import whole_shapes
 from ...document.style_edits import with_style
 from ...document.words import names_of
@@ -146,7 +146,7 @@ class RowEdits:
         chosen = [moved.order.index(place) for place in session.selected.curves]
         active = moved.order.index(session.active_index)
         what = names_of(layers) if is_layer else named(before, curves)
-        if session.change(f"Reorder {what}", lambda _: document, active=active):
+        if session.change(_words_for(before, document, moved, what), lambda _: document, active=active):
             session.selected.set_curves(chosen, active)
 
     def _set_name(self, node: Node, name: str) -> None:
@@ -159,3 +159,11 @@ class RowEdits:
         is_layer_now = node.kind is NodeKind.LAYER and node.name == selected.layer
         if self._session.change(f"Rename {node.kind.name.lower()}", edit) and is_layer_now:
             selected.set_layer(name.strip())
+
+
+def _words_for(before: Document, after: Document, moved: Gathered, what: str) -> str:
+    """Return what a step is called that brought something to other places, and perhaps to another layer."""
+    now = {layer_of(after, place) for place in moved.places}
+    was = {layer_of(before, moved.order[place]) for place in moved.places}
+    layer = next(iter(now), "")
+    return f"Move {what} to layer {layer}" if layer and len(now) == 1 and was != now else f"Reorder {what}"

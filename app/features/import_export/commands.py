@@ -36,7 +36,7 @@ from ...storage.files import StorageError, read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
-from ...workbench.file_names import file_stem
+from ...workbench.file_names import file_stem, own_name
 from .. import import_export
 from .copy_commands import CopyCommands
 from .import_series import ImportSeries
@@ -331,16 +331,15 @@ class ExchangeCommands:
             self._dialog.show_document(
                 session.document,
                 session.active_index,
-                session.selected.chosen,
+                session.selected.marked,
                 with_estimates=self._preferences.with_estimates,
             )
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
         session, last = self._session, self._session.files.last_export
         self._preferences.export_choice = exchange.choice.text_of(choice)
-        usual = (
-            last.name if last.ending == choice.ending and last.name else file_stem(session) + choice.ending
-        )
+        known = exchange.choice.known_name(choice, session.document, session.selected.marked, last)
+        usual = own_name(known or file_stem(session)) + choice.ending
         kind = f"{choice.format.title} (*{choice.ending})"
         start = str(self._preferences.last_folder / usual)
         name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", start, kind)
@@ -352,11 +351,11 @@ class ExchangeCommands:
             there = StorageError("It is there already; choose it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
-        session.files.note_export(exchange.choice.note_of(choice, path.name))
+        session.files.note_export(exchange.choice.note_of(choice, path.name, last))
         order = choice.order(
             session.document,
             session.active_index,
-            session.selected.chosen,
+            session.selected.marked,
             with_estimates=self._preferences.with_estimates,
         )
         self.export(path, order.options, order.document)

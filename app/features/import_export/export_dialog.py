@@ -76,7 +76,7 @@ class ExportDialog(WorkDialog):
         """Show what this document would look like; for the others see `ExportChoice.order`."""
         self._document, self._active, self._chosen = document, active, chosen
         self._with_estimates = with_estimates
-        self.form.show_document(document)
+        self.form.show_document(document, has_chosen=bool(chosen))
         self._soon.start()
 
     def _render(self) -> None:

@@ -69,8 +69,8 @@ class ExportForm(QWidget):
         self._shown = choice
         self._show_rows(choice)
 
-    def show_document(self, document: Document) -> None:
-        """Offer what can be had of a document: true size in its unit, and its page."""
+    def show_document(self, document: Document, *, has_chosen: bool) -> None:
+        """Offer what can be had of a document: true size in its unit, its page, and what is chosen."""
         self._unit = unit = known_unit(document.unit)
         check = self.fields[TRUE_SIZE.name].widget
         assert isinstance(check, QCheckBox)
@@ -79,19 +79,26 @@ class ExportForm(QWidget):
         why = f"“{document.unit}” is no unit of length" if document.unit else "The document has no unit"
         tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
         check.setToolTip(tip)
-        self._show_extents(document)
+        self._show_extents(document, has_chosen=has_chosen)
         self._show_rows(self._shown)
 
-    def _show_extents(self, document: Document) -> None:
-        """Offer the page where there is one; without one all curves are what it would be."""
+    def _show_extents(self, document: Document, *, has_chosen: bool) -> None:
+        """Offer the page where there is one, without one all curves are what it would be; and what is chosen.
+
+        Where nothing is, it is the page that is exported, until something is chosen again.
+        """
         field = self.fields[EXTENT.name]
         assert isinstance(field.widget, QComboBox)
         model = field.widget.model()
         assert isinstance(model, QStandardItemModel)
         self._has_page = document.page is not None
         model.item(0).setEnabled(self._has_page)
-        if field.value() is not Extent.CHOSEN:
-            field.show(self._shown[EXTENT] if self._has_page else Extent.ALL)
+        model.item(list(Extent).index(Extent.CHOSEN)).setEnabled(has_chosen)
+        wished, whole = self._shown[EXTENT], Extent.PAGE if self._has_page else Extent.ALL
+        if wished is Extent.CHOSEN:
+            field.show(wished if has_chosen else whole)
+        else:
+            field.show(wished if self._has_page else whole)
 
     def _show_rows(self, choice: ExportChoice) -> None:
         self._description.setText(choice.format.description)

@@ -137,7 +137,7 @@ class LayerCommands:
         moved, layer = moved_to_layer(session.committed, curves, step)
         marked = [moved.order.index(place) for place in selected.marked]
         active = moved.order.index(before)
-        if not session.change(f"Move {what} to {layer}", lambda _: moved.document, active=active):
+        if not session.change(f"Move {what} to layer {layer}", lambda _: moved.document, active=active):
             return
         if is_editing:
             selected.set_curves(marked, active)
