@@ -67,6 +67,7 @@ class Canvas(ToolPlot):
         self._asked_at: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self.move_again)
         tools.curves_at, tools.locked_at = self.drawing.curves_at, self.drawing.locked_at
+        tools.kept_at = self.drawing.kept_at
         tools.write_at, tools.open_text = self.text_placed.emit, self.text_opened.emit
         tools.colour_at, tools.give_colour = self.drawing.colour_at, self.colour_picked.emit
         tools.grid = lambda: self.drawing.grid.spacing(self.pixel_map)
@@ -137,12 +138,6 @@ class Canvas(ToolPlot):
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         return self.drawing.hit(pointer, tool)
-
-    def words_of(self, hint: Hint, pointer: Pointer) -> str:
-        # Whoever draws is told what a press does; who points at something, what that is.
-        if hint.grab or not self.tools.tool.finds_other_curves:
-            return hint.text
-        return self.drawing.kept_at(pointer) or hint.text
 
     def place_of(self, pointer: Pointer) -> object:
         """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""

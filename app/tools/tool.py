@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 import msgspec
 from msgspec.structs import replace
 
+from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from ..document.paper import nudge_of
 from ..document.point_group import points_of
@@ -84,6 +85,8 @@ class ToolContext(msgspec.Struct, frozen=True):
         Finds what lies under a pointer; the places of all curves there, the topmost first, one of each shape.
     locked_at
         Finds the place of a locked curve under a pointer, which presses go through; −1 for none.
+    kept_at
+        Finds the texts and pictures of other programs under a pointer, the topmost first.
     background
         Does what takes longer than a moment.
     write_at, open_text
@@ -103,6 +106,7 @@ class ToolContext(msgspec.Struct, frozen=True):
     hit_test: Callable[[Pointer], Hit | None]
     curves_at: Callable[[Pointer], Sequence[int]]
     locked_at: Callable[[Pointer], int]
+    kept_at: Callable[[Pointer], Sequence[KeptText | KeptPicture]]
     background: Background
     write_at: Callable[[Vector], object]
     open_text: Callable[[int], object]

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from msgspec.structs import replace
 
 from ..document.edits import EditError
+from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from ..document.paper import DocumentKind, kind_of
 from .background import Background
@@ -33,8 +34,9 @@ class Toolbox:
     ----------
     record
         The tool that is chosen.
-    hit_test, curves_at, locked_at
-        Finds what lies under the pointer, all curves there, and the locked one; who shows the plot sets it.
+    hit_test, curves_at, locked_at, kept_at
+        Finds what lies under the pointer, all curves there, the locked one, and texts and pictures of other
+        programs; who shows the plot sets it.
     settings
         What the person has chosen.
     grid
@@ -55,6 +57,7 @@ class Toolbox:
         self.hit_test: HitTest = lambda _pointer, _tool: None
         self.curves_at: Callable[[Pointer], Sequence[int]] = lambda _pointer: ()
         self.locked_at: Callable[[Pointer], int] = lambda _pointer: -1
+        self.kept_at: Callable[[Pointer], Sequence[KeptText | KeptPicture]] = lambda _pointer: ()
         self.settings = ToolSettings()
         self.grid: Callable[[], float] = lambda: 1.0
         self.write_at: Callable[[Vector], object] = lambda _place: None
@@ -95,6 +98,7 @@ class Toolbox:
             lambda pointer: self.hit_test(pointer, self.tool),
             self.curves_at,
             self.locked_at,
+            self.kept_at,
             self.background,
             self.write_at,
             self.open_text,
