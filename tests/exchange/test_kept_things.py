@@ -323,6 +323,8 @@ def test_a_text_moved_alone_or_removed_is_so_in_its_file():
     back = re.sub(rb"matrix\(0\.5,0,0,0\.5,[^)]*\)", b"scale(.5)", back)
     assert back == data.replace(b'<text x="50" y="60">same</text>', b"", 1)
     assert rewritten(written, moved, moved).data == written
+    # What is not in the file any more is not lost in silence: it is written anew, as what was asked about is.
+    assert rewritten(written, begun, moved) is None
 
 
 def test_what_is_locked_or_in_a_clone_stays():

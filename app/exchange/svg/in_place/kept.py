@@ -64,6 +64,8 @@ class KeptPlan:
             for place, before in first.items()
             if begun is not None and not self._is_same(wanted[place], begun[before])
         }
+        # What undo has brought back since it was taken out of the file.
+        self._changed |= set(range(len(wanted))) - set(first) if begun is not None else set()
         gone = set(came_in.values()) - set(pairs.values())
         self.removed = tuple(sorted(number[base.kept[at].node] for at in gone if base.kept[at].is_own))
 
