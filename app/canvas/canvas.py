@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from ..document.kept import KeptPicture, KeptText
 from ..document.model import Axis, Vector
 from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.rulers import Extent
@@ -142,6 +143,9 @@ class Canvas(ToolPlot):
     def locked_at(self, pointer: Pointer) -> int:
         return self.drawing.locked_at(pointer)
 
+    def kept_at(self, pointer: Pointer) -> Sequence[KeptText | KeptPicture]:
+        return self.drawing.kept_at(pointer)
+
     def colour_at(self, pointer: Pointer) -> str:
         return self.drawing.colour_at(pointer)
 
@@ -156,12 +160,6 @@ class Canvas(ToolPlot):
 
     def give_colour(self, paint: str, colour: str) -> None:
         self.colour_picked.emit(paint, colour)
-
-    def words_of(self, hint: Hint, pointer: Pointer) -> str:
-        # Whoever draws is told what a press does; who points at something, what that is.
-        if hint.grab or not self.tools.tool.finds_other_curves:
-            return hint.text
-        return self.drawing.kept_at(pointer) or hint.text
 
     def place_of(self, pointer: Pointer) -> object:
         """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""

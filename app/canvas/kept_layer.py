@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain
 from time import perf_counter
 
 from PySide6.QtCore import QPointF, QRectF, QTimer
@@ -17,22 +16,19 @@ from ..plotting.layers import Layer
 from ..plotting.pictures import Sheets, transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
-from ..qt.kept import Inks, box_of_picture, box_of_text, paint_kept
+from ..qt.kept import Inks, box_of, paint_kept
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
 
 _REST_MS = 80
 
-_LONGEST = 40
-"""Letters of a text that are told in the status line."""
-
 _LIGHT = 128
 """Lightness of paper that takes colours as they are."""
 
 
 class KeptLayer(Layer):
-    """Layer of what is shown and not edited.
+    """Layer of what is shown, and moved as it is.
 
     While the view rests painting it is copying one picture, and while it moves the old picture is moved along
     where a new one takes long.
@@ -63,18 +59,16 @@ class KeptLayer(Layer):
     def box(self) -> QRectF:
         """The box in the plane that all of it takes, y upwards; an empty one without any."""
         found = QRectF()
-        for box in chain(map(box_of_text, self._texts), map(box_of_picture, self._pictures)):
+        shown: tuple[KeptText | KeptPicture, ...] = (*self._texts, *self._pictures)
+        for box in map(box_of, shown):
             found = found.united(box)
         return found
 
-    def name_at(self, place: Vector) -> str:
-        """Return what lies at a place of the plane, the topmost; empty for nothing."""
+    def all_at(self, place: Vector) -> list[KeptText | KeptPicture]:
+        """Return what lies at a place of the plane, the topmost first."""
         at = QPointF(*place)
-        words = (each.words for each in reversed(self._texts) if box_of_text(each).contains(at))
-        if text := next(words, ""):
-            line = " ".join(text.split())
-            return f"Text “{line if len(line) <= _LONGEST else f'{line[: _LONGEST - 1]}…'}”"
-        return "Picture" if any(box_of_picture(each).contains(at) for each in self._pictures) else ""
+        topmost: tuple[KeptText | KeptPicture, ...] = (*reversed(self._texts), *reversed(self._pictures))
+        return [each for each in topmost if box_of(each).contains(at)]
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible."""

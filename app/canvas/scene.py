@@ -162,15 +162,14 @@ class CanvasScene:
         self.points.over_picture = self.other_points.over_picture = pixels is not None
 
     def set_kept(self, texts: Sequence[KeptText], pictures: Sequence[KeptPicture]) -> None:
-        """Show texts and pictures that are not edited."""
+        """Show texts and pictures of other programs."""
         for layer in self.kept:
             layer.render(texts, pictures)
 
-    def kept_at(self, pointer: Pointer) -> str:
-        """Return what is said of a text or a picture at the pointer that is not edited; empty for none."""
-        found = (layer.name_at(pointer.position) for layer in reversed(self.kept) if layer.is_shown)
-        name = next(filter(None, found), "")
-        return f"{name} of the file: it is shown, and stays as it is." if name else ""
+    def kept_at(self, pointer: Pointer) -> list[KeptText | KeptPicture]:
+        """Return the texts and pictures of other programs at the pointer, the topmost first."""
+        shown = [layer for layer in reversed(self.kept) if layer.is_shown]
+        return [each for layer in shown for each in layer.all_at(pointer.position)]
 
     # Ghost
 

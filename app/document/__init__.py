@@ -7,7 +7,7 @@
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.
 - ``kept``: texts and pictures of other programs, which are shown.
-  ``kept_edits``: they go with groups.
+  ``kept_edits``: they go with groups.  ``kept_moves``: one of them moved or removed.
 - ``export``: the last export of a document.
 - ``decimals``: numbers added as they are written.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.

@@ -1,4 +1,4 @@
-"""What a drawing of another program shows beside its curves: texts and pictures, which are not edited here.
+"""What a drawing of another program shows beside its curves: texts and pictures, only to be moved.
 
 They lie in front of all curves, or behind them; of both kinds the later ones are in front, and texts in front
 of pictures.
@@ -93,6 +93,10 @@ class KeptText(Value, frozen=True):
         What of it lies there.
     behind
         Whether it lies behind the curves.
+    follows
+        Whether it is a further line of the text before it, with which it goes.
+    locked
+        Whether it stays where it is, as the file has it.
     groups
         As in `Curve`.
     clips
@@ -106,6 +110,8 @@ class KeptText(Value, frozen=True):
     runs: Annotated[tuple[KeptRun, ...], few(MOST_LETTERS, f"be at most {MOST_LETTERS}")]
     anchor: Anchor = Anchor.START
     behind: bool = False
+    follows: bool = False
+    locked: bool = False
     groups: tuple[str, ...] = ()
     clips: Annotated[tuple[Clip, ...], _FEW_CLIPS] = ()
 
@@ -132,6 +138,8 @@ class KeptPicture(Value, frozen=True):
         From 0 to 1.
     behind
         Whether it lies behind the curves.
+    locked
+        Whether it stays where it is, as the file has it.
     groups
         As in `Curve`.
     clips
@@ -146,5 +154,6 @@ class KeptPicture(Value, frozen=True):
     part: Annotated[tuple[float, float, float, float], SHARE] = WHOLE
     opacity: Annotated[float, SHARE] = 1.0
     behind: bool = False
+    locked: bool = False
     groups: tuple[str, ...] = ()
     clips: Annotated[tuple[Clip, ...], _FEW_CLIPS] = ()

@@ -136,13 +136,9 @@ class ToolPlot(PlotWidget, Surface):
             return
         hint = self.tools.hover(pointer)
         self._show_cursor(hint)
-        self.hint_changed.emit(self.words_of(hint, pointer))
+        self.hint_changed.emit(hint.text)
         self.show_marks()
         self.pointed_at.emit(self.place_of(pointer))
-
-    def words_of(self, hint: Hint, _pointer: Pointer) -> str:
-        """Return what is said of a hint where the pointer is."""
-        return hint.text
 
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves, or the document."""

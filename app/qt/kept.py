@@ -38,18 +38,15 @@ def plane_of(kept: KeptText | KeptPicture) -> QTransform:
     return QTransform(*kept.across, *kept.down, kept.x, kept.y)
 
 
-def box_of_text(text: KeptText) -> QRectF:
-    """Return the box in the plane that a line of text lies in."""
+def box_of(kept: KeptText | KeptPicture) -> QRectF:
+    """Return the box in the plane that a line of text, or what is seen of a picture, lies in."""
+    if isinstance(kept, KeptPicture):
+        left, top, right, bottom = kept.part
+        return plane_of(kept).mapRect(QRectF(left, top, right - left, bottom - top))
     box = QRectF()
-    for _, path in outlines_of(text):
+    for _, path in outlines_of(kept):
         box = box.united(path.boundingRect())
-    return plane_of(text).mapRect(box)
-
-
-def box_of_picture(picture: KeptPicture) -> QRectF:
-    """Return the box in the plane that what is seen of a picture lies in."""
-    left, top, right, bottom = picture.part
-    return plane_of(picture).mapRect(QRectF(left, top, right - left, bottom - top))
+    return plane_of(kept).mapRect(box)
 
 
 class Inks(NamedTuple):

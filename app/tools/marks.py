@@ -6,6 +6,7 @@ import msgspec
 from msgspec.structs import asdict, replace
 
 from ..document.gradient import Gradient
+from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from ..view_model.curve_view import CurveView
 from .snapping import Snap
@@ -72,6 +73,8 @@ class GestureMarks(msgspec.Struct, frozen=True):
         Lines of which curves are being made.
     guide
         The guide under the pointer, or that is dragged: its place in the document.
+    kept
+        The lines of the text, or the picture, of another program that is chosen.
     gradients, stop
         Those whose places can be dragged; which of them has the stop that is chosen, and which stop that is.
     forms
@@ -92,6 +95,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     line: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
+    kept: tuple[KeptText | KeptPicture, ...] = ()
     gradients: tuple[Gradient, ...] = ()
     stop: tuple[int, int] | None = None
     forms: tuple[FormMark, ...] = ()

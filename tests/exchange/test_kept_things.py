@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 import shutil
 import subprocess
 
@@ -13,6 +14,7 @@ from PySide6.QtGui import QColor, QImage
 
 from app.document.kept import MOST_LETTERS, Anchor
 from app.document.kept_edits import seen_kept
+from app.document.kept_moves import KeptPlace, is_locked, move_kept, remove_kept
 from app.document.several_curves import mapped, stepped, whole_curves, with_appearance
 from app.document.transforms import Affine
 from app.exchange.corner import from_lower_left
@@ -272,3 +274,84 @@ def test_texts_come_with_the_groups_that_are_taken():
     counts = [len(found.called([name]).document.kept_texts) for name in ("logo", "rest", "c", "*")]
     assert counts == [1, 0, 0, 2]
     assert [each.words for each in found.only([False, False, True, True]).document.kept_texts] == ["beside"]
+
+
+# Moved alone
+
+LETTER = (
+    '<g id="head" transform="matrix(0 2 -2 0 150 10)"><path id="a" d="M0 0H10V10Z"/>'
+    '<text transform="scale(.5)"><tspan x="5" y="20">Dear <tspan font-size="9">Sir</tspan></tspan>\n'
+    '<tspan x="5" y="30">or Madam</tspan></text></g><!-- same -->'
+    '<text x="50" y="60">same</text><text x="60" y="70" font-size="8">same</text>'
+    '<g><text x="50" y="60">same</text></g>'
+)
+
+
+def places(document):
+    return [
+        [each.x, each.y, *each.across, *each.down] for each in (*document.kept_texts, *document.kept_pictures)
+    ]
+
+
+def test_a_text_moved_alone_or_removed_is_so_in_its_file():
+    """With all of its lines, in what turns and stretches it; the rest stays, to the byte."""
+    picture = (
+        '<clipPath id="c"><circle cx="20" cy="30" r="9"/></clipPath>'
+        f'<image clip-path="url(#c)" x="10" y="10" width="40" height="40" '
+        f'href="data:image/png;base64,{png(4, 4, "red")}"/>'
+    )
+    data = file_of(LINE + LETTER + picture)
+    begun = from_lower_left(read_svg(data).document)
+    assert [each.follows for each in begun.kept_texts] == [False, True, False, False, False]
+    moved = move_kept(begun, KeptPlace(True, 0), (3.0, -4.0))
+    moved = remove_kept(moved, KeptPlace(True, 2))
+    moved = move_kept(moved, KeptPlace(True, 3), (1.0, 1.0))
+    moved = move_kept(moved, KeptPlace(False, 0), (-7.0, 2.0))
+    for before, after in zip(begun.kept_texts[:2], moved.kept_texts[:2], strict=True):
+        assert (after.x, after.y) == pytest.approx((before.x + 3, before.y - 4))
+    written = rewritten(data, moved, begun).data
+    again = from_lower_left(read_svg(written).document)
+    for mine, read in zip(places(moved), places(again), strict=True):
+        assert mine == pytest.approx(read, abs=1e-6)
+    assert [each.words for each in again.kept_texts] == ["Dear Sir ", "or Madam", "same", "same"]
+    assert again.kept_pictures[0].clips[0].rings[0].numbers == pytest.approx(
+        moved.kept_pictures[0].clips[0].rings[0].numbers
+    )
+    assert again.curves == begun.curves
+    # Without what was set, and with what went, it is the file of before.
+    back = re.sub(rb' transform="translate\([^"]*"', b"", written)
+    back = re.sub(rb"matrix\(0\.5,0,0,0\.5,[^)]*\)", b"scale(.5)", back)
+    assert back == data.replace(b'<text x="50" y="60">same</text>', b"", 1)
+    assert rewritten(written, moved, moved).data == written
+    # What is not in the file any more is not lost in silence: it is written anew, as what was asked about is.
+    assert rewritten(written, begun, moved) is None
+
+
+def test_what_is_locked_or_in_a_clone_stays():
+    inside = '<g id="g"><text x="1" y="2">a</text></g><use href="#g" x="50"/>'
+    spaces = 'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" sodipodi:insensitive="true"'
+    document = kept(f'{inside}<text x="9" y="9" {spaces}>b</text>')
+    locks = [is_locked(document, KeptPlace(True, at)) for at in range(3)]
+    assert locks == [False, True, True]
+    document = read_svg(file_of(GROUPED)).document
+    assert not is_locked(document, KeptPlace(True, 0))
+    assert is_locked(with_appearance(document, {0, 1}, locked=True), KeptPlace(True, 0))
+
+
+@pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="librsvg is not installed")
+def test_a_moved_text_has_its_ink_there(tmp_path):
+    data = file_of('<path d="M-9 -9H-8" stroke="#000"/><text x="20" y="40" font-size="14">Letters</text>')
+    begun = from_lower_left(read_svg(data).document)
+    boxes = []
+    for name, moved in (("a", begun), ("b", move_kept(begun, KeptPlace(True, 0), (50.0, 20.0)))):
+        (tmp_path / f"{name}.svg").write_bytes(rewritten(data, moved, begun).data)
+        command = [
+            "rsvg-convert",
+            "--width=800",
+            "--background-color=white",
+            "-o",
+            str(tmp_path / f"{name}.png"),
+        ]
+        subprocess.run([*command, str(tmp_path / f"{name}.svg")], check=True, timeout=60)
+        boxes.append(ink_box(grey(tmp_path / f"{name}.png")))
+    assert np.abs(boxes[1] - boxes[0] - [200, -80, 200, -80]).max() <= 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
 
 from app.canvas import kept_layer
@@ -94,7 +94,7 @@ def test_the_status_line_says_what_it_is(drawing):
     drawing.move((75, 33), held=False)
     assert "Text" not in hints[-1]
     drawing.move((15, 35), held=False)
-    assert hints[-1] == "Text “MMM” of the file: it is shown, and stays as it is."
+    assert hints[-1].startswith("Text “MMM” · ")
     drawing.trigger("addTool")
     drawing.move((16, 35), held=False)
     assert "Text" not in hints[-1]
@@ -103,3 +103,66 @@ def test_the_status_line_says_what_it_is(drawing):
     drawing.move((15, 35), held=False)
     assert "Text" not in hints[-1]
     drawing.trigger("toggleKept")
+
+
+def texts_of(drawing):
+    return [(each.x, each.y) for each in drawing.session.document.kept_texts]
+
+
+def test_a_text_is_dragged_nudged_and_deleted(drawing):
+    session, tools = drawing.session, drawing.window.context.central.canvas.tools
+    session.selected.choose({1})
+    begun = session.document
+    (home,) = texts_of(drawing)
+    drawing.press((15, 35))
+    drawing.move((20, 39))
+    assert texts_of(drawing) == [pytest.approx((home[0] + 5, home[1] + 4), abs=0.3)]
+    assert red(drawing)[:2] == pytest.approx([16, 34], abs=1.5)
+    drawing.key(Qt.Key.Key_Escape)
+    drawing.release((20, 39))
+    assert session.document is begun
+    drawing.drag((15, 35), (20, 39))
+    assert session.undo_stack.undoText() == "Move text “MMM”"
+    # The curves that were chosen are let go, and Ctrl keeps to an axis.
+    assert session.selected.chosen == frozenset()
+    assert tools.marks().kept == session.document.kept_texts
+    (there,) = texts_of(drawing)
+    drawing.key(Qt.Key.Key_Right)
+    ((x, y),) = texts_of(drawing)
+    assert x > there[0]
+    assert y == there[1]
+    drawing.key(Qt.Key.Key_Delete)
+    assert session.document.kept_texts == ()
+    assert session.document.curves == begun.curves
+    assert session.undo_stack.undoText() == "Delete text “MMM”"
+    for _ in range(3):
+        drawing.trigger("undo")
+    assert texts_of(drawing) == [home]
+    assert not session.undo_stack.canUndo()
+
+
+def test_curves_let_a_text_go_and_points_come_first(drawing):
+    session, tools = drawing.session, drawing.window.context.central.canvas.tools
+    session.selected.choose(())
+    drawing.click((15, 35))
+    assert tools.marks().kept
+    drawing.click((75, 10))
+    assert session.selected.chosen == {1}
+    assert tools.marks().kept == ()
+    # Delete is about the curve.
+    drawing.trigger("deleteSelection")
+    assert len(session.document.curves) == 1
+    assert len(session.document.kept_texts) == 1
+    drawing.trigger("undo")
+    drawing.click((15, 35))
+    drawing.key(Qt.Key.Key_Escape)
+    assert tools.marks().kept == ()
+    # While points are edited a drag is a rubber band, and a click is about the text.
+    session.selected.activate(1)
+    before = session.document
+    drawing.drag((15, 35), (25, 40))
+    assert session.document is before
+    assert session.selected.is_editing
+    drawing.click((15, 35))
+    assert tools.marks().kept
+    assert not session.selected.is_editing

@@ -7,7 +7,7 @@
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
-- ``kept_things``: what is shown and not edited.  ``kept_texts``, ``kept_pictures``: of either kind.
+- ``kept_things``: what is shown, and only moved.  ``kept_texts``, ``kept_pictures``: of either kind.
   ``kept_elements``: written again.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.

@@ -1,4 +1,4 @@
-"""What of an SVG file is shown and not edited: texts and pictures, in front of the curves or behind them."""
+"""Texts and pictures of an SVG file, in front of the curves or behind them: shown, and moved as they are."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from msgspec.structs import replace
 from ...document.kept import KeptPicture, KeptText
 from ..drawing.extents import extent_of
 from .clips import clip_of_box
-from .groups import Drawn, Group
+from .groups import Anchor, Drawn, Group
 from .kept_pictures import KeptPictures
 from .kept_texts import KeptTexts
+from .names import INSENSITIVE
 from .paint import Paints
 from .properties import Flaw
 from .state import State
@@ -35,23 +36,38 @@ _FRAMED = "its file lies elsewhere: a frame shows where it is"
 
 
 class KeptThings:
-    """The texts and pictures of one file, as they are met."""
+    """The texts and pictures of one file, as they are met.
+
+    Attributes
+    ----------
+    elements
+        For each, what shows it, with the texts or the picture as they stand in the file.
+    """
 
     def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
         self._reads_texts, self._reads_pictures = KeptTexts(paints, declared), KeptPictures()
+        self.elements: list[tuple[Anchor, tuple[KeptText | KeptPicture, ...]]] = []
         # Each with the number of paths behind it, and the groups around.
         self._texts: list[tuple[KeptText, int, tuple[Group, ...]]] = []
         self._pictures: list[tuple[KeptPicture, int, tuple[Group, ...]]] = []
 
-    def keep(self, tag: str, element: ET.Element, state: State, behind: int) -> Flaw:
+    def keep(self, tag: str, element: ET.Element, state: State, behind: int, anchor: Anchor) -> Flaw:
         """Keep what an element shows over so many paths; return what is said of it."""
         flaw = NO_CURVES[tag]
+        # In a clone it is where that is.
+        locked = element.get(INSENSITIVE) == "true" or anchor.element is not element
         if tag == "text" and (lines := self._reads_texts.lines(element, state)):
             clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in state.windows))
-            self._texts += [(replace(line, clips=clips), behind, state.groups) for line in lines]
+            texts = [
+                replace(line, clips=clips, follows=at > 0, locked=locked) for at, line in enumerate(lines)
+            ]
+            self._texts += [(text, behind, state.groups) for text in texts]
+            self.elements.append((anchor, tuple(texts)))
             return Flaw(flaw.why, _EVEN if _is_uneven(element) else _SHOWN)
         if tag == "image" and (picture := self._reads_pictures.picture(element, state)) is not None:
+            picture = replace(picture, locked=locked)
             self._pictures.append((picture, behind, state.groups))
+            self.elements.append((anchor, (picture,)))
             return Flaw(flaw.why, _SHOWN if picture.data else _FRAMED)
         return flaw
 

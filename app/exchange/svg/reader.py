@@ -161,6 +161,11 @@ class SvgReader:
         state = State(self.sheet.matrix, self.sheet.viewport)
         return list(self._drawn(self._root, state, depth=0))
 
+    @property
+    def kept_elements(self) -> list[tuple[Anchor, tuple[KeptText | KeptPicture, ...]]]:
+        """What shows each text and picture, of what was met so far."""
+        return self._kept.elements
+
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
         found: dict[Guide, None] = {}
@@ -184,7 +189,7 @@ class SvgReader:
         state = self._entered(element, declared, state)
         if tag in NO_CURVES:
             if state.properties.is_visible:
-                flaw = self._kept.keep(tag, element, state, self._found)
+                flaw = self._kept.keep(tag, element, state, self._found, anchor)
                 self._miss(element, flaw)
                 if flaw is not NO_CURVES[tag]:
                     self._miss_effects(element, declared, state, is_many=False)

@@ -1,4 +1,4 @@
-"""What a drawing of another program shows beside its curves: texts and pictures, which are not edited here.
+"""What a drawing of another program shows beside its curves: texts and pictures, only to be moved.
 
 - ``commands``: them on the canvas, shown and hidden.
 """

@@ -14,6 +14,7 @@ from curvecore import cubic_path
 from curvecore.arrays import FloatArray
 
 from ....document.empty_layer import EmptyLayer
+from ....document.kept import KeptPicture, KeptText
 from ....document.style import Style
 from ....view_model.curve_view import view_of
 from ...cubics_in import imported
@@ -144,6 +145,30 @@ class Found:
         return [cubic_path(core, 1.0).control_points for core in cores if core is not None]
 
 
+@dataclass(frozen=True, eq=False)
+class KeptFound:
+    """A text of the file, or a picture.
+
+    Attributes
+    ----------
+    node
+        What shows it: its element, or the outermost `use` of it.
+    around
+        The map of what is around that.
+    parts
+        The lines of the text, or the picture, as they stand in the file.
+    """
+
+    node: Node
+    around: FloatArray
+    parts: tuple[KeptText | KeptPicture, ...]
+
+    @property
+    def is_own(self) -> bool:
+        """Whether its own element shows it."""
+        return self.node.tag != "use"
+
+
 class Reading:
     """The shapes of a source.
 
@@ -161,6 +186,8 @@ class Reading:
         The elements that are layers, and those of them in which there is no shape.
     nodes, root
         All elements, in the order of the file, and the outermost one as the reader has it.
+    kept
+        The texts and pictures, those that can be shown.
     sheet, guides
         The size of the file, and its guides.
     """
@@ -173,6 +200,10 @@ class Reading:
         of_element = dict(zip(elements, self.nodes, strict=True))
         reader = SvgReader(root)
         self.sheet, drawn = reader.sheet, reader.drawn()
+        self.kept = [
+            KeptFound(of_element[anchor.element], anchor.around.matrix, parts)
+            for anchor, parts in reader.kept_elements
+        ]
         self.guides = [(of_element[each], guide) for each, guide in guides_of(root, reader.sheet)]
         seen = [each for each in drawn if is_seen(each)] or [with_line(each) for each in drawn]
         told = settled(seen, reader.layers)

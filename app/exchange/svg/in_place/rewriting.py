@@ -32,6 +32,7 @@ from ..sheet import Sheet
 from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, move_whole, redraw
 from .empty_layers import arrange_empty_layers, has_empty_layers, set_empty_layers
 from .found import Found, Reading, Wanted, runs_as
+from .kept import KeptPlan, blocks_of
 from .looks import Definitions, Looks, declare_style
 from .lost_clones import lost_clones
 from .matching import origins
@@ -111,6 +112,8 @@ class _Rewriting:
         By how much courses may differ, and how styles are compared.
     layers
         The names of the layers that the document began with.
+    kept
+        What becomes of texts and pictures.
     has_rules
         Whether the file has rules of CSS, which outweigh attributes.
     """
@@ -129,6 +132,8 @@ class _Rewriting:
         before = None if begun is None else self._begun(_in_file(begun, base.sheet))
         known = origins(self.wanted, before, base.seen, self.reach)
         self._planner = Planner(self.wanted, base, known.pairs, known.taken, document.layers)
+        before_kept = None if begun is None else blocks_of(_in_file(begun, base.sheet))
+        self.kept = KeptPlan(blocks_of(document), before_kept, base, self.reach)
         self.has_rules = b"<style" in data or b":style" in data
 
     def _begun(self, begun: Document) -> list[Wanted]:
@@ -181,11 +186,13 @@ class _Round:
 
     def __init__(self, job: _Rewriting, source: Source, plan: Plan, ways: dict[int, Way]) -> None:
         self._job, self._source, self._plan = job, source, plan
-        self._placing = Placing(source, plan.entries, plan.groups, plan.removed, plan.dissolved)
+        self._all, removed = list(source.root.walk()), (*plan.removed, *job.kept.removed)
+        self._placing = Placing(source, plan.entries, plan.groups, removed, plan.dissolved)
         set_page(source, job.base.sheet, job.document.page, job.document.unit)
         placed = Reading(source)
         if self._move_groups(placed):
             placed = Reading(source)
+        job.kept.move(self._all, placed)
         set_guides(source, placed, job.document.guides)
         self._definitions = Definitions(Names(source.ids, between="_"))
         self.wrong: list[int | None] = []
@@ -315,7 +322,8 @@ class _Round:
             if around != [groups[name] for name in entry.groups]:
                 return [None]
         job = self._job
-        return [] if has_empty_layers(reading, job.document.empty_layers, job.layers) else [None]
+        is_right = has_empty_layers(reading, job.document.empty_layers, job.layers)
+        return [] if is_right and job.kept.is_done(self._all, reading) else [None]
 
     def _is_right(self, node: Node, found: list[Found], wanted: list[Wanted]) -> bool:
         job = self._job
