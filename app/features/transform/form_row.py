@@ -7,15 +7,18 @@ from functools import partial
 from typing import get_args
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from ...document.expression import ExpressionError
 from ...document.form import Form, FormField
 from ...document.forms import AnyForm
 from ...document.words import number
 from ...qt.labels import Label
-from ...widgets.boxes import Part, row_of
+from ...widgets.boxes import row_of
 from ...widgets.field_edit import NumberEdit, read_number
+
+_BESIDE = 2
+"""Fields that have room beside each other for numbers such as 210.25 mm."""
 
 ReadLength = Callable[[Callable[[], float], str], float]
 """Returns the length that a text means, by what tells the one that there is now."""
@@ -91,7 +94,12 @@ class _Row(QWidget):
     def __init__(self, kind: type[Form], make: Callable[[type[Form], FormField], NumberEdit]) -> None:
         super().__init__()
         self.edits = [(field, make(kind, field)) for field in kind.fields]
-        parts: list[Part] = [Label(kind.noun.title())]
-        for field, edit in self.edits:
-            parts += [Label(field.label), (edit, 1)]
-        row_of(*parts, spacing=6, margins=(0, 0, 0, 0), parent=self)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(6)
+        grid.addWidget(Label(kind.noun.title()), 0, 0)
+        for at, (field, edit) in enumerate(self.edits):
+            row, place = divmod(at, _BESIDE)
+            for column, part in enumerate((Label(field.label), edit), 1 + 2 * place):
+                grid.addWidget(part, row, column)
+                grid.setColumnStretch(column, int(part is edit))
