@@ -188,6 +188,33 @@ def test_its_own_width_and_radii_are_typed_in_the_transform_panel(rectangle, poi
     assert not rectangle.window.findChild(QLineEdit, "formRectangleWidth").isVisible()
 
 
+def test_a_turned_rectangle_says_its_angle_whenever_it_is_chosen_and_so_does_its_copy(
+    rectangle, point_locale
+):
+    rectangle.trigger("openTransform")
+    rectangle.escape()
+    angle = rectangle.window.findChild(QLineEdit, "transformAngle")
+    type_into(rectangle, "transformAngle", "10")
+    rectangle.trigger("duplicateSelection")
+    assert len(rectangle.session.document.curves) == 2
+    assert angle.text() == "10"
+    # Pasted beside, it is chosen whole, and not where it was.
+    rectangle.session.selected.set_curves([0, 1])
+    rectangle.trigger("copyPoints")
+    rectangle.trigger("pastePoints")
+    assert len(rectangle.session.document.curves) == 4
+    rectangle.session.selected.activate(3)
+    rectangle.settle()
+    assert angle.text() == "10"
+    before = now(rectangle).form
+    type_into(rectangle, "transformAngle", "0")
+    assert now(rectangle).by is IDENTITY
+    assert now(rectangle).form.width == before.width
+    type_into(rectangle, "transformAngle", "-100")
+    assert now(rectangle).angle == -100
+    assert angle.text().replace("−", "-") == "-100"
+
+
 def test_a_star_is_drawn_from_its_middle_and_stays_one(drawing):
     drawing.trigger("starTool")
     drawing.press((4, 2))

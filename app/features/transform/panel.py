@@ -46,7 +46,7 @@ class Situated(msgspec.Struct, frozen=True):
     pivot, place
         The pivot, and which of the nine places that is; None for none of them.
     angle
-        Degrees by which it was turned since it was selected.
+        Degrees by which a form is turned, and all else was since it was selected.
     unit
         That of the document.
     problem
@@ -113,7 +113,7 @@ class TransformPanel(FieldForm):
         self.y_edit = self._length("transformY", "Y", "y of the pivot", lambda: self._numbers()[1])
         self.width_edit = self._length("transformWidth", "Width", "Width", lambda: self._numbers()[2])
         self.height_edit = self._length("transformHeight", "Height", "Height", lambda: self._numbers()[3])
-        self.angle_edit = _angle("transformAngle", "Angle", "Angle since it was selected, in degrees")
+        self.angle_edit = _angle("transformAngle", "Angle", "Angle in degrees; of what is no rectangle, ellipse or star, since it was selected")
         self.turn_edit = _angle(
             "transformTurn", "Rotate by", "Degrees, counterclockwise; Enter turns each time"
         )

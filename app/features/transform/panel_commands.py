@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -42,8 +43,9 @@ class TransformPanelCommands(QObject):
         self._context, self._session, self._store = context, context.session, context.store
         self._target = context.central.canvas.tools.target
         self._panel: TransformPanel | None = None
-        # The selection as it was when it was made, for the angle.
+        # The selection as it was when it was made, and the angle that it had then.
         self._anchor: Anchor | None = None
+        self._angle_then = 0.0
         self._dock = context.docks["transformDock"]
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
@@ -143,8 +145,10 @@ class TransformPanelCommands(QObject):
         now = self._target.anchored()
         turned = turned_since(self._anchor, now) if self._anchor is not None else None
         if turned is None:
+            form = self._formed()[1]
             self._anchor, turned = now, 0.0
-        return turned
+            self._angle_then = form.angle if form is not None else 0.0
+        return math.remainder(self._angle_then + turned, 360.0) + 0.0
 
     # What the person did
 
