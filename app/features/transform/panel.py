@@ -113,7 +113,11 @@ class TransformPanel(FieldForm):
         self.y_edit = self._length("transformY", "Y", "y of the pivot", lambda: self._numbers()[1])
         self.width_edit = self._length("transformWidth", "Width", "Width", lambda: self._numbers()[2])
         self.height_edit = self._length("transformHeight", "Height", "Height", lambda: self._numbers()[3])
-        self.angle_edit = _angle("transformAngle", "Angle", "Angle in degrees; of what is no rectangle, ellipse or star, since it was selected")
+        self.angle_edit = _angle(
+            "transformAngle",
+            "Angle",
+            "Degrees that a rectangle, ellipse or star is turned; else since it was selected",
+        )
         self.turn_edit = _angle(
             "transformTurn", "Rotate by", "Degrees, counterclockwise; Enter turns each time"
         )
