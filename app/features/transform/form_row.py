@@ -1,8 +1,8 @@
-"""The numbers of the form that is chosen: a rectangle's own width and height and its radii."""
+"""The numbers of the forms that are chosen: a rectangle's own width and height and its radii."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import get_args
 
@@ -16,6 +16,7 @@ from ...document.words import number
 from ...qt.labels import Label
 from ...widgets.boxes import row_of
 from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.percent_field import MIXED
 
 _BESIDE = 2
 """Fields that have room beside each other for numbers such as 210.25 mm."""
@@ -25,12 +26,12 @@ ReadLength = Callable[[Callable[[], float], str], float]
 
 
 class FormRow(QWidget):
-    """A row of fields for each kind of form; that of the one which is chosen is seen.
+    """A row of fields for each kind of form; that of those which are chosen is seen.
 
     Signals
     -------
     number_entered
-        A number of the form shall be another one: its field, and the number.
+        A number of the forms shall be another one: its field, and the number.
     """
 
     number_entered = Signal(object, float)
@@ -38,10 +39,10 @@ class FormRow(QWidget):
     def __init__(self, read_length: ReadLength) -> None:
         super().__init__()
         self._read_length = read_length
-        self._form: AnyForm | None = None
+        self._forms: Sequence[AnyForm] = ()
         self._rows = {kind: _Row(kind, self._edit) for kind in get_args(AnyForm)}
         row_of(*self._rows.values(), spacing=0, margins=(0, 0, 0, 0), parent=self)
-        self.render_form(None, "")
+        self.render_forms((), "")
 
     @property
     def edits(self) -> list[NumberEdit]:
@@ -58,19 +59,23 @@ class FormRow(QWidget):
         return edit
 
     def _number(self, name: str) -> float:
-        return float(getattr(self._form, name, 0.0))
+        return float(getattr(self._forms[0], name)) if self._forms else 0.0
 
-    def render_form(self, form: AnyForm | None, problem: str) -> None:
-        """Show the numbers of a form; nothing for None."""
-        self._form = form
+    def render_forms(self, forms: Sequence[AnyForm], problem: str) -> None:
+        """Show the numbers of forms of one kind; nothing where there is none."""
+        self._forms = forms
         for kind, row in self._rows.items():
-            row.setVisible(type(form) is kind)
-            if type(form) is kind:
-                for field, edit in row.edits:
+            is_seen = bool(forms) and type(forms[0]) is kind
+            row.setVisible(is_seen)
+            for field, edit in row.edits if is_seen else ():
+                first, *others = (float(getattr(form, field.name)) for form in forms)
+                if any(other != first for other in others):
+                    edit.show_text(MIXED)
+                else:
                     show = edit.show_length if field.is_length else edit.show_number
-                    show(float(getattr(form, field.name)))
-                    edit.setEnabled(not problem)
-        self.setVisible(form is not None)
+                    show(first)
+                edit.setEnabled(not problem)
+        self.setVisible(bool(forms))
 
 
 def _within(field: FormField, text: str) -> float:

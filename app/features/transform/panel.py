@@ -51,8 +51,8 @@ class Situated(msgspec.Struct, frozen=True):
         That of the document.
     problem
         Why it cannot be changed; empty where it can.
-    form
-        The form that it is, such as a rectangle; None where it is none, or more than that.
+    forms
+        The forms that it is, such as rectangles, all of one kind; none where it is anything else.
     """
 
     what: str
@@ -63,7 +63,7 @@ class Situated(msgspec.Struct, frozen=True):
     angle: float
     unit: str
     problem: str
-    form: AnyForm | None = None
+    forms: tuple[AnyForm, ...] = ()
 
 
 class PanelActions(msgspec.Struct, frozen=True):
@@ -87,7 +87,7 @@ class TransformPanel(FieldForm):
     skewed
         It shall be skewed along an axis, by this angle.
     number_entered
-        A number of the form shall be another one: its field, and the number.
+        A number of the forms shall be another one: its field, and the number.
     pivot_chosen
         One of nine places: −1, 0 or 1 across, and up.
     reference_chosen
@@ -250,7 +250,7 @@ class TransformPanel(FieldForm):
         for part in (*turns, self.chooser):
             part.setEnabled(is_there)
         self.chooser.render_place(shown.place if bounds is not None else None)
-        self.form_row.render_form(shown.form, shown.problem)
+        self.form_row.render_forms(shown.forms, shown.problem)
         self.show_problem(shown.problem)
 
     def render_reference(self, reference: Reference) -> None:
