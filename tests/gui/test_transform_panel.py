@@ -383,6 +383,15 @@ def test_quarter_turns_have_buttons_and_keys(leaf):
     leaf.window.canvas.setFocus()
     leaf.key(Key.Key_BracketLeft, CTRL)
     assert points(leaf) == pytest.approx(np.array(POINTS), abs=CLOSE)
+    for _ in range(6):
+        leaf.key(Key.Key_BracketLeft)
+    assert undo_text(leaf) == "Rotate all 4 points by 15°"
+    leaf.key(Key.Key_BracketRight, CTRL)
+    # Turned back; the middle of the box is elsewhere after each turn that is no quarter.
+    turned, before = points(leaf), np.array(POINTS)
+    assert turned - turned.mean(axis=0) == pytest.approx(before - before.mean(axis=0), abs=CLOSE)
+    leaf.key(Key.Key_BracketRight)
+    assert undo_text(leaf) == "Rotate all 4 points by −15°"
 
 
 # What is not taken
