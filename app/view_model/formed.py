@@ -46,6 +46,14 @@ class Formed(msgspec.Struct, frozen=True):
         """The handles of the form, and where they are."""
         return [(handle, self.by.point(handle.place)) for handle in self.form.handles]
 
+    @property
+    def angle(self) -> float:
+        """Degrees by which it is turned; of a mirror image, the turn after it was mirrored sideways."""
+        sideways = -1.0 if (1 + self.by.xx) * (1 + self.by.yy) < self.by.xy * self.by.yx else 1.0
+        xx, yx = sideways * (1 + self.by.xx), sideways * self.by.yx
+        # The rotation that is nearest to the map.
+        return round(math.degrees(math.atan2(yx - self.by.xy, xx + 1 + self.by.yy)), 9) + 0.0
+
     def as_drawn(self, place: Vector) -> Vector:
         """Return where a place was before the form was turned."""
         if self.by is IDENTITY:

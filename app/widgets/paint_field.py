@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QIcon
-from PySide6.QtWidgets import QApplication, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QBoxLayout, QToolButton, QWidget
 
 from ..appearance.colours import CURVE_COLOURS, fill_colour
 from ..appearance.swatches import paint_picture
@@ -87,16 +87,16 @@ class PaintField(FollowsTheme, QWidget):
         tip = f"{label}: #rrggbb, a name, “ink” or “none” (Enter to set)"
         self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)
         self.edit.entered.connect(lambda paint: self.chosen.emit(paint))  # noqa: PLW0108 - of other types
-        self._row = row_of(spacing=2)
+        self._always, self._used = row_of(1, spacing=2), row_of(1, spacing=2)
         pick = action_button(dropper, name=f"{name}Dropper")
         top = row_of(self._button, (self.edit, 1), pick, margins=0, spacing=6)
-        column_of(top, self._row, margins=0, spacing=4, parent=self)
+        # Used colours have a row of their own: beside the others they would make the panel too wide.
+        column_of(top, self._always, self._used, margins=0, spacing=4, parent=self)
         for word, paint in _PAINTS.items():
-            self._add_swatch(word, paint)
-        self._row.addStretch(1)
+            self._add_swatch(self._always, word, paint)
         self.follow_theme()
 
-    def _add_swatch(self, word: str, paint: str) -> None:
+    def _add_swatch(self, row: QBoxLayout, word: str, paint: str) -> None:
         tip = f"{self._label}: {word.lower()} (Shift+click: {self._other})"
         button = tool_button(f"{self.objectName()}_{word}", tip, tip, flat=True)
         button.setFixedSize(_SIDE, _SIDE)
@@ -106,7 +106,7 @@ class PaintField(FollowsTheme, QWidget):
         button.setIcon(QIcon(paint_picture(paint, self.theme, self.paper)))
         button.clicked.connect(lambda: self._choose_swatch(paint))
         self._swatches[paint] = button
-        self._row.insertWidget(len(self._swatches) - 1, button)
+        row.insertWidget(row.count() - 1, button)
 
     def _choose_swatch(self, paint: str) -> None:
         is_for_other = QApplication.keyboardModifiers() & Qt.KeyboardModifier.ShiftModifier
@@ -135,10 +135,12 @@ class PaintField(FollowsTheme, QWidget):
         if recent == self._recent:
             return
         for colour in self._recent:
-            self._swatches.pop(colour).deleteLater()
+            gone = self._swatches.pop(colour)
+            self._used.removeWidget(gone)
+            gone.deleteLater()
         self._recent = recent
         for colour in recent:
-            self._add_swatch(colour, colour)
+            self._add_swatch(self._used, colour, colour)
 
     @property
     def paper(self) -> Theme:

@@ -78,6 +78,7 @@ PASSING = {
     ),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("_autoRangeNeedsUpdate", "_painterPathCache", "ScrubLayer.scrub"),
+    *("TransformPanelCommands._angle_then", "TransformPanelCommands._forms_then"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
     *("GuidesLayer.last", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),

@@ -188,6 +188,57 @@ def test_its_own_width_and_radii_are_typed_in_the_transform_panel(rectangle, poi
     assert not rectangle.window.findChild(QLineEdit, "formRectangleWidth").isVisible()
 
 
+def test_a_turned_rectangle_says_its_angle_whenever_it_is_chosen_and_so_does_its_copy(
+    rectangle, point_locale
+):
+    rectangle.trigger("openTransform")
+    rectangle.escape()
+    angle = rectangle.window.findChild(QLineEdit, "transformAngle")
+    type_into(rectangle, "transformAngle", "10")
+    rectangle.trigger("duplicateSelection")
+    assert len(rectangle.session.document.curves) == 2
+    assert angle.text() == "10"
+    # Pasted beside, it is chosen whole, and not where it was.
+    rectangle.session.selected.set_curves([0, 1])
+    rectangle.trigger("copyPoints")
+    rectangle.trigger("pastePoints")
+    assert len(rectangle.session.document.curves) == 4
+    rectangle.session.selected.activate(3)
+    rectangle.settle()
+    assert angle.text() == "10"
+    before = now(rectangle).form
+    type_into(rectangle, "transformAngle", "0")
+    assert now(rectangle).by is IDENTITY
+    assert now(rectangle).form.width == before.width
+    type_into(rectangle, "transformAngle", "-100")
+    assert now(rectangle).angle == -100
+    assert angle.text().replace("−", "-") == "-100"
+
+
+def test_the_numbers_of_several_rectangles_are_set_in_one_step(rectangle, point_locale):
+    rectangle.trigger("openTransform")
+    rectangle.trigger("rectangleTool")
+    rectangle.drag((-0.5, -0.5), (0.5, 2))
+    rectangle.session.selected.set_curves([0, 1])
+    rectangle.settle()
+    shown = {
+        name: rectangle.window.findChild(QLineEdit, f"formRectangle{name}") for name in ("Width", "Rx", "Ry")
+    }
+    assert [edit.text() for edit in shown.values()] == ["mixed", "0", "0"]
+    before = steps(rectangle)
+    type_into(rectangle, "formRectangleRx", "0.25")
+    forms = [formed(curve).form for curve in rectangle.session.document.curves]
+    assert [(form.width, form.rx) for form in forms] == [(6, 0.25), (1, 0.25)]
+    assert steps(rectangle) == before + 1
+    assert rectangle.session.undo_stack.undoText() == "Set Rx of 2 rectangles to 0.25 mm"
+    assert shown["Rx"].text() == "0.25"
+    rectangle.trigger("ellipseTool")
+    rectangle.drag((2, 1), (3, 2))
+    rectangle.session.selected.set_curves([0, 1, 2])
+    rectangle.settle()
+    assert not shown["Rx"].isVisible()
+
+
 def test_a_star_is_drawn_from_its_middle_and_stays_one(drawing):
     drawing.trigger("starTool")
     drawing.press((4, 2))

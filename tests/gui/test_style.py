@@ -706,3 +706,44 @@ def test_what_is_drawn_next_has_its_paints_swapped_where_nothing_is_chosen(edito
     now = editor.session.model.style
     assert (now.fill, now.stroke) == (style.stroke, style.fill) != (style.fill, style.stroke)
     assert editor.session.document is before
+
+
+def test_used_colours_stand_below_the_others_and_the_panel_is_as_wide_as_before(editor, panel):
+    """They came into the one row, and the ends of all rows below went out of the dock."""
+    editor.select([])
+    edit, before = panel.findChild(QLineEdit, "fillPaintHex"), panel.minimumSizeHint().width()
+    used = ["#102030", "#405060", "#708090", "#a0b0c0", "#d0e0f0"]
+    for colour in used:
+        edit.setFocus()
+        edit.selectAll()
+        editor.type_text(edit, colour)
+        QTest.keyClick(edit, Qt.Key.Key_Return)
+        editor.settle()
+    swatches = [panel.findChild(QToolButton, f"fillPaint_{colour}") for colour in used]
+    always = panel.findChild(QToolButton, "fillPaint_Blue")
+    assert all(each.isVisible() and each.y() > always.y() for each in swatches)
+    assert panel.minimumSizeHint().width() == before
+    QTest.mouseClick(swatches[0], Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert edit.text() == used[0]
+
+
+def test_dots_are_chosen_with_ends_that_show_them_and_typed_ones_that_are_not_seen_are_told(editor, panel):
+    """Butt ends of a dash of length 0 are nothing at all: the line was gone."""
+    note = child(panel, QLabel, "styleUnseenDots")
+    click(panel, "lineCap_butt")
+    steps = editor.session.undo_stack.count()
+    box = child(panel, QComboBox, "dashBox")
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Down)
+    editor.settle()
+    assert (styles(editor)[1].dash, styles(editor)[1].cap) == ((0.0, 2.0), LineCap.ROUND)
+    assert editor.session.undo_stack.count() == steps + 1
+    assert not note.isVisible()
+    enter(editor, panel, "dashList", "4 1 0 1")
+    click(panel, "lineCap_butt")
+    assert note.isVisible()
+    assert "not seen with butt ends" in note.text()
+    assert styles(editor)[1].dash == (4.0, 1.0, 0.0, 1.0)
+    click(panel, "lineCap_square")
+    assert not note.isVisible()

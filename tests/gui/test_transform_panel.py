@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from extents import CLOSE, printed_bounds, sampled_bounds
 from msgspec.structs import replace
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRegularExpression, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QToolButton
 
@@ -383,6 +383,15 @@ def test_quarter_turns_have_buttons_and_keys(leaf):
     leaf.window.canvas.setFocus()
     leaf.key(Key.Key_BracketLeft, CTRL)
     assert points(leaf) == pytest.approx(np.array(POINTS), abs=CLOSE)
+    for _ in range(6):
+        leaf.key(Key.Key_BracketLeft)
+    assert undo_text(leaf) == "Rotate all 4 points by 15°"
+    leaf.key(Key.Key_BracketRight, CTRL)
+    # Turned back; the middle of the box is elsewhere after each turn that is no quarter.
+    turned, before = points(leaf), np.array(POINTS)
+    assert turned - turned.mean(axis=0) == pytest.approx(before - before.mean(axis=0), abs=CLOSE)
+    leaf.key(Key.Key_BracketRight)
+    assert undo_text(leaf) == "Rotate all 4 points by −15°"
 
 
 # What is not taken
@@ -554,3 +563,15 @@ def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_
     QTest.keyClick(line, Key.Key_Return)
     leaf.settle()
     assert line.toolTip().startswith("Width of the line")
+
+
+def test_the_numbers_of_a_rectangle_have_room_at_the_usual_width(leaf):
+    leaf.window.canvas.setFocus()
+    leaf.key(Key.Key_B)
+    leaf.drag((0.0, 0.0), (20.0, 10.0))
+    edits = leaf.window.findChildren(QLineEdit, QRegularExpression("^formRectangle"))
+    assert [edit.isVisible() for edit in edits] == [True] * 4
+    for edit in edits:
+        assert edit.width() > edit.fontMetrics().horizontalAdvance("210.25 mm") + 10
+    width, height, rx, ry = edits
+    assert width.y() == height.y() < rx.y() == ry.y()

@@ -37,6 +37,8 @@ class DashField(QWidget):
     -------
     chosen
         Others were chosen, or typed: a tuple of numbers.
+    dots_chosen
+        Others with dots were chosen by their name: dashes of length 0, which need ends that are round.
 
     Attributes
     ----------
@@ -45,6 +47,7 @@ class DashField(QWidget):
     """
 
     chosen = Signal(object)
+    dots_chosen = Signal(object)
 
     def __init__(self) -> None:
         super().__init__()
@@ -75,7 +78,8 @@ class DashField(QWidget):
     def _choose(self, row: int) -> None:
         presets = list(_PRESETS.values())
         if row < len(presets):
-            self.chosen.emit(presets[row])
+            dash = presets[row]
+            (self.dots_chosen if 0.0 in dash else self.chosen).emit(dash)
         else:
             self.render_value(self._value)
             self.edit.setFocus()

@@ -31,6 +31,8 @@ AUTO = "auto"
 
 _NARROW = 50
 
+_UNSEEN_DOTS = "Dashes of length 0 are not seen with butt ends."
+
 _LEAST_WIDTH = 1e-9
 """Width of a line that counts as none: the first step from there is a tenth of the unit."""
 
@@ -96,6 +98,7 @@ class StylePanel(FieldForm):
         self._unit = ""
         self._subject = Label(name="styleSubject")
         self._note = Label(name="styleNote", wordWrap=True)
+        self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
         self.fill = PaintField("fillPaint", "Fill", "stroke", tools.droppers["fill"])
         self.stroke = PaintField("strokePaint", "Stroke", "fill", tools.droppers["stroke"])
         self.gradients = {
@@ -145,8 +148,9 @@ class StylePanel(FieldForm):
         self.stroke.show_recent(colours)
 
     def _lay_out(self, buttons: Sequence[QAction], swap: QAction) -> None:
-        for label in (self._subject, self.problem, self._note):
+        for label in (self._subject, self.problem, self._note, self._no_dots):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        dashes = row_of((self._dash, 1), "from", self._offset, spacing=6)
         self._form = form_of(
             ("Fill", column_of(self.gradients["fill"], self.fill, margins=0, spacing=4)),
             ("Inside", self._rule),
@@ -156,7 +160,7 @@ class StylePanel(FieldForm):
             ("Width", self._width),
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
-            ("Dashes", row_of((self._dash, 1), "from", self._offset, spacing=6)),
+            ("Dashes", column_of(dashes, self._no_dots, margins=0, spacing=4)),
             ("Opacity", self.opacities["stroke_opacity"]),
             ("", _rule_line()),
             ("Overall", self.opacities["opacity"]),
@@ -183,6 +187,8 @@ class StylePanel(FieldForm):
         parts = ((self._rule, "fill_rule"), (self._cap, "cap"), (self._join, "join"), (self._dash, "dash"))
         for part, name in parts:
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
+        # Chosen by its name it is to be seen; who types 0 is told why nothing is.
+        self._dash.dots_chosen.connect(lambda dash: self.wanted.emit({"dash": dash, "cap": LineCap.ROUND}))
         fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
         fields |= {field.edit: name for name, field in self.opacities.items()}
         for edit, name in fields.items():
@@ -260,8 +266,11 @@ class StylePanel(FieldForm):
             field.render_value(values.get(name))
         self._render_numbers(values, unit)
         self._enable(styles)
+        unseen = _UNSEEN_DOTS if any(map(_has_unseen_dots, styles)) else ""
         self._note.setText(note)
         self._note.setVisible(bool(note))
+        self._no_dots.setText(unseen)
+        self._no_dots.setVisible(bool(unseen))
         self.show_problem("")
 
     def _render_colours(self) -> None:
@@ -304,7 +313,13 @@ class StylePanel(FieldForm):
         """Take the colours of `theme`."""
         super().set_theme(theme)
         self._subject.setStyleSheet("font-weight: bold")
-        self._note.setStyleSheet(f"color: {theme.muted.name()}")
+        for note in (self._note, self._no_dots):
+            note.setStyleSheet(f"color: {theme.muted.name()}")
+
+
+def _has_unseen_dots(style: Style) -> bool:
+    """Whether some dashes of a stroke have length 0, and ends that add nothing to that."""
+    return style.stroke != NO_PAINT and style.cap is LineCap.BUTT and 0.0 in style.dashes_and_gaps[::2]
 
 
 def _next_width(width: float, count: int) -> float:

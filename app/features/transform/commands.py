@@ -43,13 +43,14 @@ class _Flip(NamedTuple):
 
 
 class _Turn(NamedTuple):
-    """Quarter turn, and the words of its action."""
+    """Turn by a fixed angle, the words of its action, and its place among the buttons; None has none."""
 
+    name: str
     way: str
     degrees: float
     key: str
     icon: str
-    place: int
+    place: int | None
 
 
 _TRANSFORMS = (
@@ -77,8 +78,10 @@ _FLIPS = (
 )
 
 _TURNS = (
-    _Turn("left", 90.0, "Ctrl+[", "rotate", 12),
-    _Turn("right", -90.0, "Ctrl+]", "rotate-right", 13),
+    _Turn("rotateLeft", "left", 90.0, "Ctrl+[", "rotate", 12),
+    _Turn("rotateRight", "right", -90.0, "Ctrl+]", "rotate-right", 13),
+    _Turn("rotateLeftStep", "left", 15.0, "[", "rotate", None),
+    _Turn("rotateRightStep", "right", -15.0, "]", "rotate-right", None),
 )
 
 _BOX = Need(
@@ -158,16 +161,16 @@ class SelectionCommands:
     @action_for_each(
         _TURNS,
         lambda each: Action(
-            f"rotate{each.way.capitalize()}",
-            f"Rotate 90° {each.way.capitalize()}",
+            each.name,
+            f"Rotate {abs(each.degrees):g}° {each.way.capitalize()}",
             EDIT_TRANSFORM,
             each.key,
             each.icon,
-            f"Rotate what is selected or chosen, or else all points, a quarter to the {each.way}",
-            keywords="turn quarter clockwise",
+            f"Rotate what is selected or chosen, or else all points, to the {each.way}",
+            keywords="turn quarter step clockwise",
         ),
     )
-    @also_for_each(lambda each: (TRANSFORM_BUTTONS(each.place),))
+    @also_for_each(lambda each: () if each.place is None else (TRANSFORM_BUTTONS(each.place),))
     def _turn(self, each: _Turn) -> None:
         self._map(f"Rotate {{}} by {each.degrees:g}°".replace("-", "−"), rotation, each.degrees)
 

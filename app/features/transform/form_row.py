@@ -1,33 +1,37 @@
-"""The numbers of the form that is chosen: a rectangle's own width and height and its radii."""
+"""The numbers of the forms that are chosen: a rectangle's own width and height and its radii."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import get_args
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from ...document.expression import ExpressionError
 from ...document.form import Form, FormField
 from ...document.forms import AnyForm
 from ...document.words import number
 from ...qt.labels import Label
-from ...widgets.boxes import Part, row_of
+from ...widgets.boxes import row_of
 from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.percent_field import MIXED
+
+_BESIDE = 2
+"""Fields that have room beside each other for numbers such as 210.25 mm."""
 
 ReadLength = Callable[[Callable[[], float], str], float]
 """Returns the length that a text means, by what tells the one that there is now."""
 
 
 class FormRow(QWidget):
-    """A row of fields for each kind of form; that of the one which is chosen is seen.
+    """A row of fields for each kind of form; that of those which are chosen is seen.
 
     Signals
     -------
     number_entered
-        A number of the form shall be another one: its field, and the number.
+        A number of the forms shall be another one: its field, and the number.
     """
 
     number_entered = Signal(object, float)
@@ -35,10 +39,10 @@ class FormRow(QWidget):
     def __init__(self, read_length: ReadLength) -> None:
         super().__init__()
         self._read_length = read_length
-        self._form: AnyForm | None = None
+        self._forms: Sequence[AnyForm] = ()
         self._rows = {kind: _Row(kind, self._edit) for kind in get_args(AnyForm)}
         row_of(*self._rows.values(), spacing=0, margins=(0, 0, 0, 0), parent=self)
-        self.render_form(None, "")
+        self.render_forms((), "")
 
     @property
     def edits(self) -> list[NumberEdit]:
@@ -55,19 +59,23 @@ class FormRow(QWidget):
         return edit
 
     def _number(self, name: str) -> float:
-        return float(getattr(self._form, name, 0.0))
+        return float(getattr(self._forms[0], name)) if self._forms else 0.0
 
-    def render_form(self, form: AnyForm | None, problem: str) -> None:
-        """Show the numbers of a form; nothing for None."""
-        self._form = form
+    def render_forms(self, forms: Sequence[AnyForm], problem: str) -> None:
+        """Show the numbers of forms of one kind; nothing where there is none."""
+        self._forms = forms
         for kind, row in self._rows.items():
-            row.setVisible(type(form) is kind)
-            if type(form) is kind:
-                for field, edit in row.edits:
+            is_seen = bool(forms) and type(forms[0]) is kind
+            row.setVisible(is_seen)
+            for field, edit in row.edits if is_seen else ():
+                first, *others = (float(getattr(form, field.name)) for form in forms)
+                if any(other != first for other in others):
+                    edit.show_text(MIXED)
+                else:
                     show = edit.show_length if field.is_length else edit.show_number
-                    show(float(getattr(form, field.name)))
-                    edit.setEnabled(not problem)
-        self.setVisible(form is not None)
+                    show(first)
+                edit.setEnabled(not problem)
+        self.setVisible(bool(forms))
 
 
 def _within(field: FormField, text: str) -> float:
@@ -91,7 +99,12 @@ class _Row(QWidget):
     def __init__(self, kind: type[Form], make: Callable[[type[Form], FormField], NumberEdit]) -> None:
         super().__init__()
         self.edits = [(field, make(kind, field)) for field in kind.fields]
-        parts: list[Part] = [Label(kind.noun.title())]
-        for field, edit in self.edits:
-            parts += [Label(field.label), (edit, 1)]
-        row_of(*parts, spacing=6, margins=(0, 0, 0, 0), parent=self)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(6)
+        grid.addWidget(Label(kind.noun.title()), 0, 0)
+        for at, (field, edit) in enumerate(self.edits):
+            row, place = divmod(at, _BESIDE)
+            for column, part in enumerate((Label(field.label), edit), 1 + 2 * place):
+                grid.addWidget(part, row, column)
+                grid.setColumnStretch(column, int(part is edit))

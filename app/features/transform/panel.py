@@ -46,13 +46,13 @@ class Situated(msgspec.Struct, frozen=True):
     pivot, place
         The pivot, and which of the nine places that is; None for none of them.
     angle
-        Degrees by which it was turned since it was selected.
+        Degrees by which a form is turned, and all else was since it was selected.
     unit
         That of the document.
     problem
         Why it cannot be changed; empty where it can.
-    form
-        The form that it is, such as a rectangle; None where it is none, or more than that.
+    forms
+        The forms that it is, such as rectangles, all of one kind; none where it is anything else.
     """
 
     what: str
@@ -63,7 +63,7 @@ class Situated(msgspec.Struct, frozen=True):
     angle: float
     unit: str
     problem: str
-    form: AnyForm | None = None
+    forms: tuple[AnyForm, ...] = ()
 
 
 class PanelActions(msgspec.Struct, frozen=True):
@@ -87,7 +87,7 @@ class TransformPanel(FieldForm):
     skewed
         It shall be skewed along an axis, by this angle.
     number_entered
-        A number of the form shall be another one: its field, and the number.
+        A number of the forms shall be another one: its field, and the number.
     pivot_chosen
         One of nine places: −1, 0 or 1 across, and up.
     reference_chosen
@@ -113,7 +113,11 @@ class TransformPanel(FieldForm):
         self.y_edit = self._length("transformY", "Y", "y of the pivot", lambda: self._numbers()[1])
         self.width_edit = self._length("transformWidth", "Width", "Width", lambda: self._numbers()[2])
         self.height_edit = self._length("transformHeight", "Height", "Height", lambda: self._numbers()[3])
-        self.angle_edit = _angle("transformAngle", "Angle", "Angle since it was selected, in degrees")
+        self.angle_edit = _angle(
+            "transformAngle",
+            "Angle",
+            "Degrees that a rectangle, ellipse or star is turned; else since it was selected",
+        )
         self.turn_edit = _angle(
             "transformTurn", "Rotate by", "Degrees, counterclockwise; Enter turns each time"
         )
@@ -246,7 +250,7 @@ class TransformPanel(FieldForm):
         for part in (*turns, self.chooser):
             part.setEnabled(is_there)
         self.chooser.render_place(shown.place if bounds is not None else None)
-        self.form_row.render_form(shown.form, shown.problem)
+        self.form_row.render_forms(shown.forms, shown.problem)
         self.show_problem(shown.problem)
 
     def render_reference(self, reference: Reference) -> None:

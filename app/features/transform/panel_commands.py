@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
 
 _HEIGHT = 330
 
+_MOST_FORMS = 200
+"""Forms whose numbers are shown together: to find more of them is felt."""
+
 
 class TransformPanelCommands(QObject):
     """Keeps the panel in step with the selection, as long as its dock is in sight."""
@@ -42,8 +46,10 @@ class TransformPanelCommands(QObject):
         self._context, self._session, self._store = context, context.session, context.store
         self._target = context.central.canvas.tools.target
         self._panel: TransformPanel | None = None
-        # The selection as it was when it was made, for the angle.
+        # The selection as it was when it was made, and the angle that it had then.
         self._anchor: Anchor | None = None
+        self._angle_then = 0.0
+        self._forms_then: dict[int, Formed] = {}
         self._dock = context.docks["transformDock"]
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
@@ -125,26 +131,38 @@ class TransformPanelCommands(QObject):
         words, group = target.words, target.for_keys
         # A name is shown as it is; all else is a sentence's beginning.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
-        _, now = self._formed()
         return transform.panel.Situated(
             what, bounds, (bare[0] > 0.0, bare[1] > 0.0), pivot,
             places[len(places) // 2] if places else None, self._angle(),
-            session.document.unit, target.refusal_of_keys, now.form if now is not None else None,
+            session.document.unit, target.refusal_of_keys, tuple(now.form for now in self._formed().values()),
         )  # fmt: skip
 
-    def _formed(self) -> tuple[int, Formed | None]:
-        """Return the curve that is acted on, and what it is of the form that it was drawn as; −1 and None."""
+    def _formed(self) -> dict[int, Formed]:
+        """Return the curves that are acted on, with what they are of the forms that they were drawn as.
+
+        None where one is not acted on whole, is of no form, or of another kind than the first.
+        """
         parts, curves = self._target.for_keys.parts, self._session.document.curves
-        if len(parts) != 1 or len(parts[0][1]) != len(curves[parts[0][0]].points):
-            return -1, None
-        return parts[0][0], formed(curves[parts[0][0]])
+        if len(parts) > 1 and self._session.is_previewing:
+            # To find them takes longer than a frame; what is dragged is shown when it is let go.
+            return self._forms_then
+        self._forms_then = found = dict[int, Formed]()
+        for curve, points in parts if len(parts) <= _MOST_FORMS else ():
+            now = formed(curves[curve]) if len(points) == len(curves[curve].points) else None
+            if now is None or any(type(now.form) is not type(other.form) for other in found.values()):
+                found.clear()
+                break
+            found[curve] = now
+        return found
 
     def _angle(self) -> float:
         now = self._target.anchored()
         turned = turned_since(self._anchor, now) if self._anchor is not None else None
         if turned is None:
+            angles = {form.angle for form in self._formed().values()}
             self._anchor, turned = now, 0.0
-        return turned
+            self._angle_then = angles.pop() if len(angles) == 1 else 0.0
+        return math.remainder(self._angle_then + turned, 360.0) + 0.0
 
     # What the person did
 
@@ -169,17 +187,23 @@ class TransformPanelCommands(QObject):
         self._render()
 
     def _set_number(self, field: FormField, value: float) -> None:
-        curve, now = self._formed()
-        if now is None:
-            return
+        formed_now = self._formed()
         try:
-            form = now.form.with_number(field.name, value)
+            forms = {curve: now.form.with_number(field.name, value) for curve, now in formed_now.items()}
         except EditError as reason:
             self._refuse(str(reason))
             return
+
+        def edit(document: Document) -> Document:
+            for curve, form in forms.items():
+                document = with_form(document, curve, form, formed_now[curve].by)
+            return document
+
+        what = f"{field.words[0].lower()}{field.words[1:]}"
+        if len(forms) > 1:
+            what = f"{field.label} of {len(forms)} {type(next(iter(forms.values()))).noun}s"
         shown = self._length(value) if field.is_length else number(value)
-        text = f"Set {field.words[0].lower()}{field.words[1:]} to {shown}"
-        self._change(text, lambda document: with_form(document, curve, form, now.by))
+        self._change(f"Set {what} to {shown}", edit)
 
     def _place(self, axis: int, value: float) -> None:
         group, way = self._target.for_keys, value - self._target.centre[axis]
