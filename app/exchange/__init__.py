@@ -2,6 +2,7 @@
 
 - ``formats``: one record for each format, found by listing; what writes text beside them.
 - ``writing``, ``reading``: the name of a file decides which.  ``options``, ``choice``: what a person chose.
+  ``each``: a file for each chosen object.
 - ``drawing``: a document as a picture: SVG's source, PNG, PDF, films.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``tikz_style``: strokes and fills for TeX.

@@ -4,6 +4,7 @@ from . import choice as choice
 from . import corner as corner
 from . import cubics_in as cubics_in
 from . import dxf_library as dxf_library
+from . import each as each
 from . import facts as facts
 from . import lasting as lasting
 from . import options as options

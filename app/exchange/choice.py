@@ -16,7 +16,7 @@ from ..document.several_curves import alone, name_of
 from ..document.shapes import whole_shapes
 from .drawing.styles import DARK, LIGHT
 from .formats import FORMATS, Format
-from .options import BASIS, DARK_PAPER, EXTENT, TRUE_SIZE, Extent, Option, Options, Value, all_options
+from .options import BASIS, DARK_PAPER, EACH, EXTENT, TRUE_SIZE, Extent, Option, Options, Value, all_options
 from .units import known_unit
 
 
@@ -44,6 +44,11 @@ class ExportChoice:
     def format(self) -> Format:
         """The record of the format."""
         return next(each for each in FORMATS.offered if each.ending == self.ending)
+
+    @property
+    def is_each(self) -> bool:
+        """Whether each chosen object has a file of its own."""
+        return self[EACH] and self[EXTENT] is Extent.CHOSEN
 
     def of_chosen(self) -> ExportChoice:
         """Return the same for the chosen curves alone."""
@@ -167,7 +172,7 @@ def chosen(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
 
 def offered_options() -> tuple[Option[Any], ...]:
     """Return the options of all formats that the window offers, in the order of their rows."""
-    return all_options([(EXTENT,), *(each.options for each in FORMATS.offered)])
+    return all_options([(EXTENT, EACH), *(each.options for each in FORMATS.offered)])
 
 
 def text_of(choice: ExportChoice) -> str:

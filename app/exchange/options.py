@@ -164,6 +164,15 @@ EXTENT = OneOf(
 )
 """Option of all formats; without a page all curves are one."""
 
+EACH = Check(
+    name="each",
+    label="What",
+    title="Each to its own file",
+    tip="Write a file for each chosen object into a folder, named by its name",
+    default=False,
+)
+"""Option of all formats, of what is chosen."""
+
 WIDTH = Whole(
     name="width",
     label="Width",

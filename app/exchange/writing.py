@@ -24,15 +24,26 @@ def export(document: Document, path: str | os.PathLike[str], options: Options = 
     StorageError
         If the file cannot be written; an old one stays as it was.
     """
+    written = written_for(document, path, options)
+    put(written, path, options.report)
+    return written
+
+
+def written_for(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> Written:
+    """Return what a file of this name would hold.
+
+    Raises
+    ------
+    ExchangeError
+        As `export`.
+    """
     options = replace(options, path=os.fspath(path))
     if options.width is not None and options.width < 1:
         raise ExchangeError("The width must be at least 1.")
     form = format_of(path, FORMATS.written)
     options.report(0.0, "Writing")
     assert form.write is not None
-    written = form.write(document, options)
-    put(written, path, options.report)
-    return written
+    return form.write(document, options)
 
 
 def put(written: Written, path: str | os.PathLike[str], report: Report) -> None:

@@ -363,6 +363,20 @@ def test_commands_take_the_whole_shape_of_the_curve_that_is_edited(ring):
     assert (names(ring), step_name(ring)) == (["Side", "Outer", "Inner"], "Delete Shape 1 copy")
 
 
+def test_a_title_says_what_of_a_shape_is_meant(ring):
+    titles = [ring.action(name) for name in ("deleteCurve", "duplicateCurve")]
+    ring.session.selected.activate(0)
+    assert [each.text() for each in titles] == ["Delete Shape", "Duplicate Shape"]
+    ring.session.selected.choose(())
+    fold(ring, "Shape 1")
+    click_row(ring, "Inner")
+    assert [each.text() for each in titles] == ["Delete Contour", "Duplicate Contour"]
+    ring.trigger("deleteCurve")
+    assert (names(ring), step_name(ring)) == (["Outer", "Side"], "Delete Inner")
+    click_row(ring, "Side")
+    assert titles[0].text() == "Delete Curve"
+
+
 def test_a_new_curve_does_not_tear_a_shape(ring):
     ring.session.selected.activate(0)
     ring.trigger("newCurve")

@@ -25,7 +25,7 @@ from ...actions.strips import (
     LAYER_MENU,
 )
 from ...appearance.theme import LIGHT, Theme
-from ...document.curve_tree import Node, NodeKind, counted_nodes
+from ...document.curve_tree import Node, NodeKind, counted_nodes, whole_nodes
 from ...document.layers import begun_again, layer_node
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
@@ -38,7 +38,6 @@ from ...document.several_curves import (
     remove_curves,
     what_stays,
 )
-from ...document.shape_edits import objects
 from ...view_model.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
@@ -271,8 +270,15 @@ class CurveListCommands:
 
 
 def _curves(now: Situation) -> str:
-    nodes = objects(now.session.document, now.selected)
-    return counted_nodes(nodes).title() if len(nodes) > 1 else nodes[0].kind.name.title()
+    """Return what the highlight is, as a title: "3 Curves", "Shape"; of a shape one alone is a contour."""
+    document, selected = now.session.document, now.session.selected
+    meant = selected.highlight(whole_curves=True).curves or selected.whole
+    nodes = whole_nodes(document.curves, meant, document.layers)
+    if len(nodes) > 1:
+        return counted_nodes(nodes).title()
+    (node,) = nodes
+    is_contour = node.kind is NodeKind.CURVE and node.around.shape
+    return "Contour" if is_contour else node.kind.name.title()
 
 
 COMMAND_SETS = (CurveListCommands,)

@@ -220,7 +220,8 @@ class CurveCommands:
         if session.change(f"Insert {new} between", lambda document: group.changed(document, one)):
             kept = {curve: each.old | each.new for curve, each in made.items()}
             session.selected.set_group(some_points(kept.items()))
-            session.say(" ".join(("Inserted", f"{new}.", *(each.made.sentence for each in made.values()))))
+            told = (each.made.told_in(session.document) for each in made.values())
+            session.say(" ".join(("Inserted", f"{new}.", *told)))
 
     @PlaceAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
@@ -342,7 +343,7 @@ class CurveCommands:
 
         if not session.change(text, edit, active=active):
             return None
-        session.say(made[0].sentence)
+        session.say(made[0].told_in(session.document))
         return made[0]
 
 

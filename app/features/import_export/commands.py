@@ -297,7 +297,7 @@ class ExchangeCommands:
             self._dialog = import_export.export_dialog.ExportDialog(
                 self._usual_choice(), self._context.window
             )
-            self._dialog.chosen.connect(self._ask_where_to)
+            self._dialog.chosen.connect(self._ask_where)
             self._dialog.finished.connect(self._release_dialog)
             for changed in self._shown_in_dialog:
                 changed.connect(self._show_in_dialog)
@@ -334,6 +334,12 @@ class ExchangeCommands:
                 session.selected.marked,
                 with_estimates=self._preferences.with_estimates,
             )
+
+    def _ask_where(self, choice: ExportChoice) -> None:
+        if choice.is_each and self._session.selected.chosen:
+            import_export.own_files.OwnFiles(self._context).ask(choice)
+        else:
+            self._ask_where_to(choice)
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
         session, last = self._session, self._session.files.last_export
