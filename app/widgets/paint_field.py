@@ -135,7 +135,11 @@ class PaintField(FollowsTheme, QWidget):
         if recent == self._recent:
             return
         for colour in self._recent:
-            self._swatches.pop(colour).deleteLater()
+            button = self._swatches.pop(colour)
+            # Out of the row at once, and found by nobody until it is deleted.
+            button.hide()
+            button.setObjectName("")
+            button.deleteLater()
         self._recent = recent
         for colour in recent:
             self._add_swatch(colour, colour)
