@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from itertools import repeat
+from operator import is_
 
 import msgspec
 
 from .model import Curve, Document, Point, Vector
 from .point_group import PointGroup, some_points
+from .shapes import shape_around
 
 NONE_CHOSEN = "No curve is chosen; click one, or press Ctrl+A for all."
 """What is said to whoever wants something of a curve while none is edited and none chosen."""
@@ -115,7 +118,36 @@ def followed_group(
     )
 
 
-def returned_points(before: Sequence[Point], after: Sequence[Point]) -> frozenset[int]:
+def existing_points(group: PointGroup, curves: Sequence[Curve], edited: Collection[int]) -> PointGroup:
+    """Return what there is of some points of curves that are edited."""
+    return some_points(
+        (curve, _within(indices, len(curves[curve].points)))
+        for curve, indices in group.parts
+        if curve in edited
+    )
+
+
+def _within(indices: frozenset[int], count: int) -> frozenset[int]:
+    """Return the indices of points that a curve of so many has; the same object where all are."""
+    if indices and min(indices) >= 0 and max(indices) < count:
+        return indices
+    return frozenset(index for index in indices if 0 <= index < count)
+
+
+def are_left(edited: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+    """Whether all that was edited is gone, and the active curve is another one that was there already."""
+    if len(after) >= len(before) or not any(map(is_, before, repeat(after[active]))):
+        return False
+    shapes = {place for each in edited for place in shape_around(before, each)}
+    return not followed_places(shapes, before, after)
+
+
+def returned_points(edited: Collection[int], before: Sequence[Curve], after: Sequence[Curve]) -> PointGroup:
+    """Return which points of edited curves were not there before."""
+    return some_points((curve, _returned(before[curve].points, after[curve].points)) for curve in edited)
+
+
+def _returned(before: Sequence[Point], after: Sequence[Point]) -> frozenset[int]:
     """Return which points of `after` are at no place of `before`; none unless there are more of them."""
     if len(after) <= len(before):
         return frozenset()

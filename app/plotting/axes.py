@@ -39,7 +39,6 @@ _MARGIN, _FOOT = 1, 6
 
 _ONE_LINE = Qt.TextFlag.TextSingleLine | Qt.TextFlag.TextDontClip
 _IN_THE_MIDDLE = int(_ONE_LINE | Qt.AlignmentFlag.AlignCenter)
-_TO_THE_RIGHT = int(_ONE_LINE | Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 
 class Axis:

@@ -48,6 +48,12 @@ def tip_of(text: str) -> str:
     return f"<qt>{html_of(text)}</qt>" if Qt.mightBeRichText(text) else text
 
 
+def set_tip(widget: QWidget, tip: str) -> None:
+    """Give a widget a tooltip where it is another: Qt sends an event for the same one, too."""
+    if widget.toolTip() != tip:
+        widget.setToolTip(tip)
+
+
 def menu_text(text: str) -> str:
     """Return what an action, a button or a tab shows a text by."""
     return text.replace("&", "&&")

@@ -13,14 +13,15 @@ from ..document.model import Curve, Document
 from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import (
     Choice,
+    are_left,
+    existing_points,
     followed_curves,
     followed_group,
-    followed_places,
     returned_curves,
     returned_points,
 )
 from ..document.several_curves import is_blank
-from ..document.shapes import shape_around, whole_shapes
+from ..document.shapes import whole_shapes
 from ..document.steps import reshaped
 from .highlight import Highlight
 from .next_style import Marked, NextStyle
@@ -73,12 +74,6 @@ class Selection:
         return self.group.of(self._session.active_index)
 
     @property
-    def point(self) -> int | None:
-        """The selected point if exactly one is selected."""
-        one = self.group.only_point
-        return one[1] if one is not None else None
-
-    @property
     def edited(self) -> frozenset[int]:
         """The curves whose points can be selected: the active one, its shape, and those chosen with it."""
         return self.whole if self.is_editing else frozenset()
@@ -125,8 +120,8 @@ class Selection:
 
         The active curve is edited with any, and one of those with some: the one so far, or the nearest to it.
         """
-        active, count = self._session.active_index, len(self._session.active_curve.points)
-        if not self.is_editing and _within(group.of(active), count):
+        active = self._session.active_index
+        if not self.is_editing and existing_points(group, self._session.document.curves, {active}).parts:
             self.activate(active)
         existing = self._existing(group)
         if existing.parts and not existing.of(active):
@@ -151,13 +146,8 @@ class Selection:
         self._put(existing if existing.of(self._session.active_index) else NO_POINTS)
 
     def _existing(self, group: PointGroup) -> PointGroup:
-        if not group.parts:
-            return NO_POINTS
-        curves, edited = self._session.document.curves, self.edited
-        return some_points(
-            (curve, _within(indices, len(curves[curve].points)))
-            for curve, indices in group.parts
-            if curve in edited
+        return (
+            existing_points(group, self._session.document.curves, self.edited) if group.parts else NO_POINTS
         )
 
     def _put(self, group: PointGroup) -> None:
@@ -361,7 +351,7 @@ class Selection:
         after, active = session.document.curves, session.active_index
         several = self._chosen if not self.is_editing else self.curves if len(self.curves) > 1 else ()
         kept = followed_curves(several, before, after)
-        if self.is_editing and self._is_left(before, after):
+        if self.is_editing and are_left(self.curves, active, before, after):
             self.is_editing, kept = False, frozenset()
         elif active not in kept and kept and not self.is_editing and len(after) == len(before):
             # Undo and redo of a drag that has chosen something leave that chosen, whatever was before it.
@@ -380,14 +370,6 @@ class Selection:
     def _note_style(self, document: Document) -> None:
         self.next_style.note(document, self.marked, self._session.active_index)
 
-    def _is_left(self, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
-        """Whether all that was edited is gone, and the active curve is another one that was there already."""
-        active = after[self._session.active_index]
-        if len(after) >= len(before) or not any(map(is_, before, repeat(active))):
-            return False
-        edited = {place for each in self.curves for place in shape_around(before, each)}
-        return not followed_places(edited, before, after)
-
     def select_returned(self, before: Sequence[Curve]) -> None:
         """Select the points, or the curves, that undo or redo has brought back."""
         session = self._session
@@ -396,16 +378,4 @@ class Selection:
         if len(returned) > 1 or (returned and not self.is_editing):
             self.set_curves(returned)
         elif self.is_editing and not self.group.parts and len(before) == len(curves):
-            self._keep_group(
-                some_points(
-                    (curve, returned_points(before[curve].points, curves[curve].points))
-                    for curve in self.edited
-                )
-            )
-
-
-def _within(indices: frozenset[int], count: int) -> frozenset[int]:
-    """Return the indices of points that a curve of so many has; the same object where all are."""
-    if indices and min(indices) >= 0 and max(indices) < count:
-        return indices
-    return frozenset(index for index in indices if 0 <= index < count)
+            self._keep_group(returned_points(self.edited, before, curves))

@@ -12,7 +12,7 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy
 
-from ..qt.labels import Label, tip_of
+from ..qt.labels import Label, set_tip, tip_of
 from ..qt.overrides import Guarded
 
 _STEP = 16
@@ -99,4 +99,4 @@ class ElidedLabel(SteadyLabel):
     def setText(self, text: str) -> None:  # noqa: N802
         """Show `text`."""
         super().setText(text)
-        self.setToolTip(tip_of(text))
+        set_tip(self, tip_of(text))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit
 from ..document.expression import ExpressionError, parse_number
 from ..document.words import number, with_minus
 from ..qt.keys import PASSING, ClaimsKeys
+from ..qt.labels import set_tip
 from .controls import named
 from .number_text import angle_text, decimal_mark, field_text, typed_text
 
@@ -190,7 +191,7 @@ class NumberEdit(FieldEdit):
         """Show the document's text; the tip begins with it where `short` leaves out some of it."""
         super().show_text(text, short)
         exact = with_minus(text)
-        self.setToolTip(self._tip if short in (None, text, exact) else f"{exact} · {self._tip}")
+        set_tip(self, self._tip if short in (None, text, exact) else f"{exact} · {self._tip}")
 
     def show_number(self, value: float, digits: int | None = None) -> None:
         """Show a number, while nobody has the cursor in the field with so many digits."""

@@ -135,9 +135,12 @@ class PaintField(FollowsTheme, QWidget):
         if recent == self._recent:
             return
         for colour in self._recent:
-            gone = self._swatches.pop(colour)
-            self._used.removeWidget(gone)
-            gone.deleteLater()
+            button = self._swatches.pop(colour)
+            self._used.removeWidget(button)
+            # Out of the row at once, and found by nobody until it is deleted.
+            button.hide()
+            button.setObjectName("")
+            button.deleteLater()
         self._recent = recent
         for colour in recent:
             self._add_swatch(self._used, colour, colour)

@@ -677,7 +677,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
         spin(5)
     # Meanwhile the window works on.
     editor.select_point(0)
-    assert editor.session.selected.point == 0
+    assert editor.session.selected.points == {0}
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert not editor.window.context.work.jobs.is_busy
     assert not bar.isVisible()

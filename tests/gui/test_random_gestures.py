@@ -373,9 +373,10 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(corner=st.booleans())
     def corner(self, corner):
-        index = self.session.selected.point
-        if index is None:
+        selected = self.session.selected.group.only_point
+        if selected is None:
             return
+        index = selected[1]
         if corner:
             self.edit(edits.make_corner, index, (1.0, 2.0), None)
         else:

@@ -567,7 +567,7 @@ def test_a_point_is_inserted_at_the_scrub_line(three):
     three.session.scrub.set(0.37)
     three.trigger("insertPoint")
     assert three.parameters[2] == 0.37 or three.parameters[1] == 0.37
-    assert three.session.selected.point == three.parameters.index(0.37)
+    assert three.session.selected.points == {three.parameters.index(0.37)}
 
 
 # Drawn

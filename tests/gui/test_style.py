@@ -353,6 +353,10 @@ def test_a_colour_of_any_kind_is_chosen_in_one_step_and_remembered(editor, panel
     click(panel, "fillPaint_#123456")
     assert styles(editor)[0].fill == "#123456"
     assert editor.window.preferences.recent_colours.startswith("#123456")
+    panel.show_recent(["#00ff00"])
+    assert panel.findChild(QToolButton, "fillPaint_#00ff00") is not None
+    # At once: buttons that were deleted later stood beside the new ones for a moment.
+    assert panel.findChild(QToolButton, "fillPaint_#123456") is None
 
 
 def test_a_step_elsewhere_closes_the_choice_of_colours(editor, panel):

@@ -1,6 +1,8 @@
 """A step changes the document, the selection and the history: actions and panels are shown once for all."""
 
 import pytest
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit, QWidget
 
 from app.actions.qactions import Actions
 from app.document import edits
@@ -72,3 +74,53 @@ def test_a_switch_that_changes_nothing_shows_what_is_on(editor, shown):
     assert editor.session.document is document
     assert switch.isChecked()
     assert not shown[0]
+
+
+class Written(QObject):
+    """Notes the events of widgets that were given a tooltip, or were enabled or disabled.
+
+    Attributes
+    ----------
+    same_tips
+        The names of those that were given the tooltip that they had; none of buttons, whose actions give it.
+    enabled
+        The names of those that were enabled or disabled.
+    """
+
+    def __init__(self, window):
+        super().__init__(window)
+        self._tips = {widget: widget.toolTip() for widget in window.findChildren(QWidget)}
+        self.same_tips, self.enabled = [], []
+
+    def eventFilter(self, watched, event):
+        if event.type() == QEvent.Type.ToolTipChange and not isinstance(watched, QAbstractButton):
+            if self._tips.get(watched) == watched.toolTip():
+                self.same_tips.append(watched.objectName() or type(watched).__name__)
+            self._tips[watched] = watched.toolTip()
+        elif event.type() == QEvent.Type.EnabledChange:
+            self.enabled.append(watched.objectName())
+        return False
+
+
+def test_only_what_is_new_is_written(editor):
+    """Every movement gave the fields, labels and bars the tooltips that they had."""
+    flat = make_curve([(0, 0), (1, 0), (2, 1)], family=HERMITE)
+    editor.session.commit(Document((flat,)), "Begin", active=0)
+    editor.show_dock("transformDock")
+    editor.select([0, 1])
+    editor.settle()
+    assert not editor.window.findChild(QLineEdit, "transformHeight").isEnabled()
+    written = Written(editor.window)
+    QApplication.instance().installEventFilter(written)
+    try:
+        for step in (0.1, 0.2, 0.3):
+            editor.session.change(
+                "Move points",
+                lambda document, step=step: edits.move_points(document, 0, [0, 1], (step, 0.0)),
+            )
+            editor.settle()
+    finally:
+        QApplication.instance().removeEventFilter(written)
+        written.deleteLater()
+    assert written.same_tips == []
+    assert "transformHeight" not in written.enabled

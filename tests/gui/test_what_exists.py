@@ -72,7 +72,7 @@ def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
     editor.trigger("addTool")
     editor.click((1.0, 1.0))
     editor.trigger("toggleSnap")
-    new = editor.session.selected.point
+    (new,) = editor.session.selected.points
     x, y = editor.point(new)
     editor.key(Qt.Key.Key_Right)
     assert editor.point(new) == pytest.approx((x + editor.window.canvas.tools.grid(), y), abs=1e-15)

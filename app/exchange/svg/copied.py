@@ -12,7 +12,7 @@ from ..corner import shifted
 from ..cubics_in import Imported
 from ..drawing.trim import painted_box
 from ..rescaled import factor_between
-from .names import INKSCAPE_SPACE
+from .names import CLIPBOARD
 from .numbers import number
 from .reader import read_svg
 from .xml_tree import parsed
@@ -39,7 +39,7 @@ def read_copied(data: bytes, tolerance: float | None = None) -> Imported:
 
 def _place_in(data: bytes) -> Vector | None:
     """Return where the upper left corner of a drawing was on its page, in pixels, down; None if unsaid."""
-    element = parsed(data).find(f"{{{INKSCAPE_SPACE}}}clipboard")
+    element = parsed(data).find(CLIPBOARD)
     try:
         x, y = map(float, element.get("min", "").split(",")) if element is not None else (math.nan, math.nan)
     except ValueError:

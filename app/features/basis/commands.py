@@ -166,9 +166,9 @@ class BasisCommands:
     @also(RAIL_MENU(10))
     def _type_parameter(self) -> None:
         """Type the parameter of the selected point at its tick."""
-        selected = self._session.selected.point
+        selected = self._session.selected.group.only_point
         if selected is not None:
-            self._panel.edit_tick(selected)
+            self._panel.edit_tick(selected[1])
 
 
 COMMAND_SETS = (BasisCommands,)

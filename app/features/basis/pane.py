@@ -13,7 +13,7 @@ from ...appearance.themed import FollowsTheme
 from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
-from ...qt.labels import Label
+from ...qt.labels import Label, set_tip
 from ...view_model.basis_view import BasisView, basis_formulas
 from ...view_model.curve_view import CurveView
 from ...view_model.line_styles import KIND_DASHES, LineStyle
@@ -159,7 +159,7 @@ class BasisPane(FollowsTheme, CentralPane):
         First the words beside the formulas go, then the note's own, then the factors of the functions.
         """
         linearised = f"; shown are those {self._linearised}" if self._linearised else ""
-        self._title.setToolTip(f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
+        set_tip(self._title, f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
         formulas, _drawing, functions = self._said
         for brief in range(4):
             self._brevity = brief
@@ -174,7 +174,7 @@ class BasisPane(FollowsTheme, CentralPane):
 
     def _write_extent(self) -> None:
         self._extent.setText(_reach_text(self._reach, brief=self._brevity > 1))
-        self._extent.setToolTip(_reach_text(self._reach))
+        set_tip(self._extent, _reach_text(self._reach))
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""

@@ -42,9 +42,10 @@ class DerivativeCommands:
     @also(POINT_MENU(32))
     def _copy_derivatives(self) -> None:
         """Copy the derivatives of the selected point."""
-        view, index = self._session.active_view, self._session.selected.point
-        if index is None or not view.is_current:
+        view, selected = self._session.active_view, self._session.selected.group.only_point
+        if selected is None or not view.is_current:
             return
+        index = selected[1]
         point = view.source.points[index]
         before, after = (
             [view.derivative_of(index, each.order, ahead=ahead) for each in derivatives.DERIVATIVES]

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QComboBox, QSizePolicy
 
 from ...document.model import Parametrization, ParametrizationKind
 from ...document.selection import NONE_CHOSEN
-from ...qt.labels import Label
+from ...qt.labels import Label, set_tip
 from ...view_model.curve_view import CurveView
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box, named
@@ -108,22 +108,21 @@ class ParametrizationBar(ToolbarWidget):
         self._has_alpha = True
         self.box.setCurrentIndex(-1)
         for part in (self.box, self.slider):
-            part.setToolTip(NONE_CHOSEN)
+            set_tip(part, NONE_CHOSEN)
         self.slider.setEnabled(False)
         self._alpha.setText("")
 
     def _render_rule(self, rule: Parametrization) -> None:
         self.box.setCurrentIndex(list(ParametrizationKind).index(rule.kind))
-        self.box.setToolTip(
-            f"{_TIP}: {rule.kind.phrase}" + (f", {rule.kind.spaced}" if rule.kind.spaced else "")
-        )
+        spaced = f", {rule.kind.spaced}" if rule.kind.spaced else ""
+        set_tip(self.box, f"{_TIP}: {rule.kind.phrase}{spaced}")
         # Three of the rules are members of the power family; the slider shows where they stand.
         alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
         if not self.slider.isSliderDown():
             self.slider.setValue(round(alpha * STEPS))
         self._has_alpha = _has_alpha(rule.kind)
         self.slider.setEnabled(self._has_alpha)
-        self.slider.setToolTip(_SLIDER_TIP)
+        set_tip(self.slider, _SLIDER_TIP)
         self._alpha.setEnabled(self._has_alpha)
         self._alpha.setText(f"α {alpha:.2f}")
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFrame, QPushButton, QToolButton
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
-from ...qt.labels import Label, tip_of
+from ...qt.labels import Label, set_tip, tip_of
 from ...qt.overrides import Guarded
 from ...view_model.analysis.teaching import Warned
 from ...widgets.boxes import column_of, row_of
@@ -55,7 +55,7 @@ class TeachingBadge(FollowsTheme, QToolButton):
             self._popup.hide()
             return
         self.setText(warned.badge)
-        self.setToolTip(tip_of(f"{warned.sentence} Click for what can be done"))
+        set_tip(self, tip_of(f"{warned.sentence} Click for what can be done"))
         self.setAccessibleName(f"{warned.badge}. {warned.sentence}")
         self._popup.sentence.setText(warned.sentence)
 

@@ -240,9 +240,8 @@ class TransformPanel(FieldForm):
                 edit.show_text("")
             else:
                 edit.show_length(value)
-            edit.setEnabled(is_there)
-        for axis, edit in enumerate((self.width_edit, self.height_edit)):
-            edit.setEnabled(is_there and shown.grows[axis])
+        for edit, can_be in zip(edits, (True, True, *shown.grows), strict=True):
+            edit.setEnabled(is_there and can_be)
         self.angle_edit.show_angle(shown.angle)
         self.turn_edit.show_angle(self._turn_by)
         self.skew_edit.show_angle(self._skew_by)
