@@ -25,6 +25,7 @@ from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
 from .dash_field import DashField
 from .gradient_field import GradientField
+from .marker_field import FIELDS, MarkerField
 
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
@@ -73,6 +74,8 @@ class StylePanel(FieldForm):
         The fields of shares, by the field of a style that they show.
     gradients
         The fields of gradients, by the field of the paint.
+    markers
+        The field of what stands at the ends of lines.
     """
 
     wanted = Signal(object)
@@ -106,7 +109,7 @@ class StylePanel(FieldForm):
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
         self._make_numbers()
-        self._dash = DashField()
+        self._dash, self.markers = DashField(), MarkerField()
         self.opacities = {
             "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
             "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
@@ -157,6 +160,7 @@ class StylePanel(FieldForm):
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
             ("Dashes", row_of((self._dash, 1), "from", self._offset, spacing=6)),
+            ("Markers", self.markers),
             ("Opacity", self.opacities["stroke_opacity"]),
             ("", _rule_line()),
             ("Overall", self.opacities["opacity"]),
@@ -183,6 +187,7 @@ class StylePanel(FieldForm):
         parts = ((self._rule, "fill_rule"), (self._cap, "cap"), (self._join, "join"), (self._dash, "dash"))
         for part, name in parts:
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
+        self.markers.chosen.connect(lambda name, kind: self.wanted.emit({name: kind}))
         fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
         fields |= {field.edit: name for name, field in self.opacities.items()}
         for edit, name in fields.items():
@@ -256,6 +261,8 @@ class StylePanel(FieldForm):
         self._cap.render_value(values.get("cap"))
         self._join.render_value(values.get("join"))
         self._dash.render_value(values.get("dash"))
+        for name in FIELDS:
+            self.markers.render_value(name, values.get(name))
         for name, field in self.opacities.items():
             field.render_value(values.get(name))
         self._render_numbers(values, unit)
@@ -292,7 +299,7 @@ class StylePanel(FieldForm):
             always.setEnabled(bool(styles))
         has_fill = any(style.fill != NO_PAINT for style in styles)
         has_stroke = any(style.stroke != NO_PAINT for style in styles)
-        of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash)
+        of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash, self.markers)
         for part in (self._rule, self.opacities["fill_opacity"]):
             part.setEnabled(has_fill)
         for each in (*of_line, self.opacities["stroke_opacity"]):
