@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import msgspec
 from PySide6.QtGui import QPainter
@@ -62,6 +62,7 @@ def _is_plain(style: Style) -> bool:
         and style.stroke_opacity == style.opacity == 1.0
         and style.stroke_gradient is None
         and not style.clips
+        and not style.has_markers
     )
 
 
@@ -91,8 +92,7 @@ def paint_line(
     """Paint the line of a curve in a style, without its inside; `usual` as for `paint_shape`."""
     width = printed_width(style, shown, usual)
     ink = Ink(curve_colour(style.stroke, theme), theme.curve, width, theme.curve)
-    part = Part(line_of(view, shown, style).points, view.source.is_closed)
-    paint_printed(painter, [part], style.with_fields({"fill": NO_PAINT}), ink, shown)
+    paint_printed(painter, parts_of([view], style, shown), style.with_fields({"fill": NO_PAINT}), ink, shown)
 
 
 def paint_shape(
@@ -110,6 +110,14 @@ def paint_shape(
     """
     width = usual if style.width is None else style.width * shown.sx
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
-    seen = (view for view in shape if view.has_curve)
-    parts = [Part(line_of(view, shown, style).points, view.source.is_closed) for view in seen]
-    paint_printed(painter, parts, style, ink, shown, line)
+    paint_printed(painter, parts_of(shape, style, shown), style, ink, shown, line)
+
+
+def parts_of(shape: Iterable[CurveView], style: Style, shown: PixelMap) -> list[Part]:
+    """Return the curves of a shape as they are drawn in a style."""
+    has_markers = style.has_markers
+    return [
+        Part(line_of(view, shown, style).points, view.source.is_closed, view.ends if has_markers else None)
+        for view in shape
+        if view.has_curve
+    ]

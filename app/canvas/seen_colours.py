@@ -12,13 +12,14 @@ from curvecore.arrays import FloatArray
 
 from ..appearance.colours import curve_colour, fill_colour
 from ..appearance.theme import PRINTED
+from ..document.marker import FARTHEST
 from ..document.model import Vector
 from ..document.shapes import shapes
 from ..document.style import Style
 from ..plotting.pixel_map import PixelMap
-from ..plotting.printed import Ink, Part, paint_printed
+from ..plotting.printed import Ink, paint_printed
 from ..view_model.curve_view import CurveView
-from .looks import Looks, Shape, line_of
+from .looks import Looks, Shape, parts_of
 
 _LEAST = 5.0
 """Pixels of a line, at least: nobody points at a hairline exactly."""
@@ -75,7 +76,7 @@ class SeenColours:
 def _box(shape: Shape, style: Style) -> FloatArray:
     """Return a box that a shape in a style does not leave, nor its line with its miters."""
     lines = np.vstack([view.drawn_box for view in shape])
-    overhang = (style.width or 0.0) * max(1.0, style.miter_limit)
+    overhang = (style.width or 0.0) * max(1.0, style.miter_limit, FARTHEST if style.has_markers else 0.0)
     return np.array([lines.min(axis=0) - overhang, lines.max(axis=0) + overhang])
 
 
@@ -87,5 +88,4 @@ def _paint(painter: QPainter, shape: Shape, style: Style, shown: PixelMap, spot:
     colours = curve_colour(style.stroke, PRINTED), fill_colour(style.fill, PRINTED)
     ink = Ink(*colours, width, PRINTED.curve)
     # The polylines that are on the screen: they are known.
-    parts = [Part(line_of(view, shown).points, view.source.is_closed) for view in shape]
-    paint_printed(painter, parts, style, ink, spot)
+    paint_printed(painter, parts_of(shape, shape[0].source.style, shown), style, ink, spot)

@@ -3,7 +3,7 @@
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
-  ``clip``: what it is cut by.
+  ``clip``: what it is cut by.  ``marker``: what stands at its ends.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.
 - ``kept``: texts and pictures of other programs, which are shown.

@@ -14,7 +14,7 @@ from .fields import LENGTH, Requirement, above, at_least, between
 from .form import Form, FormField, FormHandle, Piece
 from .value import Vector
 
-_QUARTER = 4 / 3 * (math.sqrt(2) - 1)
+QUARTER = 4 / 3 * (math.sqrt(2) - 1)
 """How far the handles of a quarter of a circle reach, of its radius."""
 
 _APART, _PROPORTIONS, _CIRCLE = "Shift: across and up apart", "Ctrl: keeps proportions", "Ctrl: a circle"
@@ -121,9 +121,7 @@ class Rectangle(_InBox, frozen=True):
         for corner, (before, after) in zip(corners, ends, strict=True):
             if at != before:
                 made.append(_line(at, before))
-            made.append(
-                (before, _between(before, corner, _QUARTER), _between(after, corner, _QUARTER), after)
-            )
+            made.append((before, _between(before, corner, QUARTER), _between(after, corner, QUARTER), after))
             at = after
         return made
 
@@ -190,7 +188,7 @@ class Ellipse(_InBox, frozen=True):
             ((x, top), (right, top), (right, y)),
         )
         return [
-            (start, _between(start, corner, _QUARTER), _between(end, corner, _QUARTER), end)
+            (start, _between(start, corner, QUARTER), _between(end, corner, QUARTER), end)
             for start, corner, end in quarters
         ]
 

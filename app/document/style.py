@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
 from .gradient import Gradient
+from .marker import MarkerKind
 from .value import Value, Vector
 from .words import NamedEnum
 
@@ -81,6 +82,8 @@ class Style(Value, frozen=True):
         What paints in place of the colour, which stands for it where there are no gradients.
     clips
         Areas beyond each of which nothing of it is seen.
+    start_marker, end_marker
+        At the ends of an open line, in its colour, as large as the line is wide.
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
@@ -98,11 +101,20 @@ class Style(Value, frozen=True):
     fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
     stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
     clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
+    start_marker: Annotated[MarkerKind, "Start marker"] = MarkerKind.NONE
+    end_marker: Annotated[MarkerKind, "End marker"] = MarkerKind.NONE
 
     @property
     def has_stroke(self) -> bool:
         """Whether a line is drawn."""
         return self.stroke != NO_PAINT
+
+    @property
+    def has_markers(self) -> bool:
+        """Whether something stands at an end of its open lines."""
+        return self.has_stroke and (
+            self.start_marker is not MarkerKind.NONE or self.end_marker is not MarkerKind.NONE
+        )
 
     @property
     def has_fill(self) -> bool:

@@ -15,7 +15,10 @@ from ..document.gradient import Gradient
 from ..document.style import LineCap, LineJoin, Style
 from ..qt.clips import clipped
 from ..qt.gradients import brush_of
+from ..qt.markers import path_of
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
+from ..view_model.markers import Ends, markers_of
+from ..view_model.plane import unit_tangents
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pictures import transparent
 from .pixel_map import PixelMap
@@ -39,10 +42,14 @@ _FARTHEST_DASH = 20_000.0
 
 
 class Part(msgspec.Struct, frozen=True, eq=False):
-    """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins."""
+    """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins.
+
+    The `ends` are those of a line with markers.
+    """
 
     points: FloatArray
     is_closed: bool
+    ends: Ends | None = None
 
 
 class Ink(msgspec.Struct, frozen=True, eq=False):
@@ -76,7 +83,7 @@ def paint_printed(
         with clipped(painter, style.clips, to_pixels, QRectF(0, 0, shown.width, shown.height)):
             paint_printed(painter, parts, whole, ink, shown, line)
         return
-    is_both = style.has_fill and style.has_stroke
+    is_both = style.has_stroke and (style.has_fill or style.has_markers)
     if style.opacity < 1.0 and is_both:
         _paint_together(painter, parts, style, ink, shown)
         return
@@ -156,6 +163,17 @@ def _stroke(
         for part in parts:
             _add_line(path, part, shown, reach)
         painter.strokePath(path, pen)
+    if style.has_markers:
+        first, last = (_ends_in_pixels(parts[at].ends, shown) for at in (0, -1))
+        painter.fillPath(path_of(markers_of(style, first, last, width)), pen.brush())
+
+
+def _ends_in_pixels(ends: Ends | None, shown: PixelMap) -> Ends | None:
+    if ends is None:
+        return None
+    places = shown.points(np.array([ends.start, ends.end]))
+    before, after = unit_tangents(np.array([ends.before, ends.after]) * (shown.sx, -shown.sy))
+    return Ends(places[0], before, places[1], after)
 
 
 def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:

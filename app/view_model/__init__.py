@@ -42,7 +42,8 @@ A curve changed:
 - ``regions``: boolean operations on shapes.  ``stroke_shapes``: larger and smaller ones, strokes as shapes.
   ``cubics``, ``cubic_joints``: curves as cubic pieces, and back.
 - ``bounds``: the box of points or curves.  ``exact_boxes``: those of many curves at once.
-  ``stroked``: with strokes.  ``stretch``: what fills another.
+  ``stroked``: with strokes.  ``markers``: what stands at their ends.
+  ``stretch``: what fills another.
 - ``fixed_point``: equations whose values take a while.  ``shape_boxes``: the box of a whole shape.
   ``resizing``: a width, a height.  ``alignment``: curves by theirs.  ``pivot``: the place that transforms are
   about, and what they did.  ``last_transform``: the last of them, done again.

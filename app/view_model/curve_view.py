@@ -11,6 +11,7 @@ import numpy as np
 
 from curvecore import CardinalBasis, CurveError, ParametricCurve
 from curvecore.arrays import BoolArray, FloatArray
+from curvecore.scaling import scale_by_power
 
 from ..document.model import Curve, Vector
 from ..families.family import OverdueCallError
@@ -18,6 +19,7 @@ from .cardinals import Cardinal, Cardinals
 from .core_curve import Core, checked_parameters, core_curve
 from .flattener import Box, Flattener, FlatteningKey, Polyline
 from .made_curve import MadeCurve
+from .markers import Ends, ends_of_pieces
 from .plane import at_knots, size_of
 from .point_arrays import PointArrays, arrays_of, rows_changed
 from .point_moves import Motion, PointMoves
@@ -159,6 +161,16 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
                 moved = self.carry.polyline(tolerance)
             self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
         return self._flattened[key]
+
+    @cached_property
+    def ends(self) -> Ends | None:
+        """The ends of an open curve; None of a closed one."""
+        if self.source.is_closed or self.curve is None:
+            return None
+        from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415 - where there are markers
+
+        pieces = bezier_pieces(self.curve)
+        return ends_of_pieces(scale_by_power(pieces.controls[[0, -1]], pieces.exponent))
 
     def velocity_of(self, index: int, *, ahead: bool = True) -> Vector | None:
         """Return the velocity at point `index`, set or estimated; None where the family has none.

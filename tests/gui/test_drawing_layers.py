@@ -92,7 +92,7 @@ def test_whatever_is_new_comes_to_the_front_of_the_present_layer(layered, qtbot)
     assert layer_now(editor) == "Layer: Art"
     draw(editor, "rectangleTool", (25, -5), (35, -15))
     # Behind what is in front of its layer, had there been anything.
-    assert [curve.name for curve in session.document.curves] == ["ground", "left", "right", "Curve 1"]
+    assert [curve.name for curve in session.document.curves] == ["ground", "left", "right", "Rectangle 1"]
     assert newest(editor).groups == ("Art",)
     click_row(editor, "Back")
     assert layer_now(editor) == "Layer: Back"

@@ -101,6 +101,7 @@ def test_a_click_goes_on_straight_from_the_end_that_is_left(paper, by_nodes):
     drawn = shape(paper, 0)
     if by_nodes:
         paper.trigger("selectTool")
+        paper.key(Qt.Key.Key_Return)
         paper.select_point(2)
         paper.key(DELETE)
         paper.trigger("addTool")

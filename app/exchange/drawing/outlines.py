@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 from operator import attrgetter
 
 import msgspec
+from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from ...document.marker import MarkerKind
 from ...document.style import PLAIN_STYLE, Style
 from ...view_model.formed import Formed
+from ...view_model.markers import Ends, ends_of_pieces, markers_of
 
 
 class Outline(msgspec.Struct, frozen=True):
@@ -55,9 +58,20 @@ class Outline(msgspec.Struct, frozen=True):
         return self.style.colour
 
     @property
+    def ends(self) -> Ends | None:
+        """The ends of an open curve; None of a closed one."""
+        return None if self.closed else ends_of_pieces(self.control_points)
+
+    @property
     def reach(self) -> float:
         """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
         return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
+
+
+def markers_at(shape: Sequence[Outline], width: float) -> list[FloatArray]:
+    """Return the outlines, (k, 4, 2), of the markers of a shape whose line is so wide."""
+    style = shape[0].style
+    return markers_of(style, shape[0].ends, shape[-1].ends, width) if style.has_markers else []
 
 
 def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
@@ -67,3 +81,11 @@ def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
         for shape, together in groupby(outlines, attrgetter("shape"))
         for each in ([tuple(together)] if shape else [(outline,) for outline in together])
     ]
+
+
+def with_markers_seen(style: Style, shape: Sequence[Outline]) -> Style:
+    """Return the style of a shape without the markers that its closed curves do not show."""
+    if not style.has_markers:
+        return style
+    hidden = {"start_marker": shape[0].closed, "end_marker": shape[-1].closed}
+    return replace(style, **{name: MarkerKind.NONE for name, is_hidden in hidden.items() if is_hidden})

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from msgspec.structs import replace
@@ -28,10 +28,11 @@ from ...document.style import Style
 from ...qt.clips import clipped
 from ...qt.gradients import brush_of
 from ...qt.kept import paint_kept
+from ...qt.markers import path_of
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
 from .drawing import POINT_RADIUS, Annotation, Drawing
-from .outlines import Outline
+from .outlines import Outline, markers_at
 from .styles import PictureStyle
 
 _MOST_DASHES = 100_000
@@ -91,19 +92,23 @@ class Painting:
             with clipped(self._painter, clips, QTransform(1, 0, 0, -1, 0, self._height)):
                 self._paint_shape((whole, *shape[1:]))
             return
-        style, path = shape[0].style, self._path(shape)
+        style, path, markers = shape[0].style, self._path(shape), self._markers(shape)
         is_together = style.opacity < 1 and style.has_fill and style.has_stroke
-        if is_together and _is_raster(self._painter):
-            self._paint_layer(path, replace(style, opacity=1.0), _length(shape), style.opacity)
+        if _is_raster(self._painter) and (is_together or (style.opacity < 1 and not markers.isEmpty())):
+            self._paint_layer(path, markers, replace(style, opacity=1.0), _length(shape), style.opacity)
             return
         pen = self._pen(style, _length(shape))
         brush = self._brush(style) if style.has_fill else None
+        if style.opacity < 1 and pen is not None:
+            markers = markers.subtracted(QPainterPathStroker(pen).createStroke(path))
         if is_together and pen is not None:
             # As outlines: what lies below the stroke is taken out of the area.
-            path_below = path.subtracted(QPainterPathStroker(pen).createStroke(path))
+            path_below = path.subtracted(QPainterPathStroker(pen).createStroke(path)).subtracted(markers)
             self._fill_and_stroke(self._painter, path_below, None, brush)
             brush = None
         self._fill_and_stroke(self._painter, path, pen, brush)
+        if pen is not None and not markers.isEmpty():
+            self._fill(self._painter, markers, pen.brush())
 
     def _fill_and_stroke(
         self, painter: QPainter, path: QPainterPath, pen: QPen | None, brush: QBrush | QColor | None
@@ -138,26 +143,35 @@ class Painting:
         painter.drawImage(place, picture)
         painter.restore()
 
-    def _paint_layer(self, path: QPainterPath, style: Style, length: float, opacity: float) -> None:
+    def _paint_layer(
+        self, path: QPainterPath, markers: QPainterPath, style: Style, length: float, opacity: float
+    ) -> None:
         """Paint stroke and fill so that nothing of the fill is seen through the stroke."""
         painter, pen = self._painter, self._pen(style, length)
-        place = self._bounds(path, pen or QPen(Qt.PenStyle.NoPen))
+        place = self._bounds(path, markers, pen or QPen(Qt.PenStyle.NoPen))
         if not place.isEmpty():
+            brush = self._brush(style) if style.has_fill else None
             painter.save()
             painter.setOpacity(opacity)
-            painter.drawImage(place.topLeft(), self._layer(place, path, pen, self._brush(style)))
+            painter.drawImage(place.topLeft(), self._layer(place, path, markers, pen, brush))
             painter.restore()
 
-    def _bounds(self, path: QPainterPath, pen: QPen) -> QRect:
+    def _bounds(self, path: QPainterPath, markers: QPainterPath, pen: QPen) -> QRect:
         """Return the pixels of the device that a shape can reach."""
         reach = 1 + overhang_of(pen)
         frame = self._drawing.frame
         within = QRectF(0, 0, math.ceil(frame.width), math.ceil(frame.height))
-        return (
-            path.controlPointRect().adjusted(-reach, -reach, reach, reach).intersected(within).toAlignedRect()
-        )
+        seen = path.controlPointRect().united(markers.controlPointRect())
+        return seen.adjusted(-reach, -reach, reach, reach).intersected(within).toAlignedRect()
 
-    def _layer(self, place: QRect, path: QPainterPath, pen: QPen | None, brush: QBrush | QColor) -> QImage:
+    def _layer(
+        self,
+        place: QRect,
+        path: QPainterPath,
+        markers: QPainterPath,
+        pen: QPen | None,
+        brush: QBrush | QColor | None,
+    ) -> QImage:
         """Return a picture of one shape in a part of the device."""
         layer = QImage(place.size(), _PICTURE)
         layer.fill(Qt.GlobalColor.transparent)
@@ -165,7 +179,15 @@ class Painting:
             painter.setRenderHints(self._painter.renderHints())
             painter.translate(-place.topLeft())
             self._fill_and_stroke(painter, path, pen, brush)
+            if pen is not None:
+                painter.fillPath(markers, pen.brush())
         return layer
+
+    def _markers(self, shape: Sequence[Outline]) -> QPainterPath:
+        style = shape[0].style
+        width = self._drawing.usual_width if style.width is None else style.width
+        way = QTransform(1, 0, 0, -1, 0, self._height)
+        return way.map(path_of(markers_at(shape, width)))
 
     def _path(self, shape: Iterable[Outline]) -> QPainterPath:
         path = QPainterPath()

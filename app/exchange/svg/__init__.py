@@ -1,8 +1,8 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``numbers``: styles
-  and numbers as text.
+  ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``marker_elements``,
+  ``numbers``: styles and numbers as text.
   ``form_elements``: rectangles and ellipses as such.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
@@ -11,8 +11,8 @@
   ``kept_elements``: written again.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
-- ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
-  and rules.
+- ``cascade``, ``properties``, ``paint``, ``gradients``, ``markers``: the style of an element, from attributes
+  and rules.  ``flaw``: what of it is lost.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
   ``copied``: as Inkscape does.
 - ``in_place``: files with the changes of a document in them, and everything else as it was.

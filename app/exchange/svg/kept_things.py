@@ -11,12 +11,12 @@ from msgspec.structs import replace
 from ...document.kept import KeptPicture, KeptText
 from ..drawing.extents import extent_of
 from .clips import clip_of_box
+from .flaw import Flaw
 from .groups import Anchor, Drawn, Group
 from .kept_pictures import KeptPictures
 from .kept_texts import KeptTexts
 from .names import INSENSITIVE
 from .paint import Paints
-from .properties import Flaw
 from .state import State
 
 NO_CURVES = {

@@ -14,8 +14,10 @@ from ...document.model import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
+from .flaw import Flaw
 from .gradients import Ground
 from .lengths import Viewport, length
+from .markers import Markers
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
@@ -34,14 +36,6 @@ _SIZES = {
 _RELATIVE = {"em": 1.0, "ex": 0.5, "%": 0.01, "smaller": 1 / 1.2, "larger": 1.2}
 """Units of the size of the font around."""
 _Kind = TypeVar("_Kind", bound=Enum)
-
-
-@dataclass(frozen=True)
-class Flaw:
-    """Part of a style that is not taken over: why, and what is done instead."""
-
-    why: str
-    instead: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,8 +113,8 @@ def font_size(word: str, around: str) -> str:
 class StyleReader:
     """Reads styles of one file."""
 
-    def __init__(self, paints: Paints) -> None:
-        self._paints = paints
+    def __init__(self, paints: Paints, markers: Markers) -> None:
+        self._paints, self._markers = paints, markers
 
     def style(self, properties: Properties, ground: Ground, scale: float) -> tuple[Style, tuple[Flaw, ...]]:
         """Return the style of a shape on its ground, whose lengths are scaled so, and what of it is lost.
@@ -138,6 +132,8 @@ class StyleReader:
             stroke = Paint("none")
         flaws = [Flaw(each.why, each.instead) for each in (fill, stroke) if each.why]
         flaws += _flaws(values)
+        start, end, told = self._markers.of(values)
+        flaws += told
         style = Style(
             stroke=stroke.colour,
             fill=fill.colour,
@@ -148,6 +144,7 @@ class StyleReader:
         )
         if stroke.colour == "none":
             return style, tuple(flaws)
+        style = replace(style, start_marker=start, end_marker=end)
         return _with_stroke(style, values, stroke, width, scale, viewport), tuple(flaws)
 
 
@@ -173,9 +170,6 @@ def _with_stroke(
 
 def _flaws(values: Mapping[str, str]) -> list[Flaw]:
     flaws = []
-    markers = (values[name] for name in ("marker-start", "marker-mid", "marker-end"))
-    if any(marker.lower() != "none" for marker in markers):
-        flaws.append(Flaw("it has markers", "it comes in without them"))
     order = values["paint-order"].lower().split()
     if "stroke" in order[:1] and values["stroke"].lower() != "none" != values["fill"].lower():
         flaws.append(Flaw("its fill lies over its stroke", "the stroke lies over the fill"))

@@ -23,11 +23,13 @@ from ..errors import ExchangeError
 from ..missed import Missed
 from .cascade import Cascade
 from .clips import Clips
+from .flaw import Flaw
 from .gradients import Ground
 from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
 from .guides import guides_of
 from .kept_things import NO_CURVES, KeptThings
 from .lengths import Viewport
+from .markers import Markers
 from .matrices import (
     Box,
     box_of,
@@ -43,7 +45,7 @@ from .names import GROUP_MODE, INSENSITIVE, name_of, shown_name
 from .our_own import OurOwn
 from .paint import Paints, share_of
 from .path_data import Subpath
-from .properties import Flaw, StyleReader
+from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
 from .state import State, Window
@@ -136,7 +138,10 @@ class SvgReader:
         self._cascade = Cascade(root)
         self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
         paints = Paints(self._by_id, self._cascade.of)
-        self._styles, self._kept = StyleReader(paints), KeptThings(paints, self._cascade.of)
+        self._styles, self._kept = (
+            StyleReader(paints, Markers(self._by_id)),
+            KeptThings(paints, self._cascade.of),
+        )
         self._clips = Clips(self._by_id, self._cascade.of)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []

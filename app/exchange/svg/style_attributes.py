@@ -4,14 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...document.marker import MarkerKind
 from ...document.style import GRADIENTS, NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ..drawing.styles import PictureStyle
 from .gradient_elements import GradientElements
+from .marker_elements import MarkerElements
 from .numbers import number
 
 
 def style_attributes(
-    style: Style, picture: PictureStyle, usual_width: float, gradients: GradientElements
+    style: Style,
+    picture: PictureStyle,
+    usual_width: float,
+    gradients: GradientElements,
+    markers: MarkerElements,
 ) -> str:
     """Return a style as attributes, each after a blank; what SVG takes for granted is left out."""
     flat = {"fill": picture.fill_of(style), "stroke": picture.stroke_of(style)}
@@ -19,6 +25,11 @@ def style_attributes(
     paints = {name: served.get(GRADIENTS[name], colour) for name, colour in flat.items()}
     pairs = [("fill", paints["fill"] if style.has_fill else NO_PAINT), *_of_fill(style)]
     pairs += _of_stroke(style, paints["stroke"], usual_width)
+    if style.has_stroke:
+        ends = {"marker-start": style.start_marker, "marker-end": style.end_marker}
+        pairs += [
+            (name, markers.reference(kind)) for name, kind in ends.items() if kind is not MarkerKind.NONE
+        ]
     if style.opacity < 1:
         pairs.append(("opacity", number(style.opacity)))
     return "".join(f' {name}="{value}"' for name, value in pairs)

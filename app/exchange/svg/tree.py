@@ -11,12 +11,13 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ..drawing.drawing import Drawing
-from ..drawing.outlines import Outline
+from ..drawing.outlines import Outline, with_markers_seen
 from ..drawing.styles import PictureStyle
 from ..naming import Names
 from .clip_elements import ClipElements
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
+from .marker_elements import MarkerElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
@@ -58,20 +59,26 @@ class Tree:
         self._open: tuple[str, ...] = ()
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
-        self.clips = ClipElements(self._ids)
+        self.clips, self._markers = ClipElements(self._ids), MarkerElements(self._ids)
         self.lines: list[str] = []
 
     @property
     def definitions(self) -> list[str]:
-        """The gradients that paint what was written, and what it is cut by, in an element of their own."""
-        found = [*self._gradients.lines, *self.clips.lines]
+        """What paints what was written, cuts it and ends its lines, in an element of their own."""
+        found = [*self._gradients.lines, *self.clips.lines, *self._markers.lines]
         return ["  <defs>", *found, "  </defs>"] if found else []
 
     def add(self, shape: tuple[Outline, ...]) -> None:
         """Write the outlines of a shape as one path."""
         first = shape[0]
         self._go_into(first.groups)
-        style = style_attributes(first.style, self._style, self._usual_width, self._gradients)
+        style = style_attributes(
+            with_markers_seen(first.style, shape),
+            self._style,
+            self._usual_width,
+            self._gradients,
+            self._markers,
+        )
         clips = first.style.clips
         around = [self._layers[name] for name in self._layers_of(first)]
         # What a layer says goes for all in it.

@@ -25,6 +25,7 @@ from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
 from .dash_field import DashField
 from .gradient_field import GradientField
+from .marker_field import FIELDS, MarkerField
 
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
@@ -75,6 +76,8 @@ class StylePanel(FieldForm):
         The fields of shares, by the field of a style that they show.
     gradients
         The fields of gradients, by the field of the paint.
+    markers
+        The field of what stands at the ends of lines.
     """
 
     wanted = Signal(object)
@@ -109,7 +112,7 @@ class StylePanel(FieldForm):
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
         self._make_numbers()
-        self._dash = DashField()
+        self._dash, self.markers = DashField(), MarkerField()
         self.opacities = {
             "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
             "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
@@ -161,6 +164,7 @@ class StylePanel(FieldForm):
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
             ("Dashes", column_of(dashes, self._no_dots, margins=0, spacing=4)),
+            ("Markers", self.markers),
             ("Opacity", self.opacities["stroke_opacity"]),
             ("", _rule_line()),
             ("Overall", self.opacities["opacity"]),
@@ -189,6 +193,7 @@ class StylePanel(FieldForm):
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
         # Chosen by its name it is to be seen; who types 0 is told why nothing is.
         self._dash.dots_chosen.connect(lambda dash: self.wanted.emit({"dash": dash, "cap": LineCap.ROUND}))
+        self.markers.chosen.connect(lambda name, kind: self.wanted.emit({name: kind}))
         fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
         fields |= {field.edit: name for name, field in self.opacities.items()}
         for edit, name in fields.items():
@@ -262,6 +267,8 @@ class StylePanel(FieldForm):
         self._cap.render_value(values.get("cap"))
         self._join.render_value(values.get("join"))
         self._dash.render_value(values.get("dash"))
+        for name in FIELDS:
+            self.markers.render_value(name, values.get(name))
         for name, field in self.opacities.items():
             field.render_value(values.get(name))
         self._render_numbers(values, unit)
@@ -301,7 +308,7 @@ class StylePanel(FieldForm):
             always.setEnabled(bool(styles))
         has_fill = any(style.fill != NO_PAINT for style in styles)
         has_stroke = any(style.stroke != NO_PAINT for style in styles)
-        of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash)
+        of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash, self.markers)
         for part in (self._rule, self.opacities["fill_opacity"]):
             part.setEnabled(has_fill)
         for each in (*of_line, self.opacities["stroke_opacity"]):

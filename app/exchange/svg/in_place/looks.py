@@ -19,6 +19,7 @@ from ...drawing.styles import INK, PictureStyle
 from ...naming import Names
 from ..clip_elements import ClipElements
 from ..gradient_elements import GradientElements
+from ..marker_elements import MarkerElements
 from ..matrices import moved
 from ..numbers import number
 from .source import Node
@@ -35,6 +36,8 @@ class Part(NamedTuple):
 
 
 _CLIP = Part(("clips",), ("clip-path",), "")
+_START = Part(("start_marker",), ("marker-start",), "")
+_END = Part(("end_marker",), ("marker-end",), "")
 
 _PARTS = (
     Part(("fill", "fill_opacity", "fill_gradient"), ("fill", "fill-opacity"), "fill"),
@@ -44,6 +47,8 @@ _PARTS = (
     Part(("cap",), ("stroke-linecap",)),
     Part(("join", "miter_limit"), ("stroke-linejoin", "stroke-miterlimit")),
     Part(("opacity",), ("opacity",), ""),
+    _START,
+    _END,
     _CLIP,
 )
 
@@ -53,16 +58,17 @@ class Definitions:
 
     Attributes
     ----------
-    gradients, clips
+    gradients, clips, markers
         Those that were asked for so far.
     """
 
     def __init__(self, ids: Names) -> None:
         self.gradients, self.clips = GradientElements(INK, ids), ClipElements(ids)
+        self.markers = MarkerElements(ids)
 
     def taken(self) -> str:
         """Return as elements those that were asked for since it was asked last."""
-        return "\n".join([*self.gradients.taken(), *self.clips.taken()])
+        return "\n".join([*self.gradients.taken(), *self.clips.taken(), *self.markers.taken()])
 
 
 class Looks:
@@ -137,14 +143,22 @@ class Looks:
         return one == other
 
     def properties(
-        self, style: Style, inverse: FloatArray, scale: float, around: float, made: Definitions
+        self,
+        style: Style,
+        parts: tuple[Part, ...],
+        inverse: FloatArray,
+        scale: float,
+        around: float,
+        made: Definitions,
     ) -> Mapping[str, str]:
-        """Return all properties of a style.
+        """Return the properties of a style.
 
         Parameters
         ----------
         style
             The style.
+        parts
+            What is asked for: of the rest there are no markers.
         inverse
             (2, 3), from the plane of the file to that of the element.
         scale
@@ -160,6 +174,13 @@ class Looks:
             if (gradient := getattr(style, field)) is not None:
                 paints[name] = made.gradients.reference(gradient.mapped(there))
         width = (style.width or 0.0) / scale
+        ends = {_START: style.start_marker, _END: style.end_marker}
+        markers = {
+            name: made.markers.reference(kind)
+            for part, kind in ends.items()
+            if part in parts
+            for name in part.properties
+        }
         return {
             "fill": paints["fill"],
             "fill-opacity": number(style.fill_opacity),
@@ -172,6 +193,7 @@ class Looks:
             "stroke-linecap": str(style.cap.value),
             "stroke-linejoin": str(style.join.value),
             "stroke-miterlimit": number(style.miter_limit),
+            **markers,
             "opacity": number(style.opacity / around if around else style.opacity),
             "clip-path": made.clips.reference(tuple(each.mapped(there) for each in style.clips)),
         }

@@ -289,7 +289,7 @@ class _Round:
             inverse = inverse_of(combined(by, drawn.state.matrix))
             around = drawn.anchor.around.properties
             values = self._job.looks.properties(
-                wanted.style, inverse, drawn.scale * stretch, around.opacity, self._definitions
+                wanted.style, parts, inverse, drawn.scale * stretch, around.opacity, self._definitions
             )
             declare_style(node, parts, values, around.values, has_rules=self._job.has_rules)
         if found.visible != wanted.visible:
