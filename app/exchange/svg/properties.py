@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
@@ -113,8 +114,8 @@ def font_size(word: str, around: str) -> str:
 class StyleReader:
     """Reads styles of one file."""
 
-    def __init__(self, paints: Paints, markers: Markers) -> None:
-        self._paints, self._markers = paints, markers
+    def __init__(self, paints: Paints, by_id: Mapping[str, ET.Element]) -> None:
+        self._paints, self._markers = paints, Markers(by_id)
 
     def style(self, properties: Properties, ground: Ground, scale: float) -> tuple[Style, tuple[Flaw, ...]]:
         """Return the style of a shape on its ground, whose lengths are scaled so, and what of it is lost.

@@ -29,7 +29,6 @@ from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
 from .guides import guides_of
 from .kept_things import NO_CURVES, KeptThings
 from .lengths import Viewport
-from .markers import Markers
 from .matrices import (
     Box,
     box_of,
@@ -138,10 +137,7 @@ class SvgReader:
         self._cascade = Cascade(root)
         self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
         paints = Paints(self._by_id, self._cascade.of)
-        self._styles, self._kept = (
-            StyleReader(paints, Markers(self._by_id)),
-            KeptThings(paints, self._cascade.of),
-        )
+        self._styles, self._kept = StyleReader(paints, self._by_id), KeptThings(paints, self._cascade.of)
         self._clips = Clips(self._by_id, self._cascade.of)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
