@@ -10,7 +10,7 @@ import pytest
 
 from app.cli import main
 from app.storage.files import load
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 ROWS = np.stack([np.linspace(0.0, 6.0, 800), np.sin(np.linspace(0.0, 6.0, 800))], axis=1)
 

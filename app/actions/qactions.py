@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .declaration import Action, Declared, Sight, all_declared
 from .key_gate import KeyGate
 from .keymap import (

@@ -8,7 +8,7 @@ from ..document.several_curves import is_blank
 from ..document.shape_edits import objects
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .clipboard_watch import ClipboardWatch
 
 

@@ -9,7 +9,7 @@ from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .point_layer import opacity_of
 
 _WIDTH = 1.0

@@ -17,7 +17,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
-from ..view_model.curve_view import CurveView, Polyline
+from ..view_model.curve.curve_view import CurveView, Polyline
 from .looks import Looks, Shape, line_of, paint_shape
 
 CASING = 1.0

@@ -11,7 +11,7 @@ from ..document.shapes import shape_around, shapes
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..tools.pointer import Hit
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
 from .line_finder import LineFinder, is_on_line

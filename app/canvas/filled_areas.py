@@ -12,9 +12,9 @@ from ..document.model import Curve, Vector
 from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
-from ..view_model.clips import leave
-from ..view_model.curve_view import CurveView
-from ..view_model.fills import is_inside, windings
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.geometry.clips import leave
+from ..view_model.geometry.fills import is_inside, windings
 from .looks import line_of
 
 

@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 
 if TYPE_CHECKING:
     from .scene import CanvasScene

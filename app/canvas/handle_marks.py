@@ -15,8 +15,8 @@ from ..document.lines import line_beside
 from ..document.model import Curve
 from ..plotting.pixel_map import PixelMap
 from ..plotting.sprites import Mark
-from ..view_model.curve_view import CurveView
-from ..view_model.handles import (
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.curve.handles import (
     NO_HANDLES,
     Handles,
     PointSides,

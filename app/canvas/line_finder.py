@@ -11,8 +11,8 @@ from curvecore.arrays import FloatArray
 from ..document.model import Vector
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
-from ..view_model.clips import leave
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.geometry.clips import leave
 from .hit_test import CURVE_REACH, PixelOutline
 from .looks import line_of
 

@@ -13,7 +13,7 @@ from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
 from ..plotting.wide_line import RoundLine
-from ..view_model.curve_view import CurveView, Polyline
+from ..view_model.curve.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""

@@ -18,8 +18,8 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import write_in_corner
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Stamps
-from ..view_model.curve_view import CurveView
-from ..view_model.point_kinds import POINT_KINDS, kinds_of
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.points.point_kinds import POINT_KINDS, kinds_of
 from .handle_marks import LEFT_AWAY, MOST_POINTS, ShownHandles
 from .hit_test import PartFound, PixelPoints, handle_or_point
 from .point_ink import Inks

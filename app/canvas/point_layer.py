@@ -23,9 +23,9 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.sprites import Mark
 from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
-from ..view_model.curve_view import CurveView
-from ..view_model.handles import Handles
-from ..view_model.point_kinds import kinds_of
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.curve.handles import Handles
+from ..view_model.points.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours

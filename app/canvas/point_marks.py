@@ -7,7 +7,7 @@ from functools import lru_cache
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap, QPolygonF
 
-from ..view_model.point_kinds import POINT_KINDS
+from ..view_model.points.point_kinds import POINT_KINDS
 
 _DOT = 0.36
 """Radius of the dot in the middle of a mark that is open: three pixels across in one of nine."""

@@ -21,8 +21,8 @@ from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hit, Pointer
 from ..tools.tool import Tool
-from ..view_model.basis_view import weights_at
-from ..view_model.curve_view import CurveView
+from ..view_model.basis.basis_view import weights_at
+from ..view_model.curve.curve_view import CurveView
 from .annotations import Annotations
 from .control_polygon_layer import ControlPolygonLayer
 from .drawn_curves import DrawnCurves
@@ -41,7 +41,7 @@ from .seen_colours import SeenColours
 from .unit_layer import UnitLayer
 
 if TYPE_CHECKING:
-    from ..view_model.motion_picture import Dot, Role
+    from ..view_model.animation.motion_picture import Dot, Role
     from .motion_layer import MotionLayer
 
 

@@ -18,7 +18,7 @@ from ..document.shapes import shapes
 from ..document.style import Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, paint_printed
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .looks import Looks, Shape, parts_of
 
 _LEAST = 5.0

@@ -15,7 +15,7 @@ from ..plotting.drawing import Stroke
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
 from .looks import Looks, Shape, line_of, paint_line, printed_width
 from .other_curves_layer import OtherCurvesLayer

@@ -27,9 +27,9 @@ from ..exchange.writing import export
 from ..families import FAMILIES, HERMITE
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from ..tasks.progress import Report, part
-from ..view_model.curve_view import view_of
-from ..view_model.least_squares import Fitted, fitted_to_curve
-from ..view_model.motion_settings import Pace, Repeat
+from ..view_model.animation.motion_settings import Pace, Repeat
+from ..view_model.curve.curve_view import view_of
+from ..view_model.fitting.least_squares import Fitted, fitted_to_curve
 from .command_line import common_options
 from .documents import load_document
 from .options import (

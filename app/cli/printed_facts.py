@@ -11,7 +11,7 @@ from msgspec.structs import asdict
 
 from ..document.gradient import Gradient
 from ..document.style import NO_PAINT, Style
-from ..view_model.basis_findings import digits_in_words
+from ..view_model.basis.basis_findings import digits_in_words
 from .refusals import one_line
 
 if TYPE_CHECKING:

@@ -17,9 +17,9 @@ from ..document.model import Curve, Document, Parametrization
 from ..document.style import PLAIN_STYLE, Style
 from ..families import Family, FamilySetting, SettingValue
 from ..tasks.progress import Report, silent
-from ..view_model.arc_lengths import lengths_of
-from ..view_model.curve_view import CurveView, ParametricCurve, view_of
-from ..view_model.growth import growths_of_points
+from ..view_model.basis.growth import growths_of_points
+from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
+from ..view_model.geometry.arc_lengths import lengths_of
 from .drawing.drawing import frame_around, refuse_wild, too_much
 from .errors import ExchangeError
 

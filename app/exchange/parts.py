@@ -29,9 +29,9 @@ from ..document.model import Curve, Document
 from ..document.style import Style
 from ..document.words import names_of
 from ..tasks.progress import Report, silent
-from ..view_model.cubics import RELATIVE_TOLERANCE
-from ..view_model.curve_view import ParametricCurve
-from ..view_model.refusals import in_words
+from ..view_model.curve.curve_view import ParametricCurve
+from ..view_model.curve.refusals import in_words
+from ..view_model.shapes.cubics import RELATIVE_TOLERANCE
 from .drawing.drawing import drawable
 from .errors import ExchangeError
 from .naming import Names

@@ -9,7 +9,7 @@ from curvecore.arrays import FloatArray
 
 from ..appearance.colours import line_colour
 from ..appearance.theme import Theme, mix
-from ..view_model.line_styles import Dashes, LineStyle, Mark, Sign
+from ..view_model.look.line_styles import Dashes, LineStyle, Mark, Sign
 from .dashes import dashed
 from .drawing import Stroke, visible_segments
 from .pictures import transparent

@@ -17,8 +17,8 @@ from ..qt.clips import clipped
 from ..qt.gradients import brush_of
 from ..qt.markers import path_of
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
-from ..view_model.markers import Ends, markers_of
-from ..view_model.plane import unit_tangents
+from ..view_model.geometry.markers import Ends, markers_of
+from ..view_model.geometry.plane import unit_tangents
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pictures import transparent
 from .pixel_map import PixelMap

@@ -19,7 +19,7 @@ from ..storage.files import load
 from ..storage.foreign import Foreign
 from ..storage.open_file import FileChange, OpenFile, Reading
 from ..storage.resources import is_resource
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .change import why_not_kept
 from .history import Beginning, State
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 
 
 class ScrubLine:

@@ -20,7 +20,7 @@ from ..document.shapes import tidy_shapes
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .box import SelectionBox
 from .change import Change, raiser_of, why_locked, why_not_kept
 from .files import Files

@@ -19,8 +19,8 @@ from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind, Snapping
 from ..tools.tool import ToolRecord
 from ..view_model.analysis.settings import AnalysisSettings
-from ..view_model.bounds import Strokes
-from ..view_model.motion_settings import MotionSettings
+from ..view_model.animation.motion_settings import MotionSettings
+from ..view_model.boxes.bounds import Strokes
 
 
 class FileSituation(msgspec.Struct, frozen=True):

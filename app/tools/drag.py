@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from ..document.model import Document, Vector
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .pointer import Pointer
 
 

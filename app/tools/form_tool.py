@@ -16,7 +16,7 @@ from ..document.forms import AnyForm
 from ..document.model import Document, Vector
 from ..document.several_curves import named, whole_curves
 from ..document.style import Style
-from ..view_model.formed import Formed, formed, with_form
+from ..view_model.shapes.formed import Formed, formed, with_form
 from .drag import Drag
 from .marks import FormMark, GestureMarks, Note
 from .pointer import Cursor, Hint, Pointer

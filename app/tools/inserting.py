@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..document.curve_edits import replace_curve
 from ..document.model import Document
-from ..view_model.reshape import Reshaped, inserted_index, with_point_inserted
+from ..view_model.fitting.reshape import Reshaped, inserted_index, with_point_inserted
 from .drag_machine import EditingHost
 
 

@@ -8,7 +8,7 @@ from msgspec.structs import asdict, replace
 from ..document.gradient import Gradient
 from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .snapping import Snap
 from .transform_box import TransformBox
 

@@ -12,8 +12,8 @@ from curvecore.arrays import FloatArray
 from ..document.model import Vector
 from ..document.point_group import some_points
 from ..document.shape_edits import pressed
-from ..view_model.curve_view import CurveView
-from ..view_model.plane import crosses_box
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.geometry.plane import crosses_box
 from . import hints
 from .curve_picker import chosen_curves
 from .drag_machine import CANCELLED, THRESHOLD

@@ -13,11 +13,11 @@ from ..document import edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..document.ties import tied_to_line
-from ..view_model.appending import Appending, with_point_appended
-from ..view_model.curve_view import CurveView, view_of
-from ..view_model.handles import derivative_from_handle
-from ..view_model.pen_corners import with_corner_appended, with_own_lengths, with_segment_by_handles
-from ..view_model.reshape import Reshaped, with_point_inserted
+from ..view_model.curve.curve_view import CurveView, view_of
+from ..view_model.curve.handles import derivative_from_handle
+from ..view_model.fitting.reshape import Reshaped, with_point_inserted
+from ..view_model.points.appending import Appending, with_point_appended
+from ..view_model.points.pen_corners import with_corner_appended, with_own_lengths, with_segment_by_handles
 from .drag import CurveDrag, plus
 from .drags import in_steps
 from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer

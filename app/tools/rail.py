@@ -13,7 +13,7 @@ from ..document.edits import freeze_parameters, set_parameters
 from ..document.model import Curve, Document, ParametrizationKind, Vector
 from ..document.point_group import PointGroup, points_of
 from ..document.transforms import decimal_sum
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingHost
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride

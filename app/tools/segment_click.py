@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ..document import words
 from ..document.point_group import NO_POINTS, PointGroup, points_of
-from ..view_model.curve_view import CurveView
-from ..view_model.sampling import segment_at
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.geometry.sampling import segment_at
 from . import hints
 from .drag_machine import EditingHost
 from .pointer import Hit, Pointer

@@ -12,10 +12,10 @@ from ..document.lines import ends_of, is_line
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from ..document.shapes import shapes
-from ..view_model.bounds import NINE, Bounds, Strokes, bounds_of, name_of_place
-from ..view_model.curve_view import CurveView
-from ..view_model.exact_boxes import find_boxes
-from ..view_model.nearest import NearestPoint
+from ..view_model.boxes.bounds import NINE, Bounds, Strokes, bounds_of, name_of_place
+from ..view_model.boxes.exact_boxes import find_boxes
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.curve.nearest import NearestPoint
 from .snapping import Edges, SnapKind, SnapPlaces, Targets
 
 Moving = Mapping[int, Collection[int]]

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 
 from ..document.model import Document, Guide, Vector
 from ..document.point_group import PointGroup
-from ..view_model.bounds import Bounds, Strokes, bounds_of, nine_places
+from ..view_model.boxes.bounds import Bounds, Strokes, bounds_of, nine_places
 from .drag import minus
 from .drag_machine import EditingHost
 from .pointer import Pointer

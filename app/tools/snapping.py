@@ -16,7 +16,7 @@ from ..document.guide_edits import place_words
 from ..document.model import Axis, Guide, Page, Vector
 from ..document.transforms import decimal_sum
 from ..document.words import NamedEnum
-from ..view_model.nearest import NearestPoint
+from ..view_model.curve.nearest import NearestPoint
 from .pointer import Pointer
 
 REACH = 8.0

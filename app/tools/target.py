@@ -11,8 +11,8 @@ from ..document.model import Vector
 from ..document.point_group import PointGroup, points_of
 from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import changed_whole
-from ..view_model.bounds import BARE, Bounds, Strokes, bounds_of
-from ..view_model.pivot import Anchor, Pivot, anchored
+from ..view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
+from ..view_model.boxes.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingHost
 from .transform_box import TransformBox, box_of
 

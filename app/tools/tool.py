@@ -10,8 +10,8 @@ from msgspec.structs import replace
 from ..document.model import Vector
 from ..document.paper import nudge_of
 from ..document.point_group import points_of
-from ..view_model.bounds import Strokes
-from ..view_model.curve_view import CurveView
+from ..view_model.boxes.bounds import Strokes
+from ..view_model.curve.curve_view import CurveView
 from ..view_model.records import Records
 from .background import Background
 from .drag_machine import DragMachine, EditingHost

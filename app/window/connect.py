@@ -13,7 +13,7 @@ from ..appearance.theme import Theme
 from ..document.edits import EditError
 from ..features import command_sets
 from ..tasks.owner import TaskOwner, close_all
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from ..widgets.toolbar_widget import ToolbarWidget
 from ..workbench.context import WindowContext, hooks
 from ..workbench.docks import declared_panels

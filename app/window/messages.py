@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction
 
 from ..state.window_state import WindowState
 from ..tools.tool import TOOLS
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from ..workbench.context import WindowContext
 
 _GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."

@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QTimer
 from ..document.model import Document
 from ..document.steps import reshaped
 from ..session import Message, MessageKind
-from ..view_model.curve_view import CurveView
+from ..view_model.curve.curve_view import CurveView
 from ..workbench.context import WindowContext
 from ..workbench.file_names import title_of
 from .connect import Commands

@@ -13,7 +13,7 @@ from ..plotting.tool_plot import ToolPlot
 from ..session import Session
 from ..tools.canvas.select import SELECT
 from ..tools.toolbox import Toolbox
-from ..view_model.basis_view import BasisView
+from ..view_model.basis.basis_view import BasisView
 from .central_pane import CentralPane, declared_panes
 from .message_bar import MessageBar
 

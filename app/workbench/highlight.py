@@ -13,8 +13,8 @@ from ..document.several_curves import active_after_removal
 from ..document.words import number
 from ..session import Change, Session
 from ..session.highlight import Highlight
-from ..view_model.deleting import Deletion, without_points, without_points_but_handles
-from ..view_model.measure import is_kept
+from ..view_model.curve.measure import is_kept
+from ..view_model.points.deleting import Deletion, without_points, without_points_but_handles
 from .context import WindowContext
 
 

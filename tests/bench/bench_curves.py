@@ -22,7 +22,7 @@ from app.exchange.facts import facts_of
 from app.families import HERMITE
 from app.session import Session
 from app.testing import Editor
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 MOST = 1.7
 """Times what one curve takes that is alone, or the only one chosen."""

@@ -15,7 +15,7 @@ from app.document.model import Document, Point, make_curve
 from app.document.several_curves import add_copies, mapped, stepped, whole_curves
 from app.document.transforms import rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import cubic_path
 from tests.effort import noted_calls
 

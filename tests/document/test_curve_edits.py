@@ -13,7 +13,7 @@ from app.document.several_curves import with_appearance
 from app.document.shape_edits import moved_into
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.validation import validate
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 CUBIC_SPLINE = FAMILIES.named("cubic_spline")
 SEPTIC_HERMITE = FAMILIES.named("septic_hermite")

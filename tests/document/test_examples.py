@@ -9,7 +9,7 @@ import pytest
 from app.families import HERMITE
 from app.storage.files import load
 from app.storage.format import encode
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "resources" / "examples"

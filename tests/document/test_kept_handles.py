@@ -16,7 +16,7 @@ from app.document.model import (
 )
 from app.document.transforms import rotation, scaling, step_points, transform_points
 from app.families import FAMILIES, HERMITE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 BY_DISTANCE = (
     Parametrization(ParametrizationKind.CHORD_LENGTH),

@@ -20,7 +20,7 @@ from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.storage.format import decode, encode
-from app.view_model.clips import leave
+from app.view_model.geometry.clips import leave
 
 pytestmark = pytest.mark.usefixtures("qapp")
 

@@ -14,7 +14,7 @@ from app.document.model import (
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.code import names_of, python_code, scipy_code
 from app.exchange.parts import samples_of, sources_of
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 
 def executed(text):

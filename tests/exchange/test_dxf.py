@@ -13,7 +13,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats.dxf import dxf_text
 from app.exchange.options import Options
 from app.families import HERMITE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import bezier_segments
 
 ezdxf = pytest.importorskip("ezdxf")

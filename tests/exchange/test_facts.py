@@ -17,7 +17,7 @@ from app.document.model import (
 )
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 from tests.effort import calls_of
 

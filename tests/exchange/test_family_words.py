@@ -9,7 +9,7 @@ from app.exchange.reading import import_file
 from app.exchange.table.family_word import family_word, read_family_word
 from app.exchange.writing import export
 from app.families import FAMILIES, HERMITE, NO_SETTINGS, ChosenSettings
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from tests.own_families import EVERY
 
 POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5)]

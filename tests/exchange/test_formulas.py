@@ -16,7 +16,7 @@ from app.exchange.formats.formulas import coefficients_json, desmos_expressions,
 from app.exchange.formats.latex import PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.options import Options
 from app.exchange.parts import beziers_of, cubics_of, sources_of
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 S = np.linspace(0, 1, 21)
 

@@ -17,7 +17,7 @@ from app.exchange.writing import export
 from app.families import HERMITE
 from app.storage import files
 from app.storage.files import StorageError
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import arc_length
 
 pytestmark = pytest.mark.usefixtures("qapp")

@@ -13,7 +13,7 @@ from app.document.model import Document
 from app.exchange.options import Options
 from app.exchange.writing import export
 from app.families import FAMILIES, Family
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import Interpolant
 from tests.view_model.test_any_family import SIZE, curve_of
 

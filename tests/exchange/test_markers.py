@@ -13,8 +13,8 @@ from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.storage.format import decode, encode
-from app.view_model.curve_view import view_of
-from app.view_model.stroke_shapes import strokes_as_shapes
+from app.view_model.curve.curve_view import view_of
+from app.view_model.shapes.stroke_shapes import strokes_as_shapes
 
 KINDS = [kind for kind in MarkerKind if kind is not MarkerKind.NONE]
 PAGE = Page(0.0, 0.0, 100.0, 50.0)

@@ -16,7 +16,7 @@ from app.exchange.svg.reader import read_svg
 from app.exchange.writing import export
 from app.families import LAGRANGE
 from app.tasks.progress import Cancelled
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 ROOT = Path(__file__).parents[2]
 BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3" * 90_000 + b'"/></svg>'

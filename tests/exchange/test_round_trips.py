@@ -24,7 +24,7 @@ from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.thinning import Thinning, thinned
 from app.exchange.writing import export
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from tests.tables import document_of_table, read_table
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]

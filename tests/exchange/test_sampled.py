@@ -12,7 +12,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats.samples import TITLES, Spacing, sampled_table
 from app.exchange.options import Options
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import arc_length
 
 

@@ -24,7 +24,7 @@ from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
 from app.families import FAMILIES
 from app.storage.files import save
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
 SVG = "{http://www.w3.org/2000/svg}"

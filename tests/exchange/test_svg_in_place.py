@@ -25,7 +25,7 @@ from app.exchange.svg.in_place.source import Source
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import with_changes
 from app.tasks.progress import silent
-from app.view_model.formed import formed, with_form
+from app.view_model.shapes.formed import formed, with_form
 
 DATA = Path(__file__).parents[1] / "data"
 BADGE = (DATA / "overwrite" / "badge.svg").read_bytes()

@@ -21,7 +21,7 @@ from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
-from app.view_model.formed import formed
+from app.view_model.shapes.formed import formed
 
 FILES = sorted((Path(__file__).parents[1] / "data" / "svg").glob("*.svg"))
 WIDTH = 840

@@ -19,7 +19,7 @@ from app.exchange.table.thinning import thinned
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import encode
 from app.storage.validation import validate
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
 from tests.tables import document_of_table, read_table
 

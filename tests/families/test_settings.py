@@ -15,7 +15,7 @@ from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, ChosenSettings
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import Chain, CurveError, LagrangeCurve
 from tests.own_families import EVERY
 

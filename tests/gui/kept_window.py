@@ -30,7 +30,7 @@ from app.features.recovery.commands import RecoveryCommands
 from app.features.view.zoom_commands import ZoomCommands
 from app.session.next_style import NextStyle
 from app.testing import Editor
-from app.view_model.motion_settings import MotionSettings
+from app.view_model.animation.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
 from app.workbench.dock import LateDock
 

@@ -22,7 +22,7 @@ from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.families.family_file import families_in
 from app.tools.tool import TOOLS
-from app.view_model.nearest import NearestPoint
+from app.view_model.curve.nearest import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))

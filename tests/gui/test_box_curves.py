@@ -10,7 +10,7 @@ from app.document.model import Document, make_curve
 from app.document.style import PLAIN_STYLE
 from app.document.words import number
 from app.families import HERMITE, LAGRANGE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 STYLE = replace(PLAIN_STYLE, width=3.0)

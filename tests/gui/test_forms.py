@@ -13,7 +13,7 @@ from app.document.several_curves import mapped, whole_curves
 from app.document.transforms import IDENTITY, flipping, rotation, scaling, skewing
 from app.exchange.svg.writer import svg_of
 from app.storage.format import decode, encode
-from app.view_model.formed import Formed, formed
+from app.view_model.shapes.formed import Formed, formed
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 

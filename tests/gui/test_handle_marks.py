@@ -13,10 +13,10 @@ from app.canvas.handle_marks import MOST_POINTS, mark_sizes
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import FAMILIES, HERMITE
-from app.view_model.curve_view import view_of
-from app.view_model.handles import handles_at, handles_on, sides_facing
-from app.view_model.palette import contrast
-from app.view_model.point_kinds import CORNER, SMOOTH, kind_at
+from app.view_model.curve.curve_view import view_of
+from app.view_model.curve.handles import handles_at, handles_on, sides_facing
+from app.view_model.look.palette import contrast
+from app.view_model.points.point_kinds import CORNER, SMOOTH, kind_at
 
 
 @pytest.mark.parametrize("count", [3, 20])

@@ -35,7 +35,7 @@ from app.families import HERMITE
 from app.features.import_export.commands import ExchangeCommands
 from app.storage.files import save
 from app.testing import spin
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from app.widgets.field_edit import FieldEdit
 
 SVG = (

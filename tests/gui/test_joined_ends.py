@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from app.document.lines import is_line
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -18,7 +18,7 @@ from app.features.joints.model import COLUMNS, JointsModel
 from app.features.joints.panel import JointsPanel
 from app.view_model.analysis import joints
 from app.view_model.analysis.joints import JointKind
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of, noted_calls
 
 

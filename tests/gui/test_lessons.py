@@ -25,11 +25,11 @@ from app.features.lessons.lesson import LessonError, lesson_names, load_lesson, 
 from app.session import Session
 from app.storage.files import load
 from app.view_model.analysis.errors import POINT_ERROR
+from app.view_model.analysis.goals import result_of
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.overlays.ensemble import COUNT
 from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.curve_view import view_of
-from app.view_model.goals import result_of
+from app.view_model.curve.curve_view import view_of
 from app.window import MainWindow
 from app.window.connect import all_actions
 

@@ -31,7 +31,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.bar import MotionBar
 from app.features.motion.commands import MotionCommands
 from app.features.motion.player import Player
-from app.view_model.motion_picture import OWN
+from app.view_model.animation.motion_picture import OWN
 
 LEFT = Qt.MouseButton.LeftButton
 

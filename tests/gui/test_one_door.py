@@ -26,7 +26,7 @@ from app.features.curve_list.row_parts import Spot
 from app.features.point_table.delegate import CellEditor
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -16,7 +16,7 @@ from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.analysis.settings import Count, Factor
-from app.view_model.line_styles import LineStyle, Sign
+from app.view_model.look.line_styles import LineStyle, Sign
 
 RED, LIME = QColor("#ff0000"), QColor("#00ff00")
 PLATE = LineStyle(RED.name(), sign=Sign.AREA)

@@ -18,8 +18,8 @@ from app.document.style import LineCap, LineJoin, Style
 from app.exchange.svg.reader import read_svg
 from app.features.shapes.offset_commands import OffsetCommands
 from app.view_model.analysis.teaching import NARROW, Topic, warnings_of
-from app.view_model.curve_view import view_of
-from app.view_model.regions import PATH_OPERATIONS
+from app.view_model.curve.curve_view import view_of
+from app.view_model.shapes.regions import PATH_OPERATIONS
 
 ORANGE, BROWN = "#ff8800", "#663300"
 CTRL = Qt.KeyboardModifier.ControlModifier

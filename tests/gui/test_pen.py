@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, Qt
 from app.document import edits
 from app.document.model import ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
-from app.view_model.handles import handles_of
+from app.view_model.curve.handles import handles_of
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from app.document.lines import is_line
 from app.document.model import Document, Page, Point
 from app.document.plane_edits import set_page
-from app.view_model.handles import handles_of
+from app.view_model.curve.handles import handles_of
 
 BACKSPACE, DELETE = Qt.Key.Key_Backspace, Qt.Key.Key_Delete
 PLACES = ((20, 20), (120, 20), (120, 90))

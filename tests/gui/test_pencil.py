@@ -10,7 +10,7 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 from app.document.model import Document, make_curve
 from app.families import FAMILIES
 from app.testing.input_driver import spin
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 PLACES = {
     "wobbling": [(100 + 2 * i, round(240 + 70 * math.sin(i / 20) + math.sin(1.3 * i))) for i in range(200)],

@@ -19,7 +19,15 @@ from app.exchange.writing import export
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.view_model.analysis.joints import certificate_of
-from app.view_model.point_kinds import CORNER, ESTIMATED, POINT_KINDS, SMOOTH, SYMMETRIC, kind_at, kinds_of
+from app.view_model.points.point_kinds import (
+    CORNER,
+    ESTIMATED,
+    POINT_KINDS,
+    SMOOTH,
+    SYMMETRIC,
+    kind_at,
+    kinds_of,
+)
 
 Key = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -9,7 +9,7 @@ import pytest
 from app.document.model import ParametrizationKind
 from app.families import FAMILIES
 from app.storage.format import decode, encode
-from app.view_model.curve_view import TOO_FEW
+from app.view_model.curve.curve_view import TOO_FEW
 
 ACTIONS = (
     "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",

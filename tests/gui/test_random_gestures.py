@@ -30,7 +30,7 @@ from app.tools.surface import Surface
 from app.tools.tool import TOOLS, ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
-from app.view_model.handles import handles_at, handles_on, sides_facing
+from app.view_model.curve.handles import handles_at, handles_on, sides_facing
 
 SHOWN = PixelMap(-3.0, 5.0, 100.0, 100.0, 1000.0, 800.0)
 TOLERANCE = 1e-3

@@ -14,7 +14,7 @@ from app.document.model import Document, make_curve
 from app.document.style import NO_PAINT
 from app.families import HERMITE
 from app.features.import_export.commands import ExchangeCommands
-from app.view_model.point_kinds import CORNER, POINT_KINDS, kinds_of
+from app.view_model.points.point_kinds import CORNER, POINT_KINDS, kinds_of
 
 Key = Qt.Key
 ALT, CTRL, SHIFT = (

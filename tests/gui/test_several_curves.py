@@ -16,7 +16,7 @@ from app.document.several_curves import with_appearance
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
-from app.view_model import flattener
+from app.view_model.curve import flattener
 from tests.gui.curve_rows import heard
 
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.handles import handles_of
+from app.view_model.curve.handles import handles_of
 
 ALT = Qt.KeyboardModifier.AltModifier
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -24,7 +24,7 @@ from app.document.text import TextAlign
 from app.document.transforms import Affine
 from app.families import HERMITE
 from app.features.text.commands import TextCommands
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 
 FONT = Path(__file__).parents[1] / "data" / "fonts" / "blocks.ttf"
 FAMILY = "Curvebench Blocks"

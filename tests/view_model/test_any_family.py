@@ -17,6 +17,7 @@ from app.view_model.analysis.cures import cures_of
 from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 from app.view_model.analysis.ghost import all_ghosts
 from app.view_model.analysis.ghosts import ghost_views
+from app.view_model.analysis.goals import MEASURES, parse_goal, result_of
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.joints import as_text, certificate_of
 from app.view_model.analysis.laboratory import calculations, digits_at, try_methods
@@ -33,21 +34,20 @@ from app.view_model.analysis.plotted import plots_of, values_at
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.analysis.teaching import warnings_of
 from app.view_model.analysis.wiggle import explain
-from app.view_model.appending import with_closed
-from app.view_model.basis_view import basis_view, weights_at
-from app.view_model.bend import Bend
-from app.view_model.convert import converted
-from app.view_model.curve_view import view_of
-from app.view_model.goals import MEASURES, parse_goal, result_of
-from app.view_model.growth import growth_of_points
-from app.view_model.hold import BendWith
-from app.view_model.joining import joined
-from app.view_model.motion import STATIONS, Course, Pace
-from app.view_model.motion_picture import jumps_in_words, rivals_of
-from app.view_model.motion_settings import timed_families
-from app.view_model.nearest import NearestPoint
-from app.view_model.reshape import reversed_curve, with_point_inserted
-from app.view_model.splitting import split
+from app.view_model.animation.motion import STATIONS, Course, Pace
+from app.view_model.animation.motion_picture import jumps_in_words, rivals_of
+from app.view_model.animation.motion_settings import timed_families
+from app.view_model.basis.basis_view import basis_view, weights_at
+from app.view_model.basis.growth import growth_of_points
+from app.view_model.bending.bend import Bend
+from app.view_model.bending.hold import BendWith
+from app.view_model.curve.curve_view import view_of
+from app.view_model.curve.nearest import NearestPoint
+from app.view_model.fitting.convert import converted
+from app.view_model.fitting.reshape import reversed_curve, with_point_inserted
+from app.view_model.pieces.joining import joined
+from app.view_model.pieces.splitting import split
+from app.view_model.points.appending import with_closed
 from curvecore import ParametricCurve, joint_report, monomial_condition
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.document.style import FillRule
-from app.view_model.fills import fills_holes, is_inside, windings
+from app.view_model.geometry.fills import fills_holes, is_inside, windings
 from tests.effort import calls_of
 
 

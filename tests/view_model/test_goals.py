@@ -14,8 +14,8 @@ from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
 from app.storage.files import load
 from app.storage.format import encode
-from app.view_model.curve_view import view_of
-from app.view_model.goals import GoalError, parse_goal, result_of
+from app.view_model.analysis.goals import GoalError, parse_goal, result_of
+from app.view_model.curve.curve_view import view_of
 
 ROOT = Path(__file__).parents[2]
 SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]

@@ -14,8 +14,8 @@ from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Curve, Document, Parametrization, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.joints import JointKind, as_text, certificate_of
-from app.view_model.curve_view import view_of
-from app.view_model.smoothness import made_smooth
+from app.view_model.curve.curve_view import view_of
+from app.view_model.points.smoothness import made_smooth
 
 POINTS = ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 1.5), (4.0, 0.0))
 

@@ -26,8 +26,8 @@ from app.view_model.analysis.laboratory_settings import (
     LaboratorySettings,
     RoundedPart,
 )
-from app.view_model.curve_view import view_of
-from app.view_model.growth import growth_of_points
+from app.view_model.basis.growth import growth_of_points
+from app.view_model.curve.curve_view import view_of
 from app.window.connect import all_actions
 from curvecore import (
     chord_length,

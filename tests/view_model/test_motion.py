@@ -12,9 +12,8 @@ from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, QUINTIC_HERMITE, Family
 from app.storage.examples import first_sketch
-from app.view_model.curve_view import view_of
-from app.view_model.motion import STATIONS, Course, folded, round_of, runs_back
-from app.view_model.motion_picture import (
+from app.view_model.animation.motion import STATIONS, Course, folded, round_of, runs_back
+from app.view_model.animation.motion_picture import (
     OWN,
     TRAIL,
     ArrowKind,
@@ -25,7 +24,8 @@ from app.view_model.motion_picture import (
     rivals_of,
     scales_of,
 )
-from app.view_model.motion_settings import Pace, Repeat
+from app.view_model.animation.motion_settings import Pace, Repeat
+from app.view_model.curve.curve_view import view_of
 from curvecore import HermiteCurve, LagrangeCurve
 
 QUARTERS = np.arange(0.0, 12.0, 0.25)

@@ -19,7 +19,7 @@ from app.view_model.analysis.overlays import band, bezier, circle, comb, marks, 
 from app.view_model.analysis.overlays import ensemble as disturbed
 from app.view_model.analysis.picture import live_picture, settled_picture, settling
 from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.curve_view import curve_through, view_of
+from app.view_model.curve.curve_view import curve_through, view_of
 from curvecore import ensemble, lebesgue_constant, lebesgue_function
 
 UNIFORM = ParametrizationKind.UNIFORM

@@ -17,9 +17,9 @@ from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_
 from app.view_model.analysis.plot_samples import is_slow, samples_over
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
 from app.view_model.analysis.plotted import plots_of, values_at
-from app.view_model.basis_view import basis_view
-from app.view_model.curve_view import view_of
-from app.view_model.growth import growth_of_points
+from app.view_model.basis.basis_view import basis_view
+from app.view_model.basis.growth import growth_of_points
+from app.view_model.curve.curve_view import view_of
 
 
 def wave(count, family, kind=ParametrizationKind.CHORD_LENGTH, **fields):

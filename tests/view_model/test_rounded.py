@@ -14,9 +14,9 @@ from app.document.edits import EditError
 from app.document.lines import is_line
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.curve_view import view_of
-from app.view_model.rounded import rounded
-from app.view_model.straight import with_straight_segments
+from app.view_model.curve.curve_view import view_of
+from app.view_model.points.rounded import rounded
+from app.view_model.points.straight import with_straight_segments
 
 BOX = ((0, 0), (100, 0), (100, 60), (0, 60))
 WITHIN = 3e-4

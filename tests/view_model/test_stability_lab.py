@@ -19,7 +19,7 @@ from app.view_model.analysis.laboratory_words import trial_words
 from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain, overshoot, widest
 from app.view_model.analysis.wording import short
-from app.view_model.curve_view import view_of
+from app.view_model.curve.curve_view import view_of
 from curvecore import monomial_condition
 
 ALL = LaboratorySettings(on=True, methods=frozenset(Calculation))

@@ -12,10 +12,10 @@ from app.document.several_curves import mapped, moved, whole_curves
 from app.document.style import LineCap, Style
 from app.document.transforms import flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.bounds import BARE, Bounds, Strokes, bounds_of
-from app.view_model.curve_view import view_of
-from app.view_model.pivot import Pivot, anchored, turned_since
-from app.view_model.stretch import stretched
+from app.view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
+from app.view_model.boxes.pivot import Pivot, anchored, turned_since
+from app.view_model.boxes.stretch import stretched
+from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
 
 POINTS = [(0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.5), (6.0, 1.0)]

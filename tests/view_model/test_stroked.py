@@ -13,9 +13,9 @@ from app.document.model import Document, Parametrization, ParametrizationKind, m
 from app.document.several_curves import whole_curves
 from app.document.style import LineCap, LineJoin, Style
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.bounds import BARE, Strokes, bounds_of
-from app.view_model.curve_view import view_of
-from app.view_model.stretch import stretched
+from app.view_model.boxes.bounds import BARE, Strokes, bounds_of
+from app.view_model.boxes.stretch import stretched
+from app.view_model.curve.curve_view import view_of
 
 PRINTED = Strokes()
 ROOT = math.sqrt(2.0)

@@ -10,11 +10,11 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.model import Curve, Document
-from ...view_model.basis_view import BasisView, basis_view
-from ...view_model.cardinal_view import cardinal_view
-from ...view_model.curve_view import view_of
-from ...view_model.handles import Handle, control_polygon, handles_of
-from ...view_model.palette import point_palette
+from ...view_model.basis.basis_view import BasisView, basis_view
+from ...view_model.basis.cardinal_view import cardinal_view
+from ...view_model.curve.curve_view import view_of
+from ...view_model.curve.handles import Handle, control_polygon, handles_of
+from ...view_model.look.palette import point_palette
 from ..errors import ExchangeError
 from ..options import Options
 from .drawing import MARGIN, Annotation, Drawing, Frame, frame_with

@@ -20,10 +20,10 @@ from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
-from ...view_model.cubics import RELATIVE_TOLERANCE
-from ...view_model.curve_view import ParametricCurve, view_of
-from ...view_model.formed import formed
-from ...view_model.refusals import in_words
+from ...view_model.curve.curve_view import ParametricCurve, view_of
+from ...view_model.curve.refusals import in_words
+from ...view_model.shapes.cubics import RELATIVE_TOLERANCE
+from ...view_model.shapes.formed import formed
 from ..errors import ExchangeError
 from .extents import extent_of, painted_extent
 from .kept_drawn import placed, words_about_missing

@@ -8,7 +8,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...view_model.stroked import half_width, line_of, stroke_box
+from ...view_model.geometry.stroked import half_width, line_of, stroke_box
 from .outlines import Outline
 
 

@@ -12,10 +12,19 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from curvecore.arrays import FloatArray
 
 from ...document.model import Document
-from ...view_model.motion import round_of
-from ...view_model.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of, dots_at, scales_of
-from ...view_model.motion_settings import Repeat
-from ...view_model.palette import ACCENT, PAPER, colour_on
+from ...view_model.animation.motion import round_of
+from ...view_model.animation.motion_picture import (
+    OWN,
+    TRAIL,
+    Dot,
+    Role,
+    arrow_segments,
+    colour_of,
+    dots_at,
+    scales_of,
+)
+from ...view_model.animation.motion_settings import Repeat
+from ...view_model.look.palette import ACCENT, PAPER, colour_on
 from .drawing import Drawing, Frame, drawing_of
 from .film import Film
 from .image import paint_drawing

@@ -13,8 +13,8 @@ from curvecore.arrays import FloatArray
 
 from ...document.marker import MarkerKind
 from ...document.style import PLAIN_STYLE, Style
-from ...view_model.formed import Formed
-from ...view_model.markers import Ends, ends_of_pieces, markers_of
+from ...view_model.geometry.markers import Ends, ends_of_pieces, markers_of
+from ...view_model.shapes.formed import Formed
 
 
 class Outline(msgspec.Struct, frozen=True):

@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Document
 from ...tasks.progress import part, told
-from ...view_model.curve_view import ParametricCurve
+from ...view_model.curve.curve_view import ParametricCurve
 from .. import code_runtime
 from ..naming import Names
 from ..options import DEFAULT, Options

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...document.model import Document
 from ...tasks.progress import Report, part, told
-from ...view_model.curve_view import ParametricCurve
+from ...view_model.curve.curve_view import ParametricCurve
 from ..dxf_reader import CLOSED, PLANAR, WHITE, ezdxf_module, read_dxf
 from ..naming import Names
 from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options

@@ -17,7 +17,7 @@ from curvecore.scaling import LARGEST
 from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import part, told
-from ...view_model.curve_view import ParametricCurve
+from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import drawing_of
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, Options

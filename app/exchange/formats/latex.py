@@ -12,8 +12,8 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Document
 from ...tasks.progress import part, told
-from ...view_model.curve_view import ParametricCurve
-from ...view_model.refusals import in_words
+from ...view_model.curve.curve_view import ParametricCurve
+from ...view_model.curve.refusals import in_words
 from ..drawing.drawing import Frame, drawing_of
 from ..drawing.outlines import Outline
 from ..errors import ExchangeError

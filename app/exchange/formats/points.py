@@ -8,7 +8,7 @@ from ...document.derivatives import DERIVATIVES
 from ...document.edits import interval
 from ...document.model import Document
 from ...tasks.progress import part, told
-from ...view_model.curve_view import CurveView, view_of
+from ...view_model.curve.curve_view import CurveView, view_of
 from ..options import DEFAULT, Options
 from ..parts import cell_of_name, cell_of_number, distinct_names, sources_of
 from ..table.columns import AFTER, ROLES, WORDS

@@ -12,7 +12,7 @@ from ...document.form import Form
 from ...document.forms import AnyForm, Ellipse, Rectangle
 from ...document.model import MAX_MAGNITUDE
 from ...document.transforms import Affine
-from ...view_model.formed import Formed, settled
+from ...view_model.shapes.formed import Formed, settled
 from .numbers import number
 
 Element = tuple[str, Mapping[str, float]]

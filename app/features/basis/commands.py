@@ -19,9 +19,9 @@ from ...document.paper import DocumentKind
 from ...state.window_state import WindowState
 from ...tools.rail import RAIL
 from ...tools.toolbox import Toolbox
-from ...view_model.basis_findings import findings_of, remark_on
-from ...view_model.curve_view import CurveView, view_of
-from ...view_model.growth import growth_of_points
+from ...view_model.basis.basis_findings import findings_of, remark_on
+from ...view_model.basis.growth import growth_of_points
+from ...view_model.curve.curve_view import CurveView, view_of
 from ...workbench.central_pane import Pane
 from ...workbench.context import WindowContext
 from ...workbench.strip_menu import strip_menu

@@ -16,7 +16,7 @@ from ...plotting.drawing import polygon, thinned
 from ...plotting.pixel_map import PixelMap
 from ...plotting.segments import Segments
 from ...plotting.wide_line import RoundLine
-from ...view_model.basis_view import BasisView
+from ...view_model.basis.basis_view import BasisView
 
 _MOST_EACH = 64
 _LIMIT = 1e4

@@ -10,8 +10,8 @@ from ...document.edits import EditError
 from ...document.paper import DocumentKind, kind_of
 from ...document.several_curves import named
 from ...tools.canvas.select import SELECT
-from ...view_model.arrivals import with_parts
-from ...view_model.pasting import parts_of
+from ...view_model.pieces.arrivals import with_parts
+from ...view_model.pieces.pasting import parts_of
 from ...workbench.context import WindowContext
 from ...workbench.highlight import highlighted, is_in_list, remove
 

@@ -22,8 +22,8 @@ from ...document.several_curves import name_of, named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
 from ...tasks.progress import Report, part, silent
-from ...view_model.arrivals import Arrival, Target
-from ...view_model.pasting import (
+from ...view_model.pieces.arrivals import Arrival, Target
+from ...view_model.pieces.pasting import (
     appended,
     appended_with_parameters,
     as_new_curve,

@@ -38,7 +38,7 @@ from ...document.several_curves import (
     remove_curves,
     what_stays,
 )
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.highlight import delete_layer, highlighted_curves

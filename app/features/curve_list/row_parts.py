@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QListView
 
 from ...appearance.theme import LIGHT, Theme
 from ...document.curve_tree import Node
-from ...view_model.palette import adjustment_of
+from ...view_model.look.palette import adjustment_of
 from .model import CurveListModel, Row
 
 INDENT = 14

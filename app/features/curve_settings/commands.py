@@ -15,7 +15,7 @@ from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.edits import set_family_setting, set_rule
 from ...document.model import Document
 from ...families import FAMILIES, Family, FamilySetting
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits

@@ -18,8 +18,8 @@ from ...document.selection import NONE_CHOSEN
 from ...document.words import count_of, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
-from ...view_model.curve_view import CurveView, ParametricCurve
-from ...view_model.smoothness import jolts_of
+from ...view_model.curve.curve_view import CurveView, ParametricCurve
+from ...view_model.points.smoothness import jolts_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import FieldEdit, NumberEdit

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QLayout, QWidget
 
 from ...families import FamilySetting, SettingValue
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box, named
 from ...widgets.field_edit import NumberEdit

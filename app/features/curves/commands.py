@@ -29,11 +29,11 @@ from ...document.shape_edits import at_end, stepped
 from ...document.shapes import shape_of
 from ...document.words import count_of, number
 from ...tools.inserting import insert_at
-from ...view_model.appending import with_closed
-from ...view_model.midpoints import Halved, with_midpoints
-from ...view_model.reshape import Reshaped, reversed_curve
-from ...view_model.splitting import Split, places_between_ends, split
-from ...view_model.straight import segments_between
+from ...view_model.fitting.reshape import Reshaped, reversed_curve
+from ...view_model.pieces.splitting import Split, places_between_ends, split
+from ...view_model.points.appending import with_closed
+from ...view_model.points.midpoints import Halved, with_midpoints
+from ...view_model.points.straight import segments_between
 from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
 from .segment_commands import SegmentCommands

@@ -22,10 +22,18 @@ from ...document import curve_edits
 from ...document.model import Document
 from ...document.several_curves import remove_curves
 from ...document.words import number
-from ...view_model.appending import with_closed
-from ...view_model.curve_view import CurveView
-from ...view_model.joining import End, Joined, Link, brought_together, joined_by, link_of, nearest_links
-from ...view_model.measure import is_kept
+from ...view_model.curve.curve_view import CurveView
+from ...view_model.curve.measure import is_kept
+from ...view_model.pieces.joining import (
+    End,
+    Joined,
+    Link,
+    brought_together,
+    joined_by,
+    link_of,
+    nearest_links,
+)
+from ...view_model.points.appending import with_closed
 from ...workbench.context import WindowContext
 
 

@@ -10,11 +10,11 @@ from PySide6.QtWidgets import QWidget
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import EDIT_PAGE, FILE_SAVE
-from ...features import document_settings
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel
 from ...workbench.form_edits import FormEdits
+from .. import document_settings
 
 if TYPE_CHECKING:
     from .panel import DocumentPanel

@@ -14,7 +14,7 @@ from ...state.window_state import FileSituation
 from ...storage.files import Stamp, StorageError
 from ...storage.format_error import FormatError
 from ...storage.open_file import FileChange, OpenFile
-from ...view_model.curve_view import view_of
+from ...view_model.curve.curve_view import view_of
 from ...workbench.context import WindowContext
 from ...workbench.disk_watch import DiskWatch
 from ...workbench.notice_bar import NoticeBar

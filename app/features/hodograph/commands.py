@@ -13,7 +13,7 @@ from ...tasks.debounced_task import DebouncedTask
 from ...tools.rail import SCRUB_ALONG
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel
 from .. import hodograph

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from ...exchange.table.prepared import PreparedTable
     from ...exchange.table.source import TableSource
     from ...exchange.table.table import Preview
-    from ...view_model.arrivals import Arrival
+    from ...view_model.pieces.arrivals import Arrival
     from .export_dialog import ExportDialog
     from .import_drawing_dialog import ImportDrawingDialog
     from .import_table_dialog import ImportTableDialog

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.sections import ANALYSIS_JOINTS
 from ...view_model import analysis
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel
 from .. import joints

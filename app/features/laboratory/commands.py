@@ -16,8 +16,8 @@ from ...qt.overrides import Guarded
 from ...tasks.debounced_task import DebouncedTask
 from ...view_model import analysis
 from ...view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
-from ...view_model.curve_view import CurveView
-from ...view_model.growth import growth_of_data
+from ...view_model.basis.growth import growth_of_data
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel

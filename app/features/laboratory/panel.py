@@ -22,7 +22,7 @@ from ...view_model.analysis.laboratory_settings import (
     RoundedPart,
 )
 from ...view_model.analysis.laboratory_words import growth_words, trial_words
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import choice_box, named, push_button
 from ...widgets.field_edit import NumberEdit, read_number

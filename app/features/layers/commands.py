@@ -10,7 +10,7 @@ from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, LAYER_MENU
 from ...document.layers import layers_beside, moved_to_layer, neighbour_of, new_layer, stepped_layer
 from ...document.several_curves import named, place_in
 from ...document.shapes import whole_shapes
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.highlight import delete_layer
 

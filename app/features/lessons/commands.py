@@ -16,7 +16,7 @@ from ...session import Beginning
 from ...storage.files import load
 from ...view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 from ...view_model.analysis.laboratory_settings import Calculation
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LEFT, LatePanel
 from .. import lessons
@@ -66,7 +66,7 @@ class LessonCommands:
         if goal is None or self._given is None:
             return
         given = next(curve for curve in self._given.curves if curve.name == goal.curve)
-        result = view_model.goals.result_of(goal, view, given)
+        result = view_model.analysis.goals.result_of(goal, view, given)
         if result.is_met:
             visit.reached.add(visit.step)
         self._panel.show_result(result, reached=visit.step in visit.reached)

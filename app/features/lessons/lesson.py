@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...storage.resources import resource
+from ...view_model.analysis.goals import Goal, GoalError, parse_goal
 from ...view_model.analysis.laboratory_settings import RoundedPart
-from ...view_model.goals import Goal, GoalError, parse_goal
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 _KEYS = ("curve", "show", "set", "goal", "keep")

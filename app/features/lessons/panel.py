@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from ...qt.labels import Label, html_of
-from ...view_model.goals import GoalResult
+from ...view_model.analysis.goals import GoalResult
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named, push_button
 from .lesson import Lesson

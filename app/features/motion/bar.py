@@ -14,8 +14,8 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
 from ...document.words import with_decimals
-from ...view_model.motion_picture import OWN, Dot, in_three_digits
-from ...view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
+from ...view_model.animation.motion_picture import OWN, Dot, in_three_digits
+from ...view_model.animation.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import choice_box
 from ...widgets.elided_label import ElidedLabel

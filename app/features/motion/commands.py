@@ -10,8 +10,8 @@ from ...actions.needs import CURVE_THROUGH_TWO, Need
 from ...actions.sections import MOTION_COMPARE, MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN, Section
 from ...actions.strips import TOOLBAR
 from ...families import Family
-from ...view_model.curve_view import CurveView
-from ...view_model.motion_settings import Pace, Repeat, timed_families
+from ...view_model.animation.motion_settings import Pace, Repeat, timed_families
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .. import motion
 

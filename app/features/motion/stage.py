@@ -7,9 +7,17 @@ from PySide6.QtCore import QObject
 from curvecore.arrays import FloatArray
 
 from ...families import Family
-from ...view_model.curve_view import CurveView
-from ...view_model.motion import Course
-from ...view_model.motion_picture import OWN, Role, Scales, dots_at, jumps_in_words, rivals_of, scales_of
+from ...view_model.animation.motion import Course
+from ...view_model.animation.motion_picture import (
+    OWN,
+    Role,
+    Scales,
+    dots_at,
+    jumps_in_words,
+    rivals_of,
+    scales_of,
+)
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .bar import MotionBar
 from .export import MotionExport

@@ -16,7 +16,7 @@ from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from ...view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
 from ...view_model.analysis.settings import AnalysisSettings, ErrorSize
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel
 from .. import overlays

@@ -13,7 +13,7 @@ from ...actions.sections import FILE_FAMILY, FILE_FAMILY_MORE
 from ...document.words import enumerated
 from ...families import FAMILIES, Family
 from ...storage.files import StorageError, write
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .. import own_families
 from .bar import FamilyBar

@@ -16,8 +16,8 @@ from ...tools.rail import SCRUB
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis
 from ...view_model.analysis.plot import PLOTS, Plot
-from ...view_model.curve_view import CurveView
-from ...view_model.growth import growth_of_points
+from ...view_model.basis.growth import growth_of_points
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.central_pane import Pane
 from ...workbench.context import WindowContext
 from .. import plots

@@ -8,7 +8,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_POINTS
 from ...actions.strips import POINT_BUTTONS, POINT_MENU
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from .controller import PointTableController

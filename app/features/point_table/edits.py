@@ -13,9 +13,9 @@ from ...document.derivatives import DERIVATIVES
 from ...document.edits import EditError
 from ...document.model import Document, Point
 from ...document.words import enumerated
-from ...view_model.appending import appended_parameter, with_points_appended
-from ...view_model.curve_view import CurveView, view_of
-from ...view_model.point_columns import PARAMETER, POSITION, Column, knot_parameters
+from ...view_model.curve.curve_view import CurveView, view_of
+from ...view_model.points.appending import appended_parameter, with_points_appended
+from ...view_model.points.point_columns import PARAMETER, POSITION, Column, knot_parameters
 
 
 def fill_cells(

@@ -13,7 +13,7 @@ from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
 from ...document import edits
 from ...document.selection import NONE_FREE, free_curves
-from ...view_model.jets import is_explicit
+from ...view_model.curve.jets import is_explicit
 from ...workbench.context import WindowContext
 
 

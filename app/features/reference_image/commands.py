@@ -17,7 +17,7 @@ from ...document.image_edits import set_image, set_image_file, set_image_opacity
 from ...document.model import ReferenceImage
 from ...state.window_state import WindowState
 from ...tools.move_image import MOVE_IMAGE
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits

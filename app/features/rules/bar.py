@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QComboBox, QSizePolicy
 from ...document.model import Parametrization, ParametrizationKind
 from ...document.selection import NONE_CHOSEN
 from ...qt.labels import Label, set_tip
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box, named
 from ...widgets.live_slider import LiveSlider

@@ -23,7 +23,7 @@ from ...document.several_curves import counted, name_of, named
 from ...document.words import number
 from ...families import FAMILIES, Family
 from ...storage.resources import has_resource
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...widgets.toolbar_widget import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.slider_gesture import SliderGesture
@@ -78,7 +78,7 @@ def _reshaped(now: Situation, family: Family) -> str:
         return ""
     views = now.session.views
     chosen = [views[index] for index in sorted(now.session.selected.chosen)] or [now.view]
-    away = max(view_model.convert.change_of_shape(view, family) for view in chosen)
+    away = max(view_model.fitting.convert.change_of_shape(view, family) for view in chosen)
     if not away:
         return ""
     by = f" by {number(away, 2)} {now.session.document.unit}".rstrip() if math.isfinite(away) else ""
@@ -161,7 +161,7 @@ class RuleCommands:
         name = name_of(document, curves)
         what = f"{counted(document, curves)} are" if name is None else f"“{name}” is"
         said = [f"{what} {family.title} now."] if len(after) > 1 else []
-        away = max(map(view_model.convert.needless_change, before, after))
+        away = max(map(view_model.fitting.convert.needless_change, before, after))
         if away:
             said.append(
                 f"The shape changed by up to {number(away, 2)}; “Convert to {family.label}” keeps it."
@@ -194,7 +194,7 @@ class RuleCommands:
     )
     def _convert(self, family: Family) -> None:
         session = self._session
-        made = view_model.convert.converted(session.active_view, family)
+        made = view_model.fitting.convert.converted(session.active_view, family)
         kept = "keeping the shape" if made.is_kept else f"within {number(made.residual, 2)}"
         if session.change(
             f"Convert to {family.title}, {kept}",
@@ -266,7 +266,7 @@ class RuleCommands:
 
 def _outlook(now: Situation, family: Family) -> Sight:
     """Return what a conversion does to the curve of the moment."""
-    found = view_model.convert.outlook(now.view, family)
+    found = view_model.fitting.convert.outlook(now.view, family)
     text, tip = f"Convert to {family.label}, ", f"Write the same curve as {family.a_curve}: the shape stays"
     if not found.within:
         return Sight(f"{text}Keeping the Shape", tip, found.refusal)

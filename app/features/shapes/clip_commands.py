@@ -8,7 +8,7 @@ from ...actions.sections import CURVE_CLIPS
 from ...actions.situation import Situation
 from ...actions.strips import CHOSEN_MENU
 from ...document.shapes import is_of_several
-from ...view_model.clipping import with_clip_released, with_clip_set
+from ...view_model.shapes.clipping import with_clip_released, with_clip_set
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
 from .shape_work import ShapeWork

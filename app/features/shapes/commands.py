@@ -24,7 +24,7 @@ from ...document.shape_edits import (
 )
 from ...document.shapes import shape_of
 from ...document.words import count_of
-from ...view_model.fills import fills_holes
+from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
 from .clip_commands import ClipCommands

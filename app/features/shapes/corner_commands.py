@@ -14,7 +14,7 @@ from ...actions.strips import POINT_BAR, POINT_MENU
 from ...document.point_group import some_points
 from ...document.several_curves import named, whole_curves
 from ...document.words import count_of
-from ...view_model.rounded import RoundedGroup, with_rounded
+from ...view_model.points.rounded import RoundedGroup, with_rounded
 from ...workbench.context import WindowContext
 from .. import shapes
 from .chosen_shapes import A_SHAPE, beside_meant

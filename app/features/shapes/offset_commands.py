@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from ...actions.declaration import action
 from ...actions.sections import CURVE_OFFSETS
-from ...view_model.stroke_shapes import offset_by
+from ...view_model.shapes.stroke_shapes import offset_by
 from ...workbench.context import WindowContext
 from .. import shapes
 from .chosen_shapes import A_SHAPE, beside_meant

@@ -9,12 +9,12 @@ from ...actions.needs import Need
 from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
 from ...document.shapes import is_of_several
-from ...view_model.regions import (
+from ...view_model.shapes.regions import (
     PATH_OPERATIONS,
     PathOperation,
     combined_by,
 )
-from ...view_model.stroke_shapes import strokes_as_shapes
+from ...view_model.shapes.stroke_shapes import strokes_as_shapes
 from ...workbench.context import WindowContext
 from .chosen_shapes import A_SHAPE, meant
 from .shape_work import ShapeWork

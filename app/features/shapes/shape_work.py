@@ -16,9 +16,9 @@ from ...document.plain import plain
 from ...document.shapes import tidy_shapes
 from ...document.words import count_of, number
 from ...tasks.progress import Report, part
-from ...view_model.curve_view import CurveView
-from ...view_model.regions import Combined, named_operands
-from ...view_model.views_ahead import views_ahead
+from ...view_model.curve.curve_view import CurveView
+from ...view_model.curve.views_ahead import views_ahead
+from ...view_model.shapes.regions import Combined, named_operands
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
 

@@ -21,7 +21,7 @@ from ...document.shapes import shape_of
 from ...document.style import Style
 from ...storage.field_check import check_fields
 from ...storage.format_error import FormatError
-from ...view_model.shape_boxes import box_of_first_shape, box_of_shape
+from ...view_model.boxes.shape_boxes import box_of_first_shape, box_of_shape
 from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard
 from ...workbench.context import WindowContext
 

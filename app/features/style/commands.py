@@ -26,16 +26,16 @@ from ...document.several_curves import named
 from ...document.shapes import whole_shapes
 from ...document.style import GRADIENTS, Style
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
-from ...features import style
 from ...session.change import why_not_kept
 from ...tools.drag_machine import CANCELLED
-from ...view_model.curve_view import CurveView
-from ...view_model.palette import adjustment_of
-from ...view_model.shape_boxes import box_of_shape
+from ...view_model.boxes.shape_boxes import box_of_shape
+from ...view_model.curve.curve_view import CurveView
+from ...view_model.look.palette import adjustment_of
 from ...widgets.percent_field import STEPS
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
+from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .view_commands import StyleViewCommands
 

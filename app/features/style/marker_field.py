@@ -13,7 +13,7 @@ from ...document.marker import MarkerKind
 from ...document.style import PLAIN_STYLE
 from ...plotting.pictures import transparent
 from ...qt.markers import path_of
-from ...view_model.markers import Ends, markers_of
+from ...view_model.geometry.markers import Ends, markers_of
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box
 

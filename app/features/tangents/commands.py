@@ -16,12 +16,12 @@ from ...document.model import Curve, Document
 from ...document.paper import is_for_paper
 from ...document.point_group import PointGroup, points_of, some_points
 from ...document.straight_edits import corners_of, why_not_straight
-from ...view_model.curve_view import CurveView
-from ...view_model.handles import with_velocities_pulled
-from ...view_model.point_kinds import POINT_KINDS, PointKind, kinds_of, why_no_kinds
-from ...view_model.sampling import segment_at
-from ...view_model.smoothness import inner_points
-from ...view_model.straight import segments_between, with_straight_segments
+from ...view_model.curve.curve_view import CurveView
+from ...view_model.curve.handles import with_velocities_pulled
+from ...view_model.geometry.sampling import segment_at
+from ...view_model.points.point_kinds import POINT_KINDS, PointKind, kinds_of, why_no_kinds
+from ...view_model.points.smoothness import inner_points
+from ...view_model.points.straight import segments_between, with_straight_segments
 from ...workbench.context import WindowContext
 
 _Reshaped = Callable[[CurveView, Sequence[int]], Curve]

@@ -12,12 +12,12 @@ from ...actions.sections import EDIT_TRANSFORM_AGAIN
 from ...document.edits import EditError
 from ...document.model import Vector
 from ...document.several_curves import named, whole_curves
-from ...view_model.copies import copied
+from ...view_model.boxes.copies import copied
 from ...workbench.context import WindowContext
 from .. import transform
 
 if TYPE_CHECKING:
-    from ...view_model.copies import Copies
+    from ...view_model.boxes.copies import Copies
     from .copies_field import CopiesField, CopiesKind
 
 _MOST_SEEN = 20_000

@@ -12,8 +12,8 @@ from ...document.expression import ExpressionError
 from ...document.model import Vector
 from ...document.words import number
 from ...qt.labels import Label
-from ...view_model.copies import MOST_COPIES, Copies
-from ...view_model.last_transform import Move, Turn
+from ...view_model.boxes.copies import MOST_COPIES, Copies
+from ...view_model.boxes.last_transform import Move, Turn
 from ...widgets.controls import named
 from ...widgets.entry_field import EntryEdit, EntryField
 from ...widgets.field_edit import read_number

@@ -17,7 +17,7 @@ from ...document.forms import AnyForm
 from ...document.model import Vector
 from ...document.transforms import Reference
 from ...qt.labels import Label
-from ...view_model.bounds import Bounds
+from ...view_model.boxes.bounds import Bounds
 from ...widgets.action_switch import mirror
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import choice_box

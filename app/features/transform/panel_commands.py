@@ -19,11 +19,11 @@ from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
 from ...document.words import number
 from ...state.window_state import WindowState
-from ...view_model.bounds import NINE
-from ...view_model.curve_view import CurveView
-from ...view_model.formed import Formed, formed, with_form
-from ...view_model.pivot import Anchor, turned_since
-from ...view_model.resizing import SIDES, resized
+from ...view_model.boxes.bounds import NINE
+from ...view_model.boxes.pivot import Anchor, turned_since
+from ...view_model.boxes.resizing import SIDES, resized
+from ...view_model.curve.curve_view import CurveView
+from ...view_model.shapes.formed import Formed, formed, with_form
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel

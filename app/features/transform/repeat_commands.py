@@ -7,7 +7,7 @@ from ...actions.needs import CHOSEN
 from ...actions.sections import EDIT_TRANSFORM_AGAIN
 from ...document.model import Vector
 from ...document.several_curves import add_copies, named, whole_curves
-from ...view_model.last_transform import Done, transform_between
+from ...view_model.boxes.last_transform import Done, transform_between
 from ...workbench.context import WindowContext
 from ...workbench.highlight import highlighted_curves
 

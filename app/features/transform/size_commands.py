@@ -13,9 +13,9 @@ from ...actions.sections import EDIT_SIZE
 from ...document.model import Document
 from ...document.several_curves import named, what_stays
 from ...storage.format_error import FormatError
-from ...view_model.bounds import Strokes
-from ...view_model.curve_view import view_of
-from ...view_model.resizing import Wanted, resized, resized_apart, size_of
+from ...view_model.boxes.bounds import Strokes
+from ...view_model.boxes.resizing import Wanted, resized, resized_apart, size_of
+from ...view_model.curve.curve_view import view_of
 from ...workbench.clipboard import clipboard_data, drawing_in, own_in
 from ...workbench.context import WindowContext
 

@@ -11,7 +11,7 @@ from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_STEPS, VIEW_ZOOM
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...document.selection import NONE_CHOSEN
 from ...plotting.scrolling import ZOOM_STEP
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .past_views import PastViews
 from .zoom import per_cent_text, pixels_at_full_size, words_about_full_size

@@ -13,11 +13,17 @@ from ...document.layers import begun, layer_of
 from ...document.model import Curve, Document, Parametrization, Vector
 from ...document.point_group import NO_POINTS, points_of
 from ...families import HERMITE
-from ...view_model.appending import Appending, closed_by_pen, is_quick, view_with_point, with_point_appended
-from ...view_model.curve_view import CurveView, view_of
-from ...view_model.pen_corners import closed_by_handles, with_corner_appended, with_free_end
-from ...view_model.reshape import inserted_index
-from ...view_model.straight import closed_by_line, with_line_appended
+from ...view_model.curve.curve_view import CurveView, view_of
+from ...view_model.fitting.reshape import inserted_index
+from ...view_model.points.appending import (
+    Appending,
+    closed_by_pen,
+    is_quick,
+    view_with_point,
+    with_point_appended,
+)
+from ...view_model.points.pen_corners import closed_by_handles, with_corner_appended, with_free_end
+from ...view_model.points.straight import closed_by_line, with_line_appended
 from .. import hints
 from ..drag_machine import EditingHost
 from ..marks import GestureMarks

@@ -16,7 +16,7 @@ from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
-from ...view_model.least_squares import SCATTERED, Fitted, fitted
+from ...view_model.fitting.least_squares import SCATTERED, Fitted, fitted
 from ..background import Errand
 from ..drag_machine import CANCELLED, THRESHOLD, EditingHost
 from ..marks import GestureMarks

@@ -11,7 +11,7 @@ from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
 from ...document.texts import text_chosen
-from ...view_model.curve_view import CurveView
+from ...view_model.curve.curve_view import CurveView
 from .. import hints
 from ..below import click_below, find_below, words_below
 from ..curve_picker import CurvePicker, chosen_curves, click_curve, select_hit

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from ...document import words
 from ...document.edits import EditError
 from ...document.forms import CORNERS, RATIOS, Star
-from ...view_model.formed import formed
+from ...view_model.shapes.formed import formed
 from ..drags import stepped_from
 from ..form_tool import HANDLE_GESTURES, Begun, DrawForm, FormTool
 from ..pointer import STEP_KEYS, Pointer

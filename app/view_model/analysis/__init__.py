@@ -17,6 +17,7 @@
 - ``cost``: solving a system against the basis form, counted and measured.
 - ``wiggle``, ``cures``: a swing of the curve explained, and ways to calm it.
 - ``teaching``: warnings about the numbers of a curve.
+- ``goals``: the goals of lessons, measured on the curve.
 """
 
 import lazy_loader as lazy

@@ -2,6 +2,7 @@
 from . import cost as cost
 from . import cures as cures
 from . import ghosts as ghosts
+from . import goals as goals
 from . import hodograph as hodograph
 from . import joints as joints
 from . import laboratory as laboratory

@@ -15,7 +15,7 @@ from curvecore import operation_counts
 from curvecore.arrays import FloatArray
 
 from ...tasks.progress import Report, silent
-from ..curve_view import CurveView
+from ..curve.curve_view import CurveView
 from .laboratory import calculations
 from .laboratory_settings import Calculation
 

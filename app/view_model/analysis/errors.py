@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ..curve_view import CurveView
-from ..plane import size_of
+from ..curve.curve_view import CurveView
+from ..geometry.plane import size_of
 from .figures import number
 from .settings import AnalysisSettings, ErrorSize
 

@@ -10,9 +10,9 @@ from curvecore.arrays import FloatArray
 
 from ...document import edits
 from ...document.model import Curve, Document
-from ..curve_view import Box, CurveView, view_of
-from ..measure import coincide
-from ..sampling import all_along
+from ..curve.curve_view import Box, CurveView, view_of
+from ..curve.measure import coincide
+from ..geometry.sampling import all_along
 from .ghost import Ghost, all_ghosts
 from .scene import is_quick
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..curve_view import CurveView
+from ..curve.curve_view import CurveView
 from .plot_samples import derivatives_of, samples_over
 
 _SAMPLES = 600

@@ -13,8 +13,8 @@ import numpy as np
 from curvecore import Joint, joint_report
 
 from ...document.words import number
-from ..curve_view import CurveView
-from ..plane import size_of
+from ..curve.curve_view import CurveView
+from ..geometry.plane import size_of
 
 _MOST_NAMED = 3
 """Joints named one by one in the summary; of more, their number is told."""

@@ -26,9 +26,9 @@ from curvecore import (
 from curvecore.arrays import FloatArray
 
 from ...tasks.progress import Report, silent
-from ..curve_view import CurveView, ParametricCurve
-from ..refusals import in_words
-from ..sampling import all_along
+from ..curve.curve_view import CurveView, ParametricCurve
+from ..curve.refusals import in_words
+from ..geometry.sampling import all_along
 from .laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 
 SAMPLES = 240

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
-from ..curve_view import CurveView
-from ..line_styles import CURVE_STYLE, LineStyle
+from ..curve.curve_view import CurveView
+from ..look.line_styles import CURVE_STYLE, LineStyle
 from .figures import Figure
 from .ghost import Ghost
 from .ghosts import GhostView, rules_text

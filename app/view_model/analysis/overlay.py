@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from ..line_styles import LineStyle
+from ..look.line_styles import LineStyle
 from ..records import Records
 from .figures import Figure
 from .settings import AnalysisSettings, OverlaySetting
 
 if TYPE_CHECKING:
-    from ..curve_view import CurveView
+    from ..curve.curve_view import CurveView
     from .scene import Scene
 
 Drawn = tuple[list[Figure], str]

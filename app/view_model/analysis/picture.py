@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from ...tasks.progress import Report, silent
-from ..curve_view import CurveView
+from ..curve.curve_view import CurveView
 from .figures import Figure
 from .overlay import Overlay
 from .scene import Scene, is_quick

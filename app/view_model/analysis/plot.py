@@ -17,7 +17,7 @@ from ..records import Records
 from .plot_lines import PlotData, Scale
 
 if TYPE_CHECKING:
-    from ..curve_view import CurveView
+    from ..curve.curve_view import CurveView
 
 
 class Sampled(msgspec.Struct, frozen=True, eq=False):

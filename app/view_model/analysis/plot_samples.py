@@ -9,8 +9,8 @@ import numpy as np
 from curvecore import lebesgue_function
 from curvecore.arrays import FloatArray, IntArray
 
-from ..curve_view import CurveView
-from ..sampling import crowded_at_ends, one_sided
+from ..curve.curve_view import CurveView
+from ..geometry.sampling import crowded_at_ends, one_sided
 
 _MOST = 500
 """Samples of a polynomial, as many as the basis panel takes and some."""

@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 import numpy as np
 
-from ..curve_view import CurveView
+from ..curve.curve_view import CurveView
 from .plot import Plot, Sampled
 from .plot_lines import PlotData, PlotLine, plot_of
 from .plot_samples import PlotSamples, derivatives_of, samples_over

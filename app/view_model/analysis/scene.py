@@ -10,9 +10,9 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...tasks.progress import Report, silent
-from ..curve_view import CurveView
-from ..plane import size_of
-from ..sampling import Samples, one_sided
+from ..curve.curve_view import CurveView
+from ..geometry.plane import size_of
+from ..geometry.sampling import Samples, one_sided
 from .settings import AnalysisSettings, OverlaySetting
 
 _QUICK = 64

@@ -10,7 +10,7 @@ import msgspec
 from .laboratory_settings import LaboratorySettings
 
 if TYPE_CHECKING:
-    from ..curve_view import CurveView
+    from ..curve.curve_view import CurveView
     from .ghost import Ghost
     from .overlay import Overlay
     from .plot import Plot

@@ -7,8 +7,8 @@ import enum
 import msgspec
 import numpy as np
 
-from ..curve_view import CurveView
-from ..growth import growth_of_points
+from ..basis.growth import growth_of_points
+from ..curve.curve_view import CurveView
 from .wording import short
 
 LARGE_LEBESGUE = 100.0

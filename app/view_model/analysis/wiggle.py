@@ -10,11 +10,11 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.polylines import segment_distance
 
 from ...document.derivatives import DERIVATIVES
-from ..basis_view import weights_at
-from ..curve_view import CurveView
-from ..growth import growth_at
-from ..jets import is_explicit
-from ..sampling import segment_at, within_segments
+from ..basis.basis_view import weights_at
+from ..basis.growth import growth_at
+from ..curve.curve_view import CurveView
+from ..curve.jets import is_explicit
+from ..geometry.sampling import segment_at, within_segments
 from .wording import short
 
 MOST_PULLS = 6

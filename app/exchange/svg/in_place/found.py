@@ -16,7 +16,7 @@ from curvecore.arrays import FloatArray
 from ....document.empty_layer import EmptyLayer
 from ....document.kept import KeptPicture, KeptText
 from ....document.style import Style
-from ....view_model.curve_view import view_of
+from ....view_model.curve.curve_view import view_of
 from ...cubics_in import imported
 from ...drawing.outlines import Outline
 from ...errors import ExchangeError

@@ -7,8 +7,8 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray
 
-from ...curve_view import CurveView
-from ...line_styles import LineStyle, Mark, Sign
+from ...curve.curve_view import CurveView
+from ...look.line_styles import LineStyle, Mark, Sign
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

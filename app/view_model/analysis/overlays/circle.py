@@ -6,8 +6,8 @@ import numpy as np
 
 import curvecore
 
-from ...line_styles import PURPLE, LineStyle
-from ...plane import to_the_left, unit_tangents
+from ...geometry.plane import to_the_left, unit_tangents
+from ...look.line_styles import PURPLE, LineStyle
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

@@ -11,9 +11,9 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray
 
-from ...line_styles import LineStyle
-from ...plane import to_the_left, unit_tangents, usual_length
-from ...sampling import Samples
+from ...geometry.plane import to_the_left, unit_tangents, usual_length
+from ...geometry.sampling import Samples
+from ...look.line_styles import LineStyle
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

@@ -7,7 +7,7 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray
 
-from ...line_styles import GREEN, PURPLE, SKY, VERMILLION, LineStyle, Mark, Sign
+from ...look.line_styles import GREEN, PURPLE, SKY, VERMILLION, LineStyle, Mark, Sign
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...line_styles import LineStyle
-from ...plane import to_the_left, unit_tangents
+from ...geometry.plane import to_the_left, unit_tangents
+from ...look.line_styles import LineStyle
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

@@ -8,8 +8,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...line_styles import GREEN, VERMILLION, LineStyle
-from ...plane import usual_length
+from ...geometry.plane import usual_length
+from ...look.line_styles import GREEN, VERMILLION, LineStyle
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

@@ -1,0 +1,251 @@
+"""The picture of a motion: dots with arrows and trails, and words about the jumps at the joints."""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Collection
+from functools import partial
+
+import msgspec
+import numpy as np
+
+from curvecore.analysis.continuity import joint_report
+from curvecore.arrays import FloatArray
+
+from ...document.derivatives import VelocityRule
+from ...families import Family
+from ..analysis.ghost import Ghost
+from ..curve.curve_view import CurveView, view_of
+from ..curve.measure import coincide
+from ..geometry.plane import size_of, usual_length
+from ..geometry.sampling import Samples
+from ..look.line_styles import BLUE, PURPLE
+from .motion import STATIONS, Course, folded, round_of, runs_back
+from .motion_settings import Repeat, timed_families
+
+TRAIL = 24
+"""Dots of a trail."""
+
+_SHARE = 0.25
+"""The longest arrow against the size of the curve."""
+
+_LONGEST = 3.0
+"""The most by which an acceleration surpasses nine tenths of all: at a cusp it would be infinite."""
+
+_SAMPLES = 121
+
+
+class Role(msgspec.Struct, frozen=True):
+    """The curve that a dot runs along: the edited one, or one that is compared with it.
+
+    Attributes
+    ----------
+    families
+        Those whose curve it is, where several are the same; none for the edited curve.
+    radius
+        Of the dot, in pixels: where they meet, a ring of each is seen.
+    """
+
+    families: tuple[Family, ...] = ()
+    radius: float = 6.0
+
+    @property
+    def title(self) -> str:
+        """The name beside its arrows."""
+        return ", ".join(family.short for family in self.families)
+
+    @property
+    def colour(self) -> str:
+        """A colour that each theme has a shade of, that of the ghost; empty for the accent."""
+        return Ghost(family=self.families[0]).style.colour if self.families else ""
+
+
+OWN = Role()
+"""The dot of the edited curve."""
+
+_SMALLEST, _RING = 7.5, 2.5
+"""Radius of the dot on top of others, and how much more each one below it has."""
+
+
+class ArrowKind(enum.Enum):
+    """The derivative that an arrow shows: the letter beside its tip, and its colour."""
+
+    def __init__(self, letter: str, colour: str) -> None:
+        self.letter, self.colour = letter, colour
+
+    VELOCITY = "v", BLUE
+    ACCELERATION = "a", PURPLE
+
+
+class Arrow(msgspec.Struct, frozen=True):
+    """An arrow from a dot to a tip in the plane, and what is written there."""
+
+    kind: ArrowKind
+    tip: tuple[float, float]
+    text: str
+
+
+class Dot(msgspec.Struct, frozen=True, eq=False):
+    """A dot, where it has been, and how fast it is.
+
+    Attributes
+    ----------
+    trail
+        The places (k, 2) where it was at equal steps of time, the latest first.
+    speed, pull
+        The lengths of velocity and acceleration, per second.
+    """
+
+    role: Role
+    t: float
+    place: tuple[float, float]
+    trail: FloatArray
+    arrows: tuple[Arrow, ...]
+    speed: float
+    pull: float
+
+
+class Scales(msgspec.Struct, frozen=True):
+    """Lengths in the plane of a velocity of 1 and an acceleration of 1."""
+
+    velocity: float
+    acceleration: float
+
+
+def scales_of(courses: list[Course]) -> Scales:
+    """Return scales that suit all dots, so that their arrows can be compared."""
+    size = max(size_of(course.curve.points) for course in courses)
+    sampled = [
+        course.moments_at(course.parameters_at(np.linspace(0.0, course.duration, _SAMPLES)))
+        for course in courses
+    ]
+    speed = usual_length(np.vstack([moments.velocities for moments in sampled]), _LONGEST)
+    pull = usual_length(np.vstack([moments.accelerations for moments in sampled]), _LONGEST)
+    return Scales(*(_SHARE * size / longest if longest > 0.0 else 0.0 for longest in (speed, pull)))
+
+
+def dot_at(
+    course: Course,
+    seconds: float,
+    repeat: Repeat,
+    scales: Scales,
+    role: Role = OWN,
+    kinds: tuple[ArrowKind, ...] = tuple(ArrowKind),
+) -> Dot:
+    """Return the dot after `seconds` of its motion; without arrows it leaves no trail either."""
+    t = course.parameters_at(folded(np.array([seconds]), course.duration, repeat))
+    now = course.moments_at(t, back=runs_back(seconds, course.duration, repeat))
+    place = (float(now.points[0, 0]), float(now.points[0, 1]))
+    trail = _trail(course, seconds, repeat) if kinds else np.empty((0, 2))
+    speed, pull = math.hypot(*now.velocities[0]), math.hypot(*now.accelerations[0])
+    arrow = partial(_arrow, now, place, scales)
+    return Dot(role, float(t[0]), place, trail, tuple(arrow(kind) for kind in kinds), speed, pull)
+
+
+def dots_at(courses: dict[Role, Course], seconds: float, repeat: Repeat, scales: Scales) -> list[Dot]:
+    """Return all dots after `seconds`; where two are compared, their accelerations are the arrows."""
+    compared = len(courses) > 1
+    kinds = (ArrowKind.ACCELERATION,) if compared else tuple(ArrowKind)
+    return [
+        dot_at(course, seconds, repeat, scales, role, () if compared and role is OWN else kinds)
+        for role, course in courses.items()
+    ]
+
+
+def colour_of(dot: Dot, arrow: Arrow) -> str:
+    """Return the colour of an arrow: what it shows, or where two are compared, whose it is."""
+    return dot.role.colour or arrow.kind.colour
+
+
+def _trail(course: Course, seconds: float, repeat: Repeat) -> FloatArray:
+    """Return the last places at multiples of one step: the dots of a trail stay where they are."""
+    whole = round_of(STATIONS, repeat)
+    # Counted within two rounds: a motion that goes on for days has no better memory.
+    steps = seconds * STATIONS / course.duration
+    if repeat is Repeat.ONCE or steps < whole:
+        last = int(np.ceil(min(steps, whole))) - 1
+    else:
+        last = int(np.ceil(np.fmod(steps, whole)) + whole) - 1
+    indices = last - np.arange(TRAIL)
+    folds = folded(indices[indices >= 0].astype(float), STATIONS, repeat)
+    return course.stations(folds.astype(np.intp))
+
+
+def _arrow(now: Samples, place: tuple[float, float], scales: Scales, kind: ArrowKind) -> Arrow:
+    is_velocity = kind is ArrowKind.VELOCITY
+    x, y = (now.velocities if is_velocity else now.accelerations)[0].tolist()
+    scale = scales.velocity if is_velocity else scales.acceleration
+    tip = (place[0] + scale * x, place[1] + scale * y)
+    return Arrow(kind, tip, f"|{kind.letter}| {in_three_digits(math.hypot(x, y))}")
+
+
+def arrow_segments(start: tuple[float, float], tip: tuple[float, float], head: float) -> FloatArray:
+    """Return shaft and barbs as segments (3, 4) = x1, y1, x2, y2.
+
+    A short arrow has a small head, so that its shaft is seen.
+    """
+    along = np.subtract(tip, start)
+    length = float(np.hypot(*along))
+    barb = along * (min(head, length / 2) / length if length else 0.0)
+    side = np.array([-barb[1], barb[0]]) * 0.45
+    ends = [start, tip - barb + side, tip - barb - side]
+    return np.array([[*tip, *end] for end in ends])
+
+
+def in_three_digits(value: float) -> str:
+    """Return a number in three digits, as it stands beside an arrow."""
+    return f"{value:#.3g}".rstrip(".").replace("e+", "e")
+
+
+def rivals_of(view: CurveView, compared: Collection[Family]) -> dict[Role, CurveView]:
+    """Return the curves of some families through the points of `view`, and its own, where they exist.
+
+    The largest dot first. Those that are the same have one role; without families there are none.
+    """
+    same: list[tuple[CurveView, list[Family]]] = []
+    for family in timed_families() if compared else ():
+        is_own = family == view.source.family
+        if not is_own and family not in compared:
+            continue
+        rival = view if is_own else view_of(view.source.with_family(family))
+        known = next((families for other, families in same if coincide(other, rival)), None)
+        if known is not None:
+            known.append(family)
+        elif rival.is_current:
+            same.append((rival, [family]))
+    largest = _SMALLEST + _RING * (len(same) - 1)
+    return {
+        Role(tuple(families), largest - _RING * place): rival for place, (rival, families) in enumerate(same)
+    }
+
+
+def jumps_in_words(views: dict[Role, CurveView]) -> str:
+    """Return what the accelerations of curves that are compared do at the joints, as measured."""
+    titles: dict[str, list[str]] = {}
+    for role, view in views.items():
+        titles.setdefault(_jump_in_words(view), []).append(role.title)
+    return "  ".join(f"{', '.join(names)}: {words}" for words, names in titles.items())
+
+
+def _is_estimated(view: CurveView) -> bool:
+    rule = view.source.velocity_rule
+    return rule is VelocityRule.NATURAL_SPLINE and not any(point.velocity for point in view.source.points)
+
+
+def _jump_in_words(view: CurveView) -> str:
+    assert view.curve is not None
+    is_one = view.source.family.curve_class.is_one_polynomial
+    joints = [] if is_one else joint_report(view.curve, closed=view.source.is_closed)
+    if not joints:
+        return "no joints."
+    jumping = [joint for joint in joints if joint.parametric < 2]
+    if not jumping:
+        is_spline = view.source.family.derivatives == 1 and _is_estimated(view)
+        why = " (its velocities are those of the natural spline; other rules jump)" if is_spline else ""
+        return f"no jump of acceleration{why}."
+    sizes = [float(np.hypot(*joint.acceleration_jump)) for joint in jumping]
+    worst = int(np.argmax(sizes))
+    where = f"at {len(jumping)} of {len(joints)} joints, most" if len(joints) > 1 else "at its joint,"
+    point = view.owner(jumping[worst].joint)
+    return f"acceleration jumps {where} at point {point} by {in_three_digits(sizes[worst])}."

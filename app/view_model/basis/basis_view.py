@@ -1,0 +1,314 @@
+"""The basis functions of a curve, sampled for the basis panel."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from functools import cached_property, reduce
+
+import msgspec
+import numpy as np
+
+from curvecore.arrays import FloatArray, IntArray
+from curvecore.drag.moved_parameters import MovedParameters
+
+from ...families import Family
+from ..curve.curve_view import CurveView, ParametricCurve
+from ..geometry.sampling import OneSided, crowded_at_ends, one_sided
+
+SAMPLES = 400
+"""Samples over the domain; one per two or three pixels of a wide panel."""
+
+_MANY = 100
+"""Functions of a Lagrange curve from which on those before a parameter moved are made use of."""
+
+_MOST_FINE = 400
+"""Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
+
+_FINE = 33
+
+_MOST_UNEVEN = 65
+"""Knots up to which a segment has samples in proportion to its length; above, all have the same number."""
+
+_LEAST_SAMPLES = 17
+"""Samples of a segment, however short: its functions are at most of degree 7."""
+
+_MOST_SCALED = 1e300
+
+_FACTORS = ((1.0,), (1.0, 2.5), (1.0, 2.5, 25.0), (1.0, 2.0, 15.0, 250.0))
+"""By the number of derivatives of a family, the factors with which B_k ∕ hᵏ reach almost one half.
+
+Of a quintic they peak at 0.20 and 0.017, of a septic at 0.23, 0.029 and 0.0014.
+"""
+
+
+class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
+    """Basis functions B_ir(t) as the panel draws them.
+
+    Attributes
+    ----------
+    curve
+        A core curve with these functions, one set for each knot.
+    owners
+        The point that each knot belongs to; the last knot of a closed curve is its first point again.
+    t
+        Sample parameters, (m,).
+    values
+        Scaled functions: (m, n, R) for a Lagrange curve; for the piecewise families (m, 2, R), the functions
+        of the point before and the point after each sample, all the others being zero there.
+    first
+        For the piecewise families the index of the first sample of each segment and the end, (n,).
+    scales
+        The factors of the B_ir, (k, R).
+    known
+        Makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
+    """
+
+    curve: ParametricCurve
+    owners: tuple[int, ...]
+    t: FloatArray
+    values: FloatArray
+    first: IntArray | None
+    scales: FloatArray
+    known: MovedParameters | None = None
+
+    @property
+    def kinds(self) -> int:
+        """Number of kinds R: position, velocity, acceleration."""
+        return int(self.scales.shape[1])
+
+    @property
+    def count(self) -> int:
+        """Number of knots."""
+        return len(self.curve.parameters)
+
+    @property
+    def point_count(self) -> int:
+        """Number of points: one less than knots, where the last knot is the first point again."""
+        return self.count - (self.owners[-1] == 0)
+
+    def function(self, index: int, kind: int) -> tuple[FloatArray, FloatArray]:
+        """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
+        if self.is_coarse:
+            t, values = self.fine_functions(index)
+            return t, values[:, kind]
+        if self.first is None:
+            return self.t, self.values[:, index, kind]
+        here = self.first[index]
+        start = self.first[max(index - 1, 0)]
+        end = self.first[min(index + 1, self.count - 1)]
+        behind = self.values[start:here, 1, kind]
+        ahead = self.values[here:end, 0, kind]
+        return self.t[start:end], np.concatenate([behind, ahead])
+
+    def inside_support(self, index: int) -> slice:
+        """Return which samples of a curve that is not piecewise may show more of knot `index` than zeros."""
+        return self._inside_supports([index])[0]
+
+    @cached_property
+    def supports(self) -> list[slice]:
+        """The same of all knots."""
+        return self._inside_supports(range(self.count))
+
+    def _inside_supports(self, knots: Iterable[int]) -> list[slice]:
+        low, high = np.array([self.curve.support(knot) for knot in knots]).T
+        first, end = np.searchsorted(self.t, low), np.searchsorted(self.t, high, side="right")
+        return [slice(*ends) for ends in zip(first.tolist(), end.tolist(), strict=True)]
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether the samples are too few to show one function by itself."""
+        return self.first is not None and self.count > _MOST_FINE
+
+    def fine_functions(self, index: int) -> tuple[FloatArray, FloatArray]:
+        """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
+        segments = np.arange(max(index - 1, 0), min(index + 1, self.count - 1))
+        t, values = self.fine_segments(segments, _FINE - 1)
+        own = [values[place, :, index - segment] for place, segment in enumerate(segments.tolist())]
+        return t.ravel(), np.concatenate(own)
+
+    @cached_property
+    def most_bent(self) -> float:
+        """The largest |d²B ∕ ds²| of a scaled function of a piecewise curve, s in 0 … 1 over a segment."""
+        unit = self.curve.with_data(np.zeros((2, self.kinds, 2)), [0.0, 1.0])
+        bends = unit.basis(np.linspace(0.0, 1.0, _FINE), 2) * np.array(_FACTORS[self.kinds - 1])
+        return float(np.abs(bends).max())
+
+    def fine_segments(self, segments: IntArray, chords: int) -> tuple[FloatArray, FloatArray]:
+        """Return (t, scaled B) over segments of a piecewise curve, each in so many steps, ends included.
+
+        t is (k, chords + 1); the values are (k, chords + 1, 2, R), of the point before and the point after.
+        """
+        assert self.curve.is_local
+        start, end = self.curve.parameters[segments], self.curve.parameters[segments + 1]
+        # The last one lies a hair before the joint, so that it is counted to this segment.
+        t: FloatArray = np.linspace(start, np.nextafter(end, start), chords + 1, axis=1)
+        found = self.curve.local_basis(t.ravel()).values
+        scales = np.stack([self.scales[segments], self.scales[segments + 1]], axis=1)
+        return t, found.reshape(*t.shape, 2, self.kinds) * scales[:, None]
+
+    def envelope(self, kind: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return (t, least, greatest value of all functions of one kind there); per segment if coarse."""
+        values = self.values[:, :, kind]
+        if self.first is None:
+            low, high = values.min(axis=1), values.max(axis=1)
+            if 2 * self.count > len(self.t):
+                # The functions swing faster than they are sampled: without this the outline would, too.
+                low, high = _spread(np.minimum, low), _spread(np.maximum, high)
+            return self.t, low, high
+        by_segment = values.reshape(self.count - 1, -1).T
+        # Column by column: along a short axis NumPy's reductions take many times as long.
+        low, high = reduce(np.minimum, by_segment), reduce(np.maximum, by_segment)
+        middles = (self.curve.parameters[:-1] + self.curve.parameters[1:]) / 2
+        start, end = self.curve.domain
+        t = np.concatenate([[start], middles, [end]])
+        return t, np.pad(low, 1, mode="edge"), np.pad(high, 1, mode="edge")
+
+    def extent(self, kinds: Collection[int]) -> tuple[float, float]:
+        """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""
+        ends = [self._extents[kind] for kind in self.shown_of(kinds)]
+        return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 0.0)
+
+    def shown_of(self, kinds: Collection[int]) -> list[int]:
+        """Return which of these kinds there are to show; where there is but one, it is shown always."""
+        return [kind for kind in range(self.kinds) if kind in kinds or self.kinds == 1]
+
+    @cached_property
+    def _extents(self) -> list[tuple[float, float]]:
+        kinds = [self.values[:, :, kind] for kind in range(self.kinds)]
+        return [(float(values.min()), float(values.max())) for values in kinds]
+
+    @cached_property
+    def lebesgue_constant(self) -> float:
+        """The largest sum of |L_i| of a Lagrange curve over the samples: Λ as far as can be drawn.
+
+        Infinite where it is beyond all floats.
+        """
+        assert not self.curve.is_local
+        with np.errstate(over="ignore"):
+            return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
+
+    def value_at(self, t: float, kind: int) -> FloatArray:
+        """Return the scaled functions of one kind at `t`, one for each knot."""
+        values: FloatArray = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[:, kind]
+        return values
+
+
+def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
+    """Combine every sample with the two on either side of it."""
+    padded = np.pad(values, 2, mode="edge")
+    result: FloatArray = reduce(combine, (padded[by : by + len(values)] for by in range(5)))
+    return result
+
+
+def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView | None:
+    """Sample all basis functions of a curve over its domain; None where there is no curve.
+
+    `previous` lends the functions from before a parameter moved: those that do not depend on it, or are many.
+    """
+    curve = view.basis_curve
+    if curve is None or not view.is_current:
+        return None
+    if previous is not None and _are_idle_moves(curve, previous.curve):
+        return msgspec.structs.replace(previous, curve=curve)
+    scales = basis_scales(curve)
+    count = len(view.source.points)
+    owners = tuple(knot % count for knot in range(len(curve.parameters)))
+    if curve.is_local:
+        return _piecewise_view(curve, owners, scales)
+    if len(owners) < _MANY or not curve.is_one_polynomial:
+        t = _samples_over(curve)
+        return BasisView(curve, owners, t, curve.basis(t), None, scales)
+    return _many_functions(curve, owners, scales, previous)
+
+
+def _are_idle_moves(curve: ParametricCurve, before: ParametricCurve) -> bool:
+    """Whether two curves have the same functions: only parameters that do nothing are other ones."""
+    acts = ~curve.idle_parameters
+    return (
+        not acts.all()
+        and curve.functions_key == before.functions_key
+        and np.array_equal(acts, ~before.idle_parameters)
+        and np.array_equal(curve.parameters[acts], before.parameters[acts])
+    )
+
+
+def _many_functions(
+    curve: ParametricCurve, owners: tuple[int, ...], scales: FloatArray, previous: BasisView | None
+) -> BasisView:
+    if previous is not None and previous.known is not None and previous.curve.domain == curve.domain:
+        values = previous.known.basis(curve)
+        if values is not None:
+            return BasisView(curve, owners, previous.t, values, None, scales, previous.known)
+    t = _samples_over(curve)
+    known = MovedParameters(curve, t)
+    values = known.basis(curve)
+    assert values is not None
+    return BasisView(curve, owners, t, values, None, scales, known)
+
+
+def _samples_over(curve: ParametricCurve) -> FloatArray:
+    start, end = curve.domain
+    t = crowded_at_ends(start, end, SAMPLES)
+    # A hair on both sides of a break, where functions may turn or jump.
+    inner = curve.breaks[1:-1]
+    return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t
+
+
+def segment_samples(knots: FloatArray) -> OneSided:
+    """Sample every segment, ends included, so that joints are drawn as sharp as they are."""
+    return one_sided(knots, _sample_counts(np.diff(knots)))
+
+
+def _piecewise_view(curve: ParametricCurve, owners: tuple[int, ...], scales: FloatArray) -> BasisView:
+    t, first = segment_samples(curve.parameters)
+    segment, values = curve.local_basis(t)
+    values[:, 0] *= scales[segment]
+    values[:, 1] *= scales[segment + 1]
+    return BasisView(curve, owners, t, values, first, scales)
+
+
+def _sample_counts(spacing: FloatArray) -> IntArray:
+    """Return how many samples each segment gets."""
+    if len(spacing) < _MOST_UNEVEN:
+        counts: IntArray = np.ceil(SAMPLES * spacing / spacing.sum()).astype(int)
+        return np.maximum(counts, _LEAST_SAMPLES)
+    each = int(np.clip(4 * SAMPLES // len(spacing), 9, 33)) if len(spacing) < _MOST_FINE else 4
+    return np.full(len(spacing), each)
+
+
+def basis_scales(curve: ParametricCurve) -> FloatArray:
+    """Return the factors that make functions of all kinds readable on one axis, (k, R).
+
+    Functions of derivatives are in proportion to h, h² and so on, powers of the spacing; the longer of a
+    knot's two segments stands for h, and no function of a derivative leaves −½ … ½.
+    """
+    orders = np.arange(curve.jets.shape[1])
+    if len(orders) == 1:
+        return np.ones((len(curve.parameters), 1))
+    spacing = np.zeros(len(curve.parameters) + 1)
+    spacing[1:-1] = np.diff(curve.parameters)
+    longer = np.maximum(spacing[:-1], spacing[1:])
+    with np.errstate(divide="ignore", over="ignore", under="ignore"):
+        factors: FloatArray = np.array(_FACTORS[len(orders) - 1]) / longer[:, None] ** orders
+    # The square of a spacing may vanish; functions that have vanished with it are drawn as nothing.
+    return np.minimum(factors, _MOST_SCALED)
+
+
+def basis_formulas(family: Family) -> tuple[str, ...]:
+    """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
+    if not family.derivatives:
+        return ("Lᵢ(t)",) if family.curve_class.is_one_polynomial else ("Bᵢ(t)",)
+    factors = _FACTORS[family.derivatives][1:]
+    functions = ("B₁ ∕ h", "B₂ ∕ h²", "B₃ ∕ h³")
+    return ("B₀", *(f"{factor:g}·{each}" for factor, each in zip(factors, functions, strict=False)))
+
+
+def weights_at(view: CurveView, t: float) -> FloatArray:
+    """Return what every point counts at `t`, with the derivatives that are estimated from it, (n,)."""
+    if view.cardinal is not None:
+        return np.asarray(view.cardinal.basis(t))
+    assert view.basis_curve is not None
+    count = len(view.source.points)
+    weights = view.basis_curve.basis(t)[:, 0]
+    weights[0] += weights[count:].sum()
+    return weights[:count]

@@ -1,0 +1,134 @@
+"""Objects aligned with each other and spaced evenly by their bounds; a shape or group stays together."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import msgspec
+
+from ...document.edits import EditError
+from ...document.model import Document
+from ...document.point_group import PointGroup
+from ...document.several_curves import changeable, moved, whole_curves
+from ...document.shape_edits import objects
+from ...document.transforms import Edge, Reference, Spacing
+from ..curve.curve_view import CurveView
+from .bounds import Bounds, Strokes, bounds_of_each
+
+
+class _Item(msgspec.Struct, frozen=True):
+    """A group, a shape or a curve, with its bounds."""
+
+    group: PointGroup
+    bounds: Bounds
+
+    def middle(self, axis: int) -> float:
+        return self.bounds.centre[axis]
+
+    def length(self, axis: int) -> float:
+        return self.bounds.size[axis]
+
+
+def align_curves(
+    document: Document,
+    views: Sequence[CurveView],
+    chosen: Collection[int],
+    edge: Edge,
+    strokes: Strokes,
+    reference: Reference = Reference.EACH_OTHER,
+    first: int = 0,
+    last: int = 0,
+) -> Document:
+    """Move each shape of the chosen curves so that it lies along an edge, or the middle, of the reference.
+
+    What is locked stays where it is, and the others go there.
+
+    Parameters
+    ----------
+    views
+        The views of all curves.
+    strokes
+        Whether edges are those of strokes.
+    first, last
+        The ones that were chosen first and last.
+    """
+    items = _items(document, views, chosen, strokes)
+    if not items:
+        raise EditError("What is chosen has no points to align.")
+    if reference is Reference.PAGE:
+        bounds = _page_of(document)
+    elif reference in (Reference.FIRST, Reference.LAST):
+        place, other = (first, items[0]) if reference is Reference.FIRST else (last, items[-1])
+        bounds = next((item for item in items if place in item.group.curves), other).bounds
+    elif reference in (Reference.LARGEST, Reference.SMALLEST):
+        choose = max if reference is Reference.LARGEST else min
+        bounds = choose((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
+    else:
+        is_drawing = reference is Reference.DRAWING
+        of = _items(document, views, range(len(document.curves)), strokes) if is_drawing else items
+        bounds = _joined([item.bounds for item in of])
+    target = _place(bounds, edge)
+    free = changeable(document, chosen)
+    for item in (item for item in items if item.group.curves <= free):
+        document = _moved(document, item, edge.axis, target - _place(item.bounds, edge))
+    return document
+
+
+def distribute_curves(
+    document: Document,
+    views: Sequence[CurveView],
+    chosen: Collection[int],
+    axis: int,
+    spacing: Spacing,
+    strokes: Strokes,
+) -> Document:
+    """Space the shapes of the chosen curves evenly between the outer two, along x (axis 0) or y (axis 1)."""
+    items = sorted(_items(document, views, chosen, strokes), key=lambda item: item.middle(axis))
+    if len(items) < 3:
+        raise EditError("Choose at least three curves, shapes or groups to distribute them.")
+    first, last, count = items[0], items[-1], len(items) - 1
+    if spacing is Spacing.CENTRES:
+        start, end = first.middle(axis), last.middle(axis)
+        places = [start * ((count - k) / count) + end * (k / count) for k in range(len(items))]
+    else:
+        room = last.bounds.high[axis] - first.bounds.low[axis] - sum(item.length(axis) for item in items)
+        places, at = [], first.bounds.low[axis]
+        for item in items:
+            places.append(at + item.length(axis) / 2)
+            at += item.length(axis) + room / count
+    for item, place in zip(items[1:-1], places[1:-1], strict=True):
+        document = _moved(document, item, axis, place - item.middle(axis))
+    return document
+
+
+def _items(
+    document: Document, views: Sequence[CurveView], curves: Collection[int], strokes: Strokes
+) -> list[_Item]:
+    """Return what moves as one of some curves: whole groups and shapes, those that have points."""
+    groups = [whole_curves(document, node.places) for node in objects(document, curves)]
+    found = zip(groups, bounds_of_each(views, groups, strokes), strict=True)
+    return [_Item(group, bounds) for group, bounds in found if bounds is not None]
+
+
+def _page_of(document: Document) -> Bounds:
+    page = document.page
+    if page is None:
+        raise EditError("The document has no page to align to.")
+    return Bounds((page.x, page.y), (page.x + page.width, page.y + page.height))
+
+
+def _joined(boxes: Sequence[Bounds]) -> Bounds:
+    whole = boxes[0]
+    for box in boxes[1:]:
+        whole = whole.joined(box)
+    return whole
+
+
+def _place(bounds: Bounds, edge: Edge) -> float:
+    return edge.place((bounds.low[edge.axis], bounds.high[edge.axis]))
+
+
+def _moved(document: Document, item: _Item, axis: int, way: float) -> Document:
+    if way == 0.0:
+        return document
+    return moved(document, item.group, (way, 0.0) if axis == 0 else (0.0, way))

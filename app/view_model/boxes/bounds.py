@@ -1,0 +1,230 @@
+"""Bounds of points that change together: of whole curves those of the curves, of other points their own.
+
+Bounds of curves are those of their lines, or with their strokes, as they print.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Final
+
+import msgspec
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ...document.model import Vector
+from ...document.point_group import PointGroup
+from ...document.style import USUAL_WIDTH, Style
+from ..curve.curve_view import CurveView
+from ..geometry.stroked import Line, farthest_reach, half_width, is_round, line_of, polygonal, stroke_box
+from .exact_boxes import box_found, find_boxes
+
+
+class Bounds(msgspec.Struct, frozen=True):
+    """A box with its sides along the axes, by its lower left and its upper right corner."""
+
+    low: Vector
+    high: Vector
+
+    @property
+    def size(self) -> Vector:
+        """Width and height."""
+        return (self.high[0] - self.low[0], self.high[1] - self.low[1])
+
+    @property
+    def centre(self) -> Vector:
+        """The middle."""
+        return self.place(0, 0)
+
+    def place(self, across: int, up: int) -> Vector:
+        """Return one of nine places: −1, 0 or 1 for left, middle, right, and for bottom, middle, top."""
+        return (self._along(0, across), self._along(1, up))
+
+    def _along(self, axis: int, step: int) -> float:
+        low, high = self.low[axis], self.high[axis]
+        return low if step < 0 else high if step > 0 else low / 2 + high / 2
+
+    def joined(self, other: Bounds) -> Bounds:
+        """Return the box around both."""
+        low = (min(self.low[0], other.low[0]), min(self.low[1], other.low[1]))
+        return Bounds(low, (max(self.high[0], other.high[0]), max(self.high[1], other.high[1])))
+
+
+NINE: Final = tuple((across, up) for up in (1, 0, -1) for across in (-1, 0, 1))
+"""The nine places of a box, as they are read: from the upper left one to the lower right one."""
+
+_ACROSS, _UP = ("left", "middle", "right"), ("bottom", "middle", "top")
+
+
+def name_of_place(across: int, up: int) -> str:
+    """Return the words for one of the nine places: "top left", "right", "middle"."""
+    names = [_UP[up + 1]] * bool(up) + [_ACROSS[across + 1]] * bool(across)
+    return " ".join(names) or "middle"
+
+
+def nine_places(bounds: Bounds) -> dict[str, Vector]:
+    """Return the nine places of a box by their names."""
+    return {name_of_place(*at): bounds.place(*at) for at in NINE}
+
+
+class Strokes(msgspec.Struct, frozen=True):
+    """What transforms make of the widths of strokes.
+
+    Attributes
+    ----------
+    measured
+        Whether bounds are those of curves as they print, with their strokes.
+    scaled
+        Whether strokes get wider, or thinner, with the curves that they are of.
+    side
+        Longer side of the page, to which lines whose styles say no width are in proportion; 0 without one,
+        where they count as no wider than their curves.
+    """
+
+    measured: bool = True
+    scaled: bool = True
+    side: float = 0.0
+
+    def printed(self, style: Style) -> Style:
+        """Return a style with the width that its line has on the page."""
+        return style.with_usual_width(USUAL_WIDTH * self.side)
+
+
+BARE: Final = Strokes(measured=False, scaled=False)
+"""Curves without their strokes."""
+
+
+def bounds_of(
+    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, as_drawn: bool = False
+) -> Bounds | None:
+    """Return the bounds of a group, None where it has no points.
+
+    Of a curve all of whose points are in the group they are those of the curve, exact, or `as_drawn`: while
+    it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
+    of a curve, they are those of the points.
+    """
+    whole = _whole(views, group)
+    known = {id(view) for view in whole}
+    some = [
+        views[curve].points[sorted(indices)]
+        for curve, indices in group.parts
+        if indices and id(views[curve]) not in known
+    ]
+    if not as_drawn:
+        whole = _reaching_out(whole, strokes)
+        find_boxes(whole)
+    lines = [view.drawn_box if as_drawn else box_found(view) for view in whole]
+    boxes = [*lines, *some]
+    if strokes.measured:
+        boxes += _stroke_boxes(whole, lines, strokes, as_drawn=as_drawn)
+    return around(boxes)
+
+
+def bounds_of_each(
+    views: Sequence[CurveView], groups: Sequence[PointGroup], strokes: Strokes
+) -> list[Bounds | None]:
+    """Return the bounds of many groups, as `bounds_of`, whose curves are measured all at once."""
+    find_boxes([view for group in groups for view in _reaching_out(_whole(views, group), strokes)])
+    return [bounds_of(views, group, strokes) for group in groups]
+
+
+def _whole(views: Sequence[CurveView], group: PointGroup) -> list[CurveView]:
+    """Return the views of those curves all of whose points are in a group."""
+    return [views[curve] for curve, indices in group.parts if is_whole(views[curve], indices)]
+
+
+def _reaching_out(views: Sequence[CurveView], strokes: Strokes) -> list[CurveView]:
+    """Return those curves that may reach as far as any, by their polylines: the box of all is theirs.
+
+    Exact bounds take a tenth of a millisecond for each of their pieces, and there may be thousands of curves.
+    """
+    known = [(view, box) for view in views if (box := view.known_box) is not None]
+    if len(known) < 2:
+        return list(views)
+    corners, off = np.array([box[0] for _, box in known]), np.array([box[1] for _, box in known])
+    drawn = [view for view, _ in known]
+    low, high = _grown(corners, _least_reach(drawn, strokes) if strokes.measured else 0.0 * off)
+    far_low, far_high = _grown(
+        corners, 2.0 * off + (_farthest_reach(drawn, strokes) if strokes.measured else 0.0)
+    )
+    reaches = (far_low <= low.min(axis=0)).any(axis=1) | (far_high >= high.max(axis=0)).any(axis=1)
+    inside = {id(view) for (view, _), is_far in zip(known, reaches, strict=True) if not is_far}
+    return [view for view in views if id(view) not in inside]
+
+
+def _grown(boxes: FloatArray, by: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return lowest and highest corners of boxes, (k, 2, 2), that are larger on all sides."""
+    return boxes[:, 0] - by[:, None], boxes[:, 1] + by[:, None]
+
+
+def _stroke_boxes(
+    views: Sequence[CurveView], lines: Sequence[FloatArray], strokes: Strokes, *, as_drawn: bool
+) -> list[FloatArray]:
+    """Return the boxes of those strokes, by the boxes of their lines, that may reach beyond all others."""
+    places = np.flatnonzero(_reaches(views, strokes, half_width)).tolist()
+    if not places:
+        return []
+    stroked, corners = [views[at] for at in places], np.array([lines[at] for at in places])
+    # Boxes that strokes fill at least, as one without corners and ends does, and those that none leaves.
+    low, high = _grown(corners, _least_reach(stroked, strokes))
+    far_low, far_high = _grown(corners, _farthest_reach(stroked, strokes))
+    sticks_out = (far_low < low.min(axis=0)).any(axis=1) | (far_high > high.max(axis=0)).any(axis=1)
+    return [
+        np.concatenate([low, high]),
+        *(_stroke_box(stroked[at], strokes, as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
+    ]
+
+
+def _least_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
+    return _reaches(views, strokes, lambda style: half_width(style) if is_round(style) else 0.0)
+
+
+def _farthest_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
+    return _reaches(views, strokes, farthest_reach)
+
+
+def _reaches(views: Sequence[CurveView], strokes: Strokes, reach: Callable[[Style], float]) -> FloatArray:
+    """Return how far the strokes of curves reach; many share a style."""
+    styles = [view.source.style for view in views]
+    found = {id(style): style for style in styles}
+    reaches = {key: reach(strokes.printed(style)) for key, style in found.items()}
+    return np.array([reaches[id(style)] for style in styles])
+
+
+def _stroke_box(view: CurveView, strokes: Strokes, *, as_drawn: bool) -> FloatArray:
+    style = strokes.printed(view.source.style)
+    if as_drawn:
+        line = polygonal(view.polyline, is_closed=view.source.is_closed)
+        return view.polyline if line is None else stroke_box(line, style)
+    if view.__dict__.get("stroke_bounds", (None,))[0] != style:
+        line = _exact_line(view)
+        box = box_found(view) if line is None else stroke_box(line, style)
+        view.__dict__["stroke_bounds"] = (style, box)
+    found: FloatArray = view.__dict__["stroke_bounds"][1]
+    return found
+
+
+def _exact_line(view: CurveView) -> Line | None:
+    from curvecore.analysis.bounding_boxes import turning_points  # noqa: PLC0415 - when first looked at
+    from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415
+
+    assert view.curve is not None
+    pieces = bezier_pieces(view.curve)
+    (turns,) = turning_points([view.curve], [pieces])
+    xs, ys = (turns.points[turns.axis == axis, axis] for axis in (0, 1))
+    return line_of(pieces.controls, pieces.exponent, (xs, ys), is_closed=view.source.is_closed)
+
+
+def around(boxes: Sequence[FloatArray]) -> Bounds | None:
+    """Return the box around points, (k, 2) each; None where there are none."""
+    if not boxes:
+        return None
+    corners = np.concatenate(boxes)
+    low, high = corners.min(axis=0).tolist(), corners.max(axis=0).tolist()
+    return Bounds((low[0], low[1]), (high[0], high[1]))
+
+
+def is_whole(view: CurveView, indices: frozenset[int]) -> bool:
+    """Whether points are all of a curve that there is: its bounds count, not those of its points."""
+    return len(indices) == len(view.points) > 1 and view.is_current

@@ -1,0 +1,315 @@
+"""The view of one curve of the document: its core curve, polyline and derivatives, or why there is none."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from math import floor, log2
+from operator import attrgetter
+
+import msgspec
+import numpy as np
+
+from curvecore import CardinalBasis, CurveError, ParametricCurve
+from curvecore.arrays import BoolArray, FloatArray
+from curvecore.scaling import scale_by_power
+
+from ...document.model import Curve, Vector
+from ...families.family import OverdueCallError
+from ..geometry.markers import Ends, ends_of_pieces
+from ..geometry.plane import at_knots, size_of
+from .cardinals import Cardinal, Cardinals
+from .core_curve import Core, checked_parameters, core_curve
+from .flattener import Box, Flattener, FlatteningKey, Polyline
+from .made_curve import MadeCurve
+from .point_arrays import PointArrays, arrays_of, rows_changed
+from .point_moves import Motion, PointMoves
+from .refusals import refusal_of
+
+__all__ = [
+    "TOO_FEW",
+    "Box",
+    "CurveView",
+    "ParametricCurve",
+    "Polyline",
+    "curve_through",
+    "view_of",
+]
+
+TOO_FEW = "A curve needs at least two points."
+
+_LOOKS = ("stroke_bounds",)
+"""What is kept with a view, and is another when the curve looks otherwise."""
+
+LINE = tuple(
+    name
+    for name in Curve.__struct_fields__
+    if name
+    not in (
+        *("name", "style", "shape", "groups", "visible", "locked", "other_settings", "text"),
+        *("identity", "clone"),
+    )
+)
+"""Fields of a curve that decide where it runs."""
+
+_runs = attrgetter(*LINE)
+
+
+class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
+    """One curve of the document with everything that a canvas or panel draws of it."""
+
+    _flattener: Flattener = msgspec.field(default_factory=Flattener)
+    _cardinals: Cardinals = msgspec.field(default_factory=Cardinals)
+    _flattened: dict[FlatteningKey, Polyline] = msgspec.field(default_factory=dict)
+
+    @cached_property
+    def corners(self) -> list[int]:
+        """The points at which the curve may turn sharply; the ends of an open curve have one side only."""
+        return self._with_two_sides(self.arrays.corners & ~self.arrays.ties)
+
+    @cached_property
+    def two_sided(self) -> list[int]:
+        """The points with derivatives of their own on each side: corners, and where velocities are tied."""
+        return self._with_two_sides(self.arrays.corners)
+
+    def _with_two_sides(self, holds: BoolArray) -> list[int]:
+        if not self.source.family.derivatives:
+            return []
+        last = len(self.points) - 1
+        found: list[int] = np.flatnonzero(holds).tolist()
+        return [index for index in found if self.source.is_closed or 0 < index < last]
+
+    @property
+    def cardinal(self) -> CardinalBasis | None:
+        """The cardinal functions of the points of `curve`, with the estimates; None where there is no curve.
+
+        None, too, where the derivatives that a point carries along are beyond all floats.
+        """
+        return self._cardinal.functions if self.is_current else None
+
+    @property
+    def growth(self) -> float:
+        """The Lebesgue constant of the points of a current curve; infinite where `cardinal` is None."""
+        return self._cardinal.growth
+
+    @cached_property
+    def _cardinal(self) -> Cardinal:
+        assert self.basis_curve is not None
+        return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays)
+
+    @property
+    def linearised(self) -> str:
+        """A remark on the effects of points, where estimates are not linear in them; else empty."""
+        return next((rule.linearised for rule in self.source.rules if rule.linearised), "")
+
+    @cached_property
+    def polyline(self) -> FloatArray:
+        """The curve as a polyline (k, 2), within a thousandth of its size."""
+        return self._whole[0].points
+
+    @cached_property
+    def extent(self) -> FloatArray:
+        """Lowest and highest corner of the points, and of the curve with them, (2, 2, 2)."""
+        points = np.array([self.points.min(axis=0), self.points.max(axis=0)])
+        if not len(self.polyline):
+            return np.array([points, points])
+        low, high = np.minimum(points[0], self.drawn_box[0]), np.maximum(points[1], self.drawn_box[1])
+        return np.array([points, (low, high)])
+
+    @cached_property
+    def drawn_box(self) -> FloatArray:
+        """Lowest and highest corner of the polyline of a curve that there is, (2, 2)."""
+        return np.array([self.polyline.min(axis=0), self.polyline.max(axis=0)])
+
+    @property
+    def known_box(self) -> tuple[FloatArray, float] | None:
+        """The box of the polyline, and by how much the curve's may differ; None before it is asked for."""
+        if "drawn_box" not in self.__dict__ or not self._whole[1]:
+            return None
+        return self.drawn_box, self._whole[1]
+
+    @property
+    def whole_line(self) -> tuple[Polyline, float] | None:
+        """The polyline with the tolerance that it keeps everywhere; None before it is asked for."""
+        return self._whole if "_whole" in self.__dict__ and self._whole[1] else None
+
+    def take_over(self, line: Polyline, tolerance: float, box: FloatArray, extent: FloatArray) -> None:
+        """Take the polyline, the tolerance that it keeps everywhere, its box and extent as known."""
+        self.__dict__.update(_whole=(line, tolerance), drawn_box=box, extent=extent)
+
+    @cached_property
+    def _whole(self) -> tuple[Polyline, float]:
+        """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
+        size = size_of(self.points) if len(self.points) else 1.0
+        # A power of two: it stays while the curve is moved, and what follows the curve with it.
+        tolerance = 2.0 ** floor(log2(max(size, 1e-300) * 1e-3))
+        polyline = self.flattened(tolerance)
+        return polyline, tolerance if polyline.reached <= tolerance else 0.0
+
+    def flattened(self, tolerance: float, box: Box | None = None) -> Polyline:
+        """Return the curve as a polyline within `tolerance` of it inside `box`.
+
+        Where `polyline` is known already and close enough, it serves: of thousands of curves that are small
+        on the screen each is flattened once, for their boxes, and not again to be drawn.
+        """
+        if "_whole" in self.__dict__ and 0.0 < self._whole[1] <= tolerance:
+            return self._whole[0]
+        key = (tolerance, box)
+        if key not in self._flattened:
+            self._flattened.clear()
+            moved = None if self.motion is None else self.motion.polyline(key)
+            if self.carry is not None:
+                moved = self.carry.polyline(tolerance)
+            self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
+        return self._flattened[key]
+
+    @cached_property
+    def ends(self) -> Ends | None:
+        """The ends of an open curve; None of a closed one."""
+        if self.source.is_closed or self.curve is None:
+            return None
+        from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415 - where there are markers
+
+        pieces = bezier_pieces(self.curve)
+        return ends_of_pieces(scale_by_power(pieces.controls[[0, -1]], pieces.exponent))
+
+    def velocity_of(self, index: int, *, ahead: bool = True) -> Vector | None:
+        """Return the velocity at point `index`, set or estimated; None where the family has none.
+
+        At a corner there are two, one before the point and one ahead of it.
+        """
+        return self.derivative_of(index, 1, ahead=ahead)
+
+    def derivative_of(self, index: int, order: int, *, ahead: bool = True) -> Vector | None:
+        """Return the derivative of an order at point `index`, set or estimated, as `velocity_of` does."""
+        if self.sides is None or order > self.source.family.derivatives:
+            return None
+        x, y = self.sides[ahead][index, order]
+        return (float(x), float(y))
+
+
+def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
+    """Return the view of `curve`.
+
+    `previous` lends what did not change, and the last good curve if there is none now. The result is the
+    same as without it, bit for bit.
+    """
+    arrays = arrays_of(curve.points, previous.arrays if previous is not None else None)
+    points = arrays.positions
+    if len(curve.points) < 2:
+        return CurveView(curve, points, arrays, Core(None, TOO_FEW))
+    motion = _motion_of(curve, arrays, previous)
+    if previous is not None and (motion is not None or _lends(previous)):
+        handed_on = (previous._flattener, previous._cardinals)
+    else:
+        handed_on = (Flattener(), Cardinals())
+    if motion is not None:
+        return CurveView(curve, points, arrays, None, motion, None, *handed_on)
+    try:
+        core = _core_of(curve, arrays, previous)
+    except CurveError as problem:
+        last_good = previous.curve if previous is not None else None
+        words = refusal_of(problem, curve)
+        is_overdue = isinstance(problem, OverdueCallError)
+        if is_overdue and last_good is not None:
+            words += " The last curve that could be drawn is shown."
+        return CurveView(curve, points, arrays, Core(last_good, words, is_overdue=is_overdue))
+    return CurveView(curve, points, arrays, core, None, None, *handed_on)
+
+
+def same_line(curve: Curve, other: CurveView) -> CurveView | None:
+    """Return the view of `curve` where nothing but its looks and its name is another than in a view's curve.
+
+    It shares all that was computed of the other; None where the curve may run elsewhere.
+    """
+    if other.motion is not None or other.problem or not _lends(other):
+        return None
+    if _runs(curve) != _runs(other.source):
+        return None
+    kept = {name: value for name, value in other.__dict__.items() if name not in _LOOKS}
+    view = CurveView(
+        curve,
+        other.points,
+        other.arrays,
+        other._made,
+        carry=other.carry,
+        _cardinals=other._cardinals,
+        _flattened=other._flattened,
+    )
+    view.__dict__.update(kept)
+    return view
+
+
+def _motion_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Motion | None:
+    """Return how the points came here, where all else is as in the view before; None where it is not."""
+    if previous is None or len(arrays.points) != len(previous.points):
+        return None
+    known = previous.motion.moves.to(curve, arrays) if previous.motion is not None else None
+    return known or _first_motion(curve, arrays, previous)
+
+
+def _first_motion(curve: Curve, arrays: PointArrays, previous: CurveView) -> Motion | None:
+    rows = rows_changed(arrays.points, previous.arrays.points)
+    if (
+        not rows
+        or not all(rule.is_linear for rule in curve.rules)
+        or _resting_parameters(curve, arrays, previous) is None
+        or previous.curve is None
+        or len(previous.pieces) > 1
+    ):
+        return None
+    try:
+        moves = PointMoves(previous.source, previous.arrays, previous.curve, previous.sides, rows)
+    except CurveError:
+        return None
+    return moves.to(curve, arrays) if moves.is_safe else None
+
+
+def _lends(previous: CurveView) -> bool:
+    """Whether what was computed of the functions of a view is of use: they are not other ones now."""
+    known = previous.known_curve
+    return known is None or previous.source.family.makes(known)
+
+
+def _core_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Core:
+    knots = at_knots(arrays.positions, closed=curve.is_closed)
+    parameters = _resting_parameters(curve, arrays, previous)
+    if parameters is None:
+        parameters = checked_parameters(curve, knots, arrays)
+    if previous is not None and not _lends(previous):
+        previous = None
+    return core_curve(curve, knots, parameters, arrays, _same_parameters(curve, parameters, previous))
+
+
+def _resting_parameters(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> FloatArray | None:
+    """Return the parameters of the view before where its rule and all that this rule asks are the same."""
+    if (
+        previous is None
+        or not previous.is_current
+        or curve.parametrization != previous.source.parametrization
+        or curve.parametrization.kind.asks_where_points_are
+        or curve.is_closed != previous.source.is_closed
+        or len(arrays.points) != len(previous.points)
+        or arrays.times is not previous.arrays.times
+    ):
+        return None
+    return previous.parameters
+
+
+def _same_parameters(
+    curve: Curve, parameters: FloatArray, previous: CurveView | None
+) -> ParametricCurve | None:
+    """Return the curve before if it has the same functions and parameters: only its data are other ones."""
+    if previous is None or not previous.is_current or previous.source.functions_key != curve.functions_key:
+        return None
+    old = previous.curve
+    if old is None or len(old.pieces) > 1:
+        return None
+    is_same = old.parameters is parameters or np.array_equal(old.parameters, parameters)
+    return old if is_same else None
+
+
+def curve_through(view: CurveView, points: FloatArray, parameters: FloatArray) -> ParametricCurve:
+    """Return the core curve through other points (k, 2), at parameters (k,), under the rules of a view."""
+    made = core_curve(view.source, points, parameters, view.arrays).curve
+    assert made is not None
+    return made

@@ -1,0 +1,66 @@
+"""The distance of two curves, on dense samples: the effect of a change of the points on the shape."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ...document.model import Curve
+from ...document.words import number
+from ..geometry.plane import size_of
+from ..geometry.sampling import all_along
+from .curve_view import CurveView
+
+_SAMPLES = 32
+_MOST_SAMPLES = 20_000
+
+_KEPT = 1e-8
+"""Change, relative to the size of a curve, up to which its shape counts as kept: nobody sees it."""
+
+_COMPARED = 257
+"""Parameters at which two curves are compared: those of families that differ agree at few places."""
+
+_ROUNDING = 1e-12
+"""Share of the domain up to which parameters are the same."""
+
+
+def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
+    """Tell whether the shape of these curves is the same but for roundings, `residual` being what changed."""
+    points = np.array([point.position for curve in curves for point in curve.points])
+    return residual <= _KEPT * size_of(points)
+
+
+def outcome(residual: float, curves: Sequence[Curve]) -> str:
+    """Return in words whether the shape of these curves was kept, and how much changed."""
+    kept = "shape kept" if is_kept(residual, curves) else "the shape is another"
+    return f"{kept}, largest change {number(residual, 2)}."
+
+
+def dense(knots: FloatArray) -> FloatArray:
+    """Return parameters all along a curve with these knots, the knots included; as many on every segment."""
+    per_segment = int(np.clip(_MOST_SAMPLES // len(knots), 5, _SAMPLES))
+    return all_along(knots, per_segment)
+
+
+def largest_distance(first: CurveView, at: FloatArray, second: CurveView, at_second: FloatArray) -> float:
+    """Return the largest distance between `first` at the parameters `at` and `second` at `at_second`."""
+    assert first.curve is not None
+    assert second.curve is not None
+    away = first.curve.evaluate(at) - second.curve.evaluate(at_second)
+    return float(np.hypot(away[:, 0], away[:, 1]).max())
+
+
+def coincide(first: CurveView, second: CurveView) -> bool:
+    """Whether two curves are at the same places for the same t, but for roundings."""
+    if first is second:
+        return True
+    if not (first.is_current and second.is_current):
+        return False
+    t = first.parameters
+    if t.shape != second.parameters.shape or np.abs(t - second.parameters).max() > _ROUNDING * np.ptp(t):
+        return False
+    at = np.linspace(t[0], t[-1], _COMPARED)
+    return is_kept(largest_distance(first, at, second, at), (first.source,))

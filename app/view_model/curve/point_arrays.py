@@ -1,0 +1,148 @@
+"""The numbers in a curve's points as arrays; made anew only for points that are other values now."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import accumulate, chain, compress
+from operator import is_not
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from curvecore.arrays import BoolArray, FloatArray, IntArray
+
+from ...document.derivatives import DERIVATIVES
+from ...document.model import Point, Vector, vectors_of
+from ...document.steps import have_only_moved
+
+_NONE = (np.nan, np.nan)
+
+
+class PointArrays(msgspec.Struct, frozen=True, eq=False, gc=False):
+    """The numbers of n points; NaN stands for None. An array without a change is the same object as before.
+
+    Attributes
+    ----------
+    points
+        The document's values.
+    positions
+        Coordinates, (n, 2).
+    times
+        Manual parameters, (n,).
+    corners
+        Whether each point has derivatives of its own on each side, (n,).
+    ties
+        Whether its velocities are tied there, (n,).
+    evens
+        Whether tied velocities keep their handles equally long, (n,).
+    given
+        Derivatives that the person set: ``[i, side, order - 1]``, side 0 before and 1 after the point;
+        (n, 2, highest order, 2).
+    """
+
+    points: tuple[Point, ...]
+    positions: FloatArray
+    times: FloatArray
+    corners: BoolArray
+    ties: BoolArray
+    evens: BoolArray
+    given: FloatArray
+
+
+def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) -> PointArrays:
+    """Return the arrays of `points`; rows of points that `previous` has too are taken from there."""
+    if previous is None or len(previous.points) != len(points):
+        return PointArrays(points, *_columns(points))
+    rows = rows_changed(points, previous.points)
+    old = (previous.positions, *_columns_besides_places(previous))
+    if not rows:
+        return PointArrays(points, *old)
+    if have_only_moved([previous.points[row] for row in rows], [points[row] for row in rows]):
+        # As under nearly every drag.
+        positions = previous.positions.copy()
+        for row in rows:
+            positions[row] = points[row].x, points[row].y
+        positions.setflags(write=False)
+        return PointArrays(points, positions, *old[1:])
+    fresh, places = _columns([points[row] for row in rows]), np.array(rows)
+    return PointArrays(points, *(_with_rows(*columns, places) for columns in zip(old, fresh, strict=True)))
+
+
+def arrays_of_all(points: Sequence[tuple[Point, ...]], previous: Sequence[PointArrays]) -> list[PointArrays]:
+    """Return the arrays of points of many curves, each of as many as before, made all at once."""
+    kept = [have_only_moved(old.points, new) for new, old in zip(points, previous, strict=True)]
+    places = np.array([(point.x, point.y) for each in points for point in each], dtype=float)
+    places.setflags(write=False)
+    positions = _parts(places, points)
+    others = [each for each, is_kept in zip(points, kept, strict=True) if not is_kept]
+    _, *columns = _columns([*chain.from_iterable(others)])
+    fresh = iter([*zip(*(_parts(column, others) for column in columns), strict=True)])
+    return [
+        PointArrays(
+            new,
+            place,
+            *(
+                _columns_besides_places(old)
+                if is_kept
+                else map(_same_or, _columns_besides_places(old), next(fresh))
+            ),
+        )
+        for new, place, old, is_kept in zip(points, positions, previous, kept, strict=True)
+    ]
+
+
+def _columns_besides_places(arrays: PointArrays) -> tuple[NDArray[Any], ...]:
+    return arrays.times, arrays.corners, arrays.ties, arrays.evens, arrays.given
+
+
+def _parts(column: NDArray[Any], points: Sequence[Sequence[Point]]) -> list[NDArray[Any]]:
+    """Return the rows of each of several curves, one after the other."""
+    ends = list(accumulate(map(len, points)))
+    return [column[start:end] for start, end in zip([0, *ends], ends, strict=False)]
+
+
+def _same_or(old: NDArray[Any], fresh: NDArray[Any]) -> NDArray[Any]:
+    """Return what was there before where it holds the same; NaN is NaN."""
+    return old if old.tobytes() == fresh.tobytes() else fresh
+
+
+def rows_changed(points: Sequence[Point], before: Sequence[Point]) -> list[int]:
+    """Return which of as many points as before are other values."""
+    return list(compress(range(len(points)), map(is_not, points, before)))
+
+
+def _columns(
+    points: Sequence[Point],
+) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray, BoolArray, FloatArray]:
+    positions = np.array([(point.x, point.y) for point in points], dtype=float).reshape(-1, 2)
+    times = np.array([np.nan if point.t is None else point.t for point in points], dtype=float)
+    corners = np.array([point.corner for point in points], dtype=bool)
+    ties = np.array([point.tied for point in points], dtype=bool)
+    evens = np.array([point.even for point in points], dtype=bool)
+    given = np.array([_given(point) for point in points], dtype=float)
+    given = given.reshape(-1, 2, len(DERIVATIVES), 2)
+    for column in (positions, times, corners, ties, evens, given):
+        # Views of one curve after the other share what did not change.
+        column.setflags(write=False)
+    return positions, times, corners, ties, evens, given
+
+
+def _given(point: Point) -> list[Vector]:
+    """Return the vectors of a point, those before it and then those after it."""
+    vectors = vectors_of(point)
+    if not point.corner:
+        before = vectors[: len(DERIVATIVES)]
+        vectors = before + before
+    return [vector or _NONE for vector in vectors]
+
+
+def _with_rows(old: NDArray[Any], fresh: NDArray[Any], rows: IntArray) -> NDArray[Any]:
+    # By their bytes: NaN is NaN, and a comparison of NumPy's takes ten times as long.
+    if old[rows].tobytes() == fresh.tobytes():
+        return old
+    result = old.copy()
+    result[rows] = fresh
+    result.setflags(write=False)
+    return result

@@ -1,0 +1,11 @@
+"""The same curve by other data: exactly, or as near as can be.
+
+- ``reshape``: other points for the same curve.
+- ``convert``: the same curve as one of another family.
+- ``least_squares``: curves of few points near many.
+- ``segment_fit``: one segment for several.
+"""
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

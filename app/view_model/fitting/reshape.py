@@ -1,0 +1,324 @@
+"""Other points for the same curve: written down, one more of them, in the other order.
+
+A polynomial that goes through more points than it needs, or a Hermite piece cut where its derivatives
+are known, stays the curve it was. What rounding (or a rule for the parameters) makes of that is measured,
+never assumed: every result carries the largest distance that a point of the curve moved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import msgspec
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore.arrays import FloatArray, IntArray
+from curvecore.families.chain import joint_of_row
+
+from ...document.curve_edits import reverse_curve
+from ...document.edits import EditError, freeze_parameters, stretched_beside
+from ...document.jet_edits import JetValue, with_jet_values
+from ...document.lines import is_line
+from ...document.model import Curve, Document, ParametrizationKind, Point, Vector
+from ...document.paper import DocumentKind, kind_of
+from ...document.ties import tied_if_parallel
+from ...document.words import number
+from ...families import Family
+from ..curve.curve_view import CurveView, ParametricCurve, view_of
+from ..curve.jets import Sides
+from ..curve.measure import dense, is_kept, largest_distance, outcome
+
+_ROUNDING = 64 * 2.0**-53
+"""Relative difference of two estimates up to which they count as the same."""
+
+
+class Reshaped(msgspec.Struct, frozen=True):
+    """A curve through other points.
+
+    Attributes
+    ----------
+    curve
+        The new curve.
+    residual
+        The largest distance by which a point of the curve moved, measured on dense samples.
+    parameters_moved
+        Whether the rule gave the points that were there other parameters, and the shape is another for that.
+    left_rule
+        Whether the parameters had to become manual for the shape to stay.
+    note
+        A further sentence; empty for none.
+    """
+
+    curve: Curve
+    residual: float
+    parameters_moved: bool = False
+    left_rule: bool = False
+    note: str = ""
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether the shape is the same but for roundings."""
+        return not self.parameters_moved and is_kept(self.residual, (self.curve,))
+
+    @property
+    def sentence(self) -> str:
+        """The outcome for the shape."""
+        if self.parameters_moved:
+            return f"The parameters moved: largest change {number(self.residual, 2)}."
+        words = outcome(self.residual, (self.curve,))
+        manual = "The parameters are manual now." if self.left_rule else ""
+        return " ".join(each for each in (words[0].upper() + words[1:], manual, self.note) if each)
+
+    def told_in(self, document: Document) -> str:
+        """Return the outcome in the words of a document: who draws on a page did not ask for parameters."""
+        if kind_of(document) is DocumentKind.SKETCH:
+            return self.sentence
+        words = outcome(self.residual, (self.curve,))
+        return " ".join(each for each in (words[0].upper() + words[1:], self.note) if each)
+
+
+def baked(view: CurveView) -> Curve:
+    """Return the curve with all that rules gave written down: manual parameters, explicit derivatives."""
+    refuse_without_curve(view)
+    document = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist())
+    curve = document.curves[0]
+    if view.sides is None:
+        return curve
+    points = (with_jets(point, view.sides, index) for index, point in enumerate(curve.points))
+    return replace(curve, points=tuple(points))
+
+
+def refuse_without_curve(view: CurveView) -> None:
+    """Raise EditError where the present points and rules give no curve."""
+    if not view.is_current:
+        raise EditError(f"There is no curve yet. {view.problem}")
+
+
+def with_jets(point: Point, sides: Sides, index: int) -> Point:
+    """Return `point` with the derivatives at knot `index` made explicit, on both sides of a corner."""
+    before, after = (list(map(_vector, jets[index, 1:])) for jets in sides)
+    return point.with_derivatives(before, after) if before else point
+
+
+def _vector(values: FloatArray) -> Vector:
+    return (float(values[0]), float(values[1]))
+
+
+# Insert
+
+
+def with_point_inserted(view: CurveView, t: float) -> Reshaped:
+    """Return the curve with one point more, on it at `t`.
+
+    The curve stays what it was to rounding: the derivatives at `t` become explicit, and so do those of other
+    points whose estimates the new point would change. Where a rule would move the parameters, and the shape
+    with them, they become manual. Of control points there is one more, and others move. A family that has no
+    such curve keeps the rule, derivatives are stretched along, and the shape changes by the residual.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, `t` is not inside it, or a point is there already.
+    """
+    refuse_without_curve(view)
+    index = _place_between(view, t)
+    assert view.curve is not None
+    longer = view.curve.refined(t)
+    if longer is not None:
+        made = through(view, longer)
+        left_rule = made.is_manual and not view.source.is_manual
+        at = dense(longer.parameters)
+        return Reshaped(made, largest_distance(view, at, view_of(made), at), left_rule=left_rule)
+    by_rule = _with_point_at(view, index, t)
+    if view.source.is_manual or by_rule.is_kept:
+        return by_rule
+    frozen = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
+    kept = _with_point_at(view_of(frozen), index, t)
+    return replace(kept, left_rule=True) if kept.is_kept else by_rule
+
+
+def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
+    """Return the curve with a point on it put at a place, under the rule that its parameters have."""
+    curve, point = view.source, _sampled(view, t)
+    if is_line(curve, index - 1):
+        # Two straight segments: whichever end of one moves, it stays straight.
+        point = point.as_corner()
+    if not curve.is_manual:
+        point = replace(point, t=None)
+    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
+    if curve.is_manual:
+        own = np.arange(len(curve.points))
+        grown = estimates_kept(view, grown, own, np.where(own < index, own, own + 1))
+        after = view_of(grown)
+        return Reshaped(grown, change_of_shape(view, after, after.parameters))
+    grown = _stretched_along(view, grown, index, t)
+    after = view_of(grown)
+    moved = change_of_shape(view, after, np.insert(view.parameters, index, t))
+    return Reshaped(grown, moved, parameters_moved=not is_kept(moved, (grown,)))
+
+
+def inserted_index(view: CurveView, t: float) -> int:
+    """Return the index of the point that `with_point_inserted` makes: the control point nearest to `t`."""
+    longer = view.curve.refined(t) if view.curve is not None and view.is_current else None
+    if longer is None:
+        return int(np.searchsorted(view.parameters, t))
+    return int(np.argmin(np.abs(longer.places - t)))
+
+
+def through(view: CurveView, curve: ParametricCurve, family: Family | None = None) -> Curve:
+    """Return the curve of a view with the points and parameters of `curve`, which has the same shape.
+
+    The rule for the parameters stays where it gives this shape; else they become manual. What points carry
+    beside their places stays with those that stay. `curve` is of the same family if none is given.
+    """
+    source, kept = view.source, {point.position: point for point in view.source.points}
+    family = family or source.family
+    is_closed = source.is_closed and family.curve_class.can_close
+    count = len(curve.parameters) - is_closed
+    corners = _corners_of(curve, is_closed=is_closed)
+    places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
+    points = [
+        replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners, tied=False, even=False)
+        for index, ((x, y), t) in enumerate(places)
+    ]
+    start, end = curve.domain
+    rule = replace(source.parametrization, start=start, end=end)
+    made = replace(
+        source.with_family(family), points=tuple(points[:count]), parametrization=rule, closed=is_closed
+    )
+    made = with_jet_values(made, _given(curve, len(made.points), has_corner=0 in corners))
+    made = replace(made, points=tuple(_tied_as(kept.get(each.position), each) for each in made.points))
+    if not source.is_manual and (after := view_of(made)).is_current:
+        assert after.curve is not None
+        t = dense(curve.parameters)
+        away = float(np.abs(after.curve.evaluate(t) - curve.evaluate(t)).max())
+        if is_kept(away, (made,)):
+            return replace(made, points=tuple(replace(point, t=None) for point in made.points))
+    return replace(made, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
+
+
+def _tied_as(before: Point | None, point: Point) -> Point:
+    """Return a point whose velocities are tied again where they were, and still are parallel."""
+    if before is None or not before.tied:
+        return point
+    again = tied_if_parallel(point if point.corner else point.as_corner())
+    return again if again.tied else point
+
+
+def _corners_of(curve: ParametricCurve, *, is_closed: bool) -> set[int]:
+    """Return the points at which derivatives before and after are others: where pieces of a chain meet."""
+    joints = joint_of_row(curve)
+    found = set(joints[1:][np.diff(joints) == 0].tolist())
+    first, last = curve.jets[0, 1:], curve.jets[-1, 1:]
+    scale = np.abs(curve.jets[:, 1:]).max(axis=(0, 2))[:, None] if len(first) else 0.0
+    return found | {0} if is_closed and (np.abs(first - last) > 1e-10 * scale).any() else found
+
+
+def _given(curve: ParametricCurve, count: int, *, has_corner: bool) -> Iterator[JetValue]:
+    """Yield the derivatives at points, as what the person sets.
+
+    Of a closed curve, whose last row is its first point again, those before that are of a corner there.
+    """
+    joints = joint_of_row(curve).tolist()
+    for row, (joint, jet) in enumerate(zip(joints, curve.jets, strict=True)):
+        if joint == count and not has_corner:
+            continue
+        ahead = row + 1 < len(joints) and joints[row + 1] != joint
+        for order, derivative in enumerate(jet[1:], start=1):
+            yield JetValue(joint % count, order, ahead, _vector(derivative))
+
+
+def _place_between(view: CurveView, t: float) -> int:
+    knots = view.parameters
+    if not knots[0] < t < knots[-1]:
+        raise EditError(f"There is no place for a point at t = {number(t, 6)}: it lies outside the curve.")
+    assert view.curve is not None
+    away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
+    nearest = int(np.argmin(away))
+    if away[nearest] <= 1e-9 * (knots[-1] - knots[0]):
+        point = view.owner(nearest)
+        what = f"Point {point}" if view.source.family.interpolates else f"The knot at t of point {point}"
+        raise EditError(f"{what} is there already.")
+    return int(np.searchsorted(knots, t))
+
+
+def _sampled(view: CurveView, t: float) -> Point:
+    """Return a point on the curve at `t` with the derivatives there."""
+    assert view.curve is not None
+    orders = range(view.source.family.derivatives + 1)
+    position, *derivatives = (_vector(view.curve.evaluate(t, order)) for order in orders)
+    return Point(*position, t=t).with_derivatives(derivatives, ())
+
+
+def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:
+    """Make explicit, as they were in `before`, the estimates that are others in `changed`, and only those.
+
+    The points `old` of the curve before are the points `new` of the changed one.
+    """
+    after = view_of(changed)
+    refuse_without_curve(after)
+    if before.sides is None or after.sides is None:
+        return changed
+    values = []
+    for ahead, was, now in zip((False, True), before.sides, after.sides, strict=True):
+        scale = np.abs(was[:, 1:]).max(axis=(0, 2), keepdims=True)
+        moved = np.abs(now[new, 1:] - was[old, 1:]) > _ROUNDING * scale
+        for row, below in zip(*map(np.ndarray.tolist, np.nonzero(moved.any(axis=2))), strict=True):
+            value = _vector(was[old[row], below + 1])
+            values.append(JetValue(int(new[row]), below + 1, ahead, value))
+    return with_jet_values(changed, values)
+
+
+def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> Curve:
+    """Rescale explicit derivatives to the parameters that the rule gives now, so that handles stay."""
+    after = view_of(grown)
+    refuse_without_curve(after)
+    factors = np.diff(after.parameters) / np.diff(np.insert(before.parameters, index, t))
+    points = [
+        stretched_beside(point, *_factors_at(factors, point, place, index, is_closed=grown.is_closed))
+        for place, point in enumerate(grown.points)
+    ]
+    return replace(grown, points=tuple(points))
+
+
+def _factors_at(
+    factors: FloatArray, point: Point, place: int, inserted: int, *, is_closed: bool
+) -> tuple[float, float]:
+    """Return the factors of time behind and ahead of a point: at a corner those of the segments there.
+
+    Elsewhere that of a segment beside it twice, if possible of one that was not cut.
+    """
+    last = len(factors) - 1
+    before = last if is_closed and place == 0 else place - 1
+    beside = [segment for segment in (before, place) if 0 <= segment <= last]
+    if point.corner:
+        return float(factors[beside[0]]), float(factors[beside[-1]])
+    whole = [segment for segment in beside if segment not in (inserted - 1, inserted)]
+    mean = float(np.mean(factors[whole or beside]))
+    return mean, mean
+
+
+def change_of_shape(before: CurveView, after: CurveView, old_knots: FloatArray) -> float:
+    """Return how far the curve moved; `old_knots` are the old parameters of the knots of `after`."""
+    return largest_distance(before, dense(old_knots), after, dense(after.parameters))
+
+
+# Reverse
+
+
+def reversed_curve(view: CurveView) -> Reshaped:
+    """Return the curve run through the other way.
+
+    Raises
+    ------
+    EditError
+        If the parameters lie too close together to be turned round.
+    """
+    curve = reverse_curve(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
+    after = view_of(curve)
+    if not (view.is_current and after.is_current):
+        return Reshaped(curve, 0.0)
+    t = dense(view.parameters)
+    turned = after.parameters[-1] - (t - t[0])
+    return Reshaped(curve, largest_distance(view, t, after, turned))

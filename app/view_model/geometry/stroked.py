@@ -1,0 +1,166 @@
+"""The box around a stroked line: its width, caps, joins and miters count, its dashes do not.
+
+A stroke reaches half its width to both sides of every place of the line, and at joints and ends as far as
+joins and caps do. So its extremes lie at joints, at ends, and beside the places where a coordinate of the
+line turns. Cusps that the inner side has where a line bends more tightly than half the width are passed over.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import msgspec
+import numpy as np
+
+from curvecore.arrays import BoolArray, FloatArray
+from curvecore.regions.miters import are_pointed, miter_tips
+from curvecore.scaling import scale_by_power
+
+from ...document.marker import FARTHEST
+from ...document.style import LineCap, LineJoin, Style
+from .markers import Ends, markers_of, sampled
+from .plane import to_the_left, unit_tangents
+
+_LEAST = 1e-12
+"""Share of the size of a piece below which the way to a control point is no direction."""
+
+
+class Line(msgspec.Struct, frozen=True, eq=False):
+    """Joints of a line, with its directions there, unit vectors.
+
+    Attributes
+    ----------
+    points
+        The joints, (m, 2), of an open line with its ends.
+    before, after
+        The directions in which the line comes to a joint and leaves it, (m, 2). What an open line has before
+        its first point, and after its last, means nothing.
+    is_closed
+        Whether the last joint is joined with the first.
+    turns
+        Where else x turns back, and where y does: these coordinates.
+    """
+
+    points: FloatArray
+    before: FloatArray
+    after: FloatArray
+    is_closed: bool
+    turns: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty(0))
+
+
+def half_width(style: Style) -> float:
+    """Return how far a stroke reaches beside its line; 0 of one that is as wide at every zoom."""
+    return (style.width or 0.0) / 2.0 if style.has_stroke else 0.0
+
+
+def is_round(style: Style) -> bool:
+    """Whether a stroke reaches equally far everywhere."""
+    return style.cap is LineCap.ROUND and style.join is LineJoin.ROUND
+
+
+def farthest_reach(style: Style) -> float:
+    """Return a distance that a stroke reaches beyond the box of its line at most."""
+    corner = style.miter_limit if style.join is LineJoin.MITER else 1.0
+    marker = 2.0 * FARTHEST if style.has_markers else 1.0
+    return half_width(style) * max(math.sqrt(2.0) if style.cap is LineCap.SQUARE else 1.0, corner, marker)
+
+
+def polygonal(polyline: FloatArray, *, is_closed: bool) -> Line | None:
+    """Return the line of a polyline (k, 2); a closed one ends where it begins. None of a single place."""
+    ways = np.diff(polyline, axis=0)
+    is_long = (ways != 0.0).any(axis=1)
+    if not is_long.any():
+        return None
+    directions, starts = unit_tangents(ways[is_long]), polyline[:-1][is_long]
+    return _joined(directions, directions, starts, polyline[-1:], is_closed=is_closed)
+
+
+def line_of(
+    controls: FloatArray, exponent: int, turns: tuple[FloatArray, FloatArray], *, is_closed: bool
+) -> Line | None:
+    """Return the line of Bézier pieces (k, m, 2) times 2**-exponent; None where they are all in one place."""
+    leaving, is_long = _directions(controls)
+    coming, _ = _directions(controls[:, ::-1])
+    if not is_long.any():
+        return None
+    points = scale_by_power(np.vstack([controls[is_long, 0], controls[is_long, -1][-1:]]), exponent)
+    line = _joined(leaving[is_long], -coming[is_long], points[:-1], points[-1:], is_closed=is_closed)
+    return msgspec.structs.replace(line, turns=turns)
+
+
+def _directions(controls: FloatArray) -> tuple[FloatArray, BoolArray]:
+    """Return the unit vectors in which pieces (k, m, 2) begin, and which of them have any length."""
+    ways: FloatArray = controls[:, 1:] - controls[:, :1]
+    lengths = np.hypot(ways[..., 0], ways[..., 1])
+    longest = lengths.max(axis=1)
+    first = (lengths > _LEAST * longest[:, None]).argmax(axis=1)
+    return unit_tangents(ways[np.arange(len(ways)), first]), longest > 0.0
+
+
+def _joined(
+    leaving: FloatArray, coming: FloatArray, starts: FloatArray, end: FloatArray, *, is_closed: bool
+) -> Line:
+    """Return the line of segments, each with where it begins and the directions at its ends."""
+    if is_closed:
+        return Line(starts, np.roll(coming, 1, axis=0), leaving, is_closed=True)
+    before, after = np.vstack([coming[:1], coming]), np.vstack([leaving, leaving[-1:]])
+    return Line(np.vstack([starts, end]), before, after, is_closed=False)
+
+
+def stroke_box(line: Line, style: Style) -> FloatArray:
+    """Return the lower left and the upper right corner, (2, 2), of a line with its stroke."""
+    half = half_width(style)
+    inner = slice(None) if line.is_closed else slice(1, -1)
+    points, before, after = line.points[inner], line.before[inner], line.after[inner]
+    reached = [*_sides(points, before, half), *_sides(points, after, half)]
+    if style.join is LineJoin.MITER:
+        reached.append(_miters(points, before, after, half, style.miter_limit))
+    discs = [(points, before, -after)] if style.join is LineJoin.ROUND else []
+    if not line.is_closed:
+        ends, out = line.points[[0, -1]], np.stack([-line.after[0], line.before[-1]])
+        reached += [*_sides(ends, out, half)]
+        if style.cap is LineCap.SQUARE:
+            reached += [*_sides(ends + half * out, out, half)]
+        elif style.cap is LineCap.ROUND:
+            discs.append((ends, out, out))
+        reached += [sampled(pieces) for pieces in markers_of(style, ends_of(line), ends_of(line), 2.0 * half)]
+    spots = np.vstack(reached)
+    return np.array([_along(axis, line, spots, discs, half) for axis in (0, 1)]).T
+
+
+def ends_of(line: Line) -> Ends | None:
+    """Return the ends of a line; none of a closed one."""
+    if line.is_closed:
+        return None
+    return Ends(line.points[0], -line.after[0], line.points[-1], line.before[-1])
+
+
+_Disc = tuple[FloatArray, FloatArray, FloatArray]
+"""Places (k, 2) with half discs about them: what of these lies ahead in two directions, (k, 2) each."""
+
+
+def _along(axis: int, line: Line, spots: FloatArray, discs: list[_Disc], half: float) -> tuple[float, float]:
+    """Return the least and the greatest coordinate along an axis."""
+    values = [spots[:, axis], line.turns[axis] - half, line.turns[axis] + half]
+    for places, one, other in discs:
+        for sign in (-1.0, 1.0):
+            is_ahead = (sign * one[:, axis] >= 0.0) & (sign * other[:, axis] >= 0.0)
+            values.append(places[is_ahead, axis] + sign * half)
+    found = np.concatenate(values)
+    return float(found.min()), float(found.max())
+
+
+def _sides(points: FloatArray, directions: FloatArray, half: float) -> Iterator[FloatArray]:
+    """Yield the places to the left and to the right of points."""
+    aside = half * to_the_left(directions)
+    yield points + aside
+    yield points - aside
+
+
+def _miters(
+    points: FloatArray, before: FloatArray, after: FloatArray, half: float, limit: float
+) -> FloatArray:
+    """Return the tips of the joints that are not too sharp for one."""
+    is_pointed = are_pointed(before, after, limit)
+    return miter_tips(points[is_pointed], before[is_pointed], after[is_pointed], half)

@@ -1,0 +1,318 @@
+"""Several curves made one, end to start or by chosen ends, with their shapes kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import accumulate, pairwise
+from typing import NamedTuple
+
+import numpy as np
+from msgspec.structs import replace
+
+from ...document.derivatives import DERIVATIVES
+from ...document.edits import EditError, set_closed, set_position
+from ...document.model import Curve, Document, Point, Vector
+from ...document.point_group import PointGroup
+from ...document.ties import tied_if_parallel
+from ...document.words import number
+from ...families import titles_with_derivatives
+from ..curve.curve_view import CurveView, view_of
+from ..curve.measure import dense, is_kept, largest_distance
+from ..fitting.reshape import Reshaped, baked, refuse_without_curve, reversed_curve
+from ..geometry.plane import polygon_length, size_of
+from ..points.straight import with_straight_segments
+from .splitting import beginning, part_of
+
+MOST_JOINED = 1000
+"""Curves that are joined at once: the distances of all of their ends are compared."""
+
+_COINCIDE = 1e-9
+"""Distance, relative to the size of two curves, up to which end and start are one point."""
+
+
+class Joined(Reshaped, frozen=True):
+    """One curve made of several, or closed.
+
+    Attributes
+    ----------
+    seams
+        The points at which they meet; both ends of a segment that leads from one to another.
+    """
+
+    seams: frozenset[int] = frozenset()
+
+
+# End to start
+
+
+def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
+    """Join the end of each curve to the start of the next: one curve, its parameters one after the other.
+
+    All keep their shapes. Where end and start coincide they become one point, a corner if the derivatives
+    there differ; else a straight segment leads from one to the other, at the mean of the speeds on both
+    sides, or one that goes on from the curves where the family has no derivatives to make corners with.
+
+    Parameters
+    ----------
+    kept
+        Which of them lends its name, its style and its rules.
+    is_closed
+        Whether the end of the last is joined to the start of the first, too.
+
+    Raises
+    ------
+    EditError
+        If there is no curve to join, or they cannot be one curve of a family.
+    """
+    for pair in pairwise((*views, views[0])):
+        _refuse_to_join(*pair)
+    waits = [_wait_between(*pair) for pair in pairwise((*views, *views[: int(is_closed)]))]
+    steps = (
+        float(before.parameters[-1]) + wait - float(after.parameters[0])
+        for (before, after), wait in zip(pairwise(views), waits, strict=False)
+    )
+    shifts = list(accumulate(steps, initial=0.0))
+    parts = [baked(view) for view in views]
+    points, seams = _one_after_the_other(parts, shifts, waits)
+    last = points[-1].t or 0.0
+    if is_closed:
+        last += waits[-1]
+        seams.add(0)
+        points, seams = _met(points, waits[-1]), seams | ({len(points) - 1} if waits[-1] else set())
+    if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(points)):
+        raise EditError("The parameters of the second curve lie too close together to follow the first's.")
+    curve = part_of(parts[kept], points, last, parts[kept].name)
+    if is_closed:
+        curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
+    if curve.family.derivatives and (lines := [*_bridges(parts, waits)]):
+        curve = with_straight_segments(view_of(curve), lines)
+    residual = _residual_of(views, view_of(curve), shifts)
+    _refuse_another_shape(views, residual)
+    return Joined(curve, residual, seams=frozenset(seams))
+
+
+def _wait_between(first: CurveView, second: CurveView) -> float:
+    """Return the time from the end of a curve to the start of another; 0 where they are one point."""
+    if _meet(first, second):
+        return 0.0
+    return math.dist(first.points[-1], second.points[0]) / _speed_at_seam(first, second)
+
+
+def _meet(first: CurveView, second: CurveView) -> bool:
+    """Whether the end of a curve is the start of another."""
+    size = max(size_of(np.vstack([first.points, second.points])), 1e-300)
+    return math.dist(first.points[-1], second.points[0]) <= _COINCIDE * size
+
+
+def _one_after_the_other(
+    parts: Sequence[Curve], shifts: Sequence[float], waits: Sequence[float]
+) -> tuple[list[Point], set[int]]:
+    """Return the points of curves with their parameters shifted, and the places where the curves meet."""
+    points, seams = list(parts[0].points), set[int]()
+    for part, shift, wait in zip(parts[1:], shifts[1:], waits, strict=False):
+        later = [replace(point, t=(point.t or 0.0) + shift) for point in part.points]
+        seams |= {len(points) - 1, len(points)} if wait else {len(points) - 1}
+        ending, start = points.pop().without_corner(), beginning(later[0])
+        points += [ending, start] if wait else [_merged(ending, start)]
+        points += later[1:]
+    return points, seams
+
+
+def _bridges(parts: Sequence[Curve], waits: Sequence[float]) -> Iterator[int]:
+    """Yield the segments that lead from one curve to the next."""
+    last = -1
+    for part, wait in zip(parts, waits, strict=False):
+        last += len(part.points)
+        if wait:
+            yield last
+        else:
+            last -= 1
+
+
+def _met(points: Sequence[Point], wait: float) -> list[Point]:
+    """Return the points of a curve whose end goes on at its start."""
+    ending, start = points[-1].without_corner(), beginning(points[0])
+    if wait:
+        return [start, *points[1:-1], ending]
+    return [replace(_merged(ending, start), t=start.t), *points[1:-1]]
+
+
+def _refuse_to_join(first: CurveView, second: CurveView) -> None:
+    for view in (first, second):
+        if not view.is_current:
+            raise EditError(f"“{view.source.name}” cannot be joined. {view.problem}")
+        if view.source.is_closed:
+            raise EditError(f"“{view.source.name}” is closed and has no end; open it first.")
+    one, other = first.source.family, second.source.family
+    if one.curve_class.is_one_polynomial or other.curve_class.is_one_polynomial:
+        raise EditError(f"Two polynomials make no third; choose {titles_with_derivatives()} for both curves.")
+    if one != other:
+        first_kind, second_kind = (each.full_title.partition(" ")[0] for each in (one, other))
+        raise EditError(f"One curve is {first_kind}, the other {second_kind}; choose one family for both.")
+
+
+def _speed_at_seam(first: CurveView, second: CurveView) -> float:
+    """Return the speed for the way from one curve to the other, positive."""
+    assert first.curve is not None
+    assert second.curve is not None
+    velocities = [
+        first.curve.evaluate(first.curve.domain[1], 1),
+        second.curve.evaluate(second.curve.domain[0], 1),
+    ]
+    speeds = np.hypot(*np.array(velocities).T)
+    mean = float(speeds.mean())
+    if mean > 0:
+        return mean
+    chord = polygon_length(first.points)
+    return max(chord, 1e-300) / float(first.parameters[-1] - first.parameters[0])
+
+
+def _merged(end: Point, start: Point) -> Point:
+    """Return the point where a curve ends and another starts: smooth where they go on in one direction.
+
+    A corner where not, and a point like any other where all goes on alike.
+    """
+    before, after = ([getattr(point, each.name) for each in DERIVATIVES] for point in (end, start))
+    if all(map(_alike, before, after)):
+        return end
+    return tied_if_parallel(end.as_corner().with_derivatives(before, after))
+
+
+def _alike(x: Vector | None, y: Vector | None) -> bool:
+    if x is None or y is None:
+        return x is y
+    scale = max(*map(abs, x), *map(abs, y))
+    return max(abs(x[0] - y[0]), abs(x[1] - y[1])) <= 1e-12 * scale
+
+
+def _residual_of(views: Sequence[CurveView], whole: CurveView, shifts: Sequence[float]) -> float:
+    refuse_without_curve(whole)
+    residual = 0.0
+    for view, by in zip(views, shifts, strict=True):
+        t = dense(view.parameters)
+        residual = max(residual, largest_distance(view, t, whole, t + by))
+    return residual
+
+
+def _refuse_another_shape(views: Sequence[CurveView], residual: float) -> None:
+    if is_kept(residual, [view.source for view in views]):
+        return
+    family = views[0].source.family
+    other = f"Choose {titles_with_derivatives()} for both."
+    if not family.interpolates:
+        other = f"Convert both to {titles_with_derivatives()} first, keeping the shape."
+    raise EditError(
+        f"Two {family.title} curves cannot be joined: they would become another curve, up to "
+        f"{number(residual, 2)} away. {other}"
+    )
+
+
+# By chosen ends
+
+
+class End(NamedTuple):
+    """The first or the last point of an open curve of the document."""
+
+    curve: int
+    is_last: bool
+
+    @property
+    def other(self) -> End:
+        """The other end of the curve."""
+        return End(self.curve, not self.is_last)
+
+
+Link = tuple[End, End]
+"""Two ends that are to become one point, or that a segment is to connect."""
+
+
+def link_of(views: Sequence[CurveView], group: PointGroup) -> Link | None:
+    """Return the two ends of open curves that a group consists of, None where it is another."""
+    ends = []
+    for curve, indices in group.parts if group.count == 2 else ():
+        last = len(views[curve].points) - 1
+        if views[curve].source.is_closed or not indices <= {0, last}:
+            return None
+        ends += [End(curve, index == last) for index in sorted(indices)]
+    return (ends[0], ends[1]) if ends else None
+
+
+def nearest_links(views: Sequence[CurveView], curves: Sequence[int]) -> list[Link]:
+    """Return the links that make one curve of several, the nearest ends first.
+
+    Raises
+    ------
+    EditError
+        If there are too many.
+    """
+    if len(curves) > MOST_JOINED:
+        raise EditError(f"At most {MOST_JOINED} curves are joined at once.")
+    ends = [End(curve, is_last) for curve in curves for is_last in (False, True)]
+    places = np.array([views[end.curve].points[-1 if end.is_last else 0] for end in ends])
+    one, other = np.triu_indices(len(ends), 1)
+    nearest = np.argsort(np.hypot(*(places[one] - places[other]).T), kind="stable")
+    links, free = list[Link](), {end: end.other for end in ends}
+    for a, b in zip(one[nearest].tolist(), other[nearest].tolist(), strict=True):
+        # Of a chain the two free ends know each other: it is not to bite its own tail.
+        if ends[a] in free and ends[b] in free and free[ends[a]] != ends[b]:
+            links.append((ends[a], ends[b]))
+            far, further = free.pop(ends[a]), free.pop(ends[b])
+            free[far], free[further] = further, far
+            if len(links) == len(curves) - 1:
+                break
+    return links
+
+
+def joined_by(
+    views: Sequence[CurveView], links: Sequence[Link], kept: int, *, is_ring: bool = False
+) -> Joined:
+    """Join curves by their ends; `kept` lends its direction, its name, its style and its rules.
+
+    Two ends of one curve close it; and with `is_ring` so do those that are left, where they meet.
+
+    Raises
+    ------
+    EditError
+        As `joined`.
+    """
+    if len({end.curve for link in links for end in link}) == 1:
+        return joined(views[kept], is_closed=True)
+    partners = {end: partner for a, b in links for end, partner in ((a, b), (b, a))}
+    before, after = (list(_beyond(End(kept, is_last), partners)) for is_last in (False, True))
+    turned = [*((end, not end.is_last) for end in reversed(before)), (End(kept, is_last=False), False)]
+    turned += [(end, end.is_last) for end in after]
+    made = [_turned(views[end.curve]) if is_turned else (views[end.curve], 0.0) for end, is_turned in turned]
+    chain = [view for view, _ in made]
+    whole = joined(*chain, kept=len(before), is_closed=is_ring and _meet(chain[-1], chain[0]))
+    residual = max(whole.residual, *(residual for _, residual in made))
+    _refuse_another_shape(chain, residual)
+    return replace(whole, residual=residual)
+
+
+def brought_together(views: Sequence[CurveView], link: Link) -> tuple[list[CurveView], float]:
+    """Return the views of all curves with two ends in the middle between them, and how far each end went.
+
+    Their handles go along.
+    """
+    met = list(views)
+    one, other = (views[end.curve].source.points[-1 if end.is_last else 0].position for end in link)
+    middle = ((one[0] + other[0]) / 2, (one[1] + other[1]) / 2)
+    for end in link:
+        curve = met[end.curve].source
+        index = len(curve.points) - 1 if end.is_last else 0
+        met[end.curve] = view_of(set_position(Document((curve,)), 0, index, middle).curves[0])
+    return met, math.dist(one, other) / 2
+
+
+def _beyond(end: End, partners: Mapping[End, End]) -> Iterator[End]:
+    """Yield the ends at which curves begin that follow an end, one after the other."""
+    while (partner := partners.get(end)) is not None:
+        yield partner
+        end = partner.other
+
+
+def _turned(view: CurveView) -> tuple[CurveView, float]:
+    refuse_without_curve(view)
+    made = reversed_curve(view)
+    return view_of(made.curve), made.residual

@@ -1,0 +1,193 @@
+"""Points carried from one curve to another, with their derivatives and their distances in t."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from itertools import pairwise
+
+from msgspec.structs import replace
+
+from ...document.edits import (
+    EditError,
+    freeze_parameters,
+    insert_points,
+    set_interval,
+    set_points,
+    stretched,
+)
+from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
+from ...document.point_group import PointGroup
+from ...document.words import number
+from ..curve.curve_view import CurveView, view_of
+from ..points.appending import appended_parameter, with_points_appended
+from .splitting import split
+
+
+def copied(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return a curve of the points at `indices` alone; each carries the parameter that is in force."""
+    rules = view.source.parametrization
+    t = view.parameters.tolist() if view.is_current else [None] * len(view.source.points)
+    if view.source.is_manual and not view.is_current:
+        rules = replace(rules, kind=ParametrizationKind.CHORD_LENGTH)
+    points = tuple(replace(view.source.points[index], t=t[index]) for index in sorted(indices))
+    return replace(
+        view.source, points=points, parametrization=rules, closed=False, visible=True, locked=False
+    )
+
+
+def appended(view: CurveView, pasted: Sequence[Point]) -> Curve:
+    """Return the curve of `view` with `pasted` appended.
+
+    Their own parameters count as distances in t. Under a rule they get others, and the derivatives are
+    rescaled so that the handles of the points pasted together keep their proportions.
+    """
+    document, count = Document((view.source,)), len(view.source.points)
+    if view.source.is_manual:
+        return with_points_appended(document, 0, view, _later(view, pasted)).curves[0]
+    document = with_points_appended(document, 0, view, [replace(point, t=None) for point in pasted])
+    factor = _factor(pasted, view_of(document.curves[0]))
+    points = document.curves[0].points
+    new = (stretched(point, factor) for point in points[count:])
+    return set_points(document, 0, (*points[:count], *new)).curves[0]
+
+
+def _later(view: CurveView, pasted: Sequence[Point]) -> list[Point]:
+    """Return `pasted` with manual parameters after those of the curve, the distances in t kept."""
+    first = appended_parameter(view, pasted[0])
+    own = [point.t for point in pasted]
+    steps = [t - own[0] for t in own if t is not None and own[0] is not None]
+    if len(steps) < len(pasted):
+        last = view.source.points[-1].t if view.source.points else None
+        step = first - last if last is not None else 1.0
+        steps = [step * place for place in range(len(pasted))]
+    return [replace(point, t=first + step) for point, step in zip(pasted, steps, strict=True)]
+
+
+def _factor(pasted: Sequence[Point], after: CurveView) -> float:
+    """Return how much longer in t the way through the pasted points is than it was."""
+    first, last = pasted[0].t, pasted[-1].t
+    if first is None or last is None or not last > first or not after.is_current:
+        return 1.0
+    end = len(after.source.points)
+    new = after.parameters[end - len(pasted) : end]
+    return float((new[-1] - new[0]) / (last - first))
+
+
+def appended_with_parameters(view: CurveView, pasted: Sequence[Point], first_row: int) -> Curve:
+    """Return the curve with `pasted` appended at the parameters they carry; all become manual.
+
+    `first_row` is the number of the first one's row in the text, for messages.
+    """
+    refuse_unordered(pasted, first_row)
+    count = len(view.source.points)
+    if count and not (view.source.is_manual or view.is_current):
+        raise EditError(f"There are no parameters to go on from. {view.problem}")
+    own = [point.t or 0.0 for point in view.source.points]
+    if view.is_current:
+        own = view.parameters[:count].tolist()
+    new = [point.t or 0.0 for point in pasted]
+    if own and not new[0] > own[-1]:
+        raise EditError(
+            f"Row {first_row}: t must be greater than {number(own[-1], 6)}, the t of the last point, "
+            f"not {number(new[0], 6)}."
+        )
+    document = insert_points(Document((view.source,)), 0, count, pasted)
+    return freeze_parameters(document, 0, [*own, *new]).curves[0]
+
+
+def refuse_unordered(pasted: Sequence[Point], first_row: int) -> None:
+    """Raise EditError unless the parameters of the rows increase."""
+    for row, (before, t) in enumerate(pairwise(point.t or 0.0 for point in pasted), start=first_row + 1):
+        if not t > before:
+            raise EditError(
+                f"Row {row}: t must be greater than {number(before, 6)}, the t of the row before it, "
+                f"not {number(t, 6)}."
+            )
+
+
+def points_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Point, ...]:
+    """Return the points of rows with two columns, x y, or three, t x y.
+
+    Raises
+    ------
+    EditError
+        If there are more or fewer columns.
+    """
+    width = len(rows[0])
+    if width == 2:
+        return tuple(Point(x, y) for x, y in rows)
+    if width == 3:
+        return tuple(Point(x, y, t=t) for t, x, y in rows)
+    found = "this is one column" if width == 1 else f"these are {width} columns"
+    raise EditError(f"Points are two columns, x y, or three, t x y; {found}. The point table takes them all.")
+
+
+def as_new_curve(like: Curve, pasted: Sequence[Point], name: str) -> Curve:
+    """Return a curve of `pasted` with the family and tangent rules of `like`; manual where they carry t.
+
+    Otherwise its parameters are those of every new curve: interval and rule of another say nothing of it.
+    """
+    curve = replace(make_curve((), name=name, family=like.family), points=tuple(pasted))
+    timed = all(point.t is not None for point in pasted)
+    kind = ParametrizationKind.MANUAL if timed else ParametrizationKind.CHORD_LENGTH
+    own = replace(curve, parametrization=Parametrization(kind), settings=like.settings)
+    return own.with_rules_of(like)
+
+
+def copied_as_new_curve(copy: Curve, name: str) -> Curve:
+    """Return a curve of points that were copied with their rules; its parameters span 0 … 1.
+
+    Under a rule the parameters that came along are only distances; the rule gives its own. Manual ones are
+    mapped, and the derivatives with them: the shape is that of the copy.
+    """
+    if not copy.is_manual or len(copy.points) < 2:
+        points = tuple(replace(point, t=None) for point in copy.points)
+        kind = ParametrizationKind.CHORD_LENGTH if copy.is_manual else copy.parametrization.kind
+        copy = replace(copy, points=points, parametrization=replace(copy.parametrization, kind=kind))
+    return replace(set_interval(Document((copy,)), 0, 0.0, 1.0).curves[0], name=name)
+
+
+def parts_of(views: Sequence[CurveView], group: PointGroup) -> list[Curve]:
+    """Return curves of the points of a group alone; a curve itself where all its points are in it.
+
+    One point of a curve is none.
+    """
+    found = []
+    for curve, indices in group.parts:
+        view = views[curve]
+        part = view.source if len(indices) == len(view.source.points) else part_of(view, indices)
+        if part is not None:
+            found.append(part)
+    return found
+
+
+def part_of(view: CurveView, indices: Collection[int]) -> Curve | None:
+    """Return a curve of some points alone; None for fewer than two, which are none, and for all of them.
+
+    Neighbours on a curve of pieces keep the shape that they have there.
+    """
+    if not 1 < len(indices) < len(view.source.points):
+        return None
+    first, last = min(indices), max(indices)
+    part = _cut_out(view, first, last) if last - first + 1 == len(indices) else None
+    return copied_as_new_curve(replace(part or copied(view, indices), shape=""), view.source.name)
+
+
+def _cut_out(view: CurveView, first: int, last: int) -> Curve | None:
+    """Return the curve from one point to another, in its shape; None where it cannot be cut there."""
+    kind = view.source.family.curve_class
+    if view.source.is_closed or kind.is_one_polynomial or not kind.interpolates:
+        return None
+    try:
+        if last < len(view.source.points) - 1:
+            view = view_of(split(view, _place(view, last)).curves[0])
+        if first > 0:
+            view = view_of(split(view, _place(view, first)).curves[1])
+    except EditError:
+        return None
+    return replace(view.source, visible=True, locked=False)
+
+
+def _place(view: CurveView, index: int) -> float:
+    places = view.curve.places if view.curve is not None else view.parameters
+    return float(places[index])

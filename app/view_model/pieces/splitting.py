@@ -1,0 +1,190 @@
+"""One curve made two or more, with its shape kept."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from itertools import pairwise
+from string import ascii_lowercase
+
+import msgspec
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore import chebyshev
+from curvecore.parametrization import spread
+
+from ... import view_model
+from ...document.derivatives import DERIVATIVES
+from ...document.edits import EditError
+from ...document.model import Curve, ParametrizationKind, Point
+from ...document.words import number
+from ...families import HERMITE
+from ..curve.curve_view import CurveView, view_of
+from ..curve.measure import dense, is_kept, largest_distance, outcome
+from ..fitting.reshape import baked, refuse_without_curve, through, with_point_inserted
+
+MOST_POINTS_SPLIT = 40
+"""Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""
+
+_BETWEEN_ENDS = "The curve can be split between its ends, not at them."
+
+
+class Split(msgspec.Struct, frozen=True):
+    """The result of cuts: two curves or more, or one that is open where a closed one was cut once.
+
+    Attributes
+    ----------
+    curves
+        The parts, in order.
+    residual
+        The largest distance by which a point of the curve moved, measured on dense samples.
+    """
+
+    curves: tuple[Curve, ...]
+    residual: float
+
+    @property
+    def sentence(self) -> str:
+        """The outcome for the shape."""
+        return outcome(self.residual, self.curves)
+
+
+def split(view: CurveView, *cuts: float) -> Split:
+    """Cut the curve at some t, at joints or between them; a closed curve becomes open where it is cut first.
+
+    A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives; and so is a
+    curve over control points, by subdivision. Of one polynomial each part goes through as many points as the
+    whole, at Chebyshev points of its part of t, and is thereby the same polynomial.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, a cut is at its ends, one polynomial has too many points, or the parts would not
+        have the shape of the whole.
+    """
+    refuse_without_curve(view)
+    family = view.source.family
+    cuts = tuple(sorted(set(cuts)))
+    parts = _restricted(view, cuts)
+    if parts is None:
+        of_one = family.curve_class.is_one_polynomial
+        parts = _split_polynomial(view, cuts) if of_one else _split_pieces(view, cuts)
+    made = Split(parts, residual_of_parts(view, parts))
+    if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
+        within = view_model.fitting.convert.outlook(view, HERMITE).within
+        kept = f"within {number(within, 1)}" if within else "keeping the shape"
+        raise EditError(
+            f"{family.subject} cannot be split: its parts would be other curves, up to "
+            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, {kept}."
+        )
+    return made
+
+
+def places_between_ends(view: CurveView, indices: Collection[int]) -> list[float]:
+    """Return the t of points, in order, without those at the ends of an open curve."""
+    places = view.curve.places if view.curve is not None else view.parameters
+    last = len(view.source.points) - 1
+    return [float(places[index]) for index in sorted(indices) if view.source.is_closed or 0 < index < last]
+
+
+def _restricted(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...] | None:
+    """Return the parts as curves over their own control points; None of a family without such."""
+    assert view.curve is not None
+    start, end = view.curve.domain
+    if not all(start < t < end for t in cuts):
+        return None
+    parts = []
+    for (low, high), name in zip(
+        pairwise((start, *cuts, end)), names_of_parts(view.source.name, len(cuts) + 1), strict=True
+    ):
+        part = view.curve.restricted(low, high)
+        if part is None:
+            return None
+        parts.append(replace(through(view, part), name=name))
+    return tuple(parts)
+
+
+def _split_polynomial(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
+    count = len(view.source.points)
+    if count > MOST_POINTS_SPLIT:
+        raise EditError(
+            f"{view.source.family.subject} of {count} points cannot be split well: each half needs as "
+            f"many points, and beyond {MOST_POINTS_SPLIT} rounding shows. Choose {HERMITE.title} first."
+        )
+    start, end = view.parameters[[0, -1]].tolist()
+    if not all(start < t < end for t in cuts):
+        raise EditError(_BETWEEN_ENDS)
+    names = names_of_parts(view.source.name, len(cuts) + 1)
+    return tuple(
+        part_of(view.source, _on_polynomial(view, low, high), high, name)
+        for (low, high), name in zip(pairwise((start, *cuts, end)), names, strict=True)
+    )
+
+
+def _on_polynomial(view: CurveView, start: float, end: float) -> list[Point]:
+    assert view.curve is not None
+    t = spread(chebyshev(len(view.source.points)), start, end)
+    points = view.curve.evaluate(t)
+    return [Point(x, y, t=each) for (x, y), each in zip(points.tolist(), t.tolist(), strict=True)]
+
+
+def _split_pieces(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
+    whole = view_of(baked(view))
+    span = whole.parameters[-1] - whole.parameters[0]
+    for t in cuts:
+        if np.abs(whole.parameters - t).min() > 1e-9 * span:
+            whole = view_of(with_point_inserted(whole, t).curve)
+    at = sorted({whole.owner(int(np.argmin(np.abs(whole.parameters - t)))) for t in cuts})
+    points: Sequence[Point] = whole.source.points
+    if whole.source.is_closed:
+        points, at = _opened(whole, at[0]), [index - at[0] for index in at[1:]]
+    last = len(points) - 1
+    if not all(0 < index < last for index in at):
+        raise EditError(_BETWEEN_ENDS)
+    parts = []
+    for (low, high), name in zip(
+        pairwise((0, *at, last)), names_of_parts(view.source.name, len(at) + 1), strict=True
+    ):
+        start = beginning(points[low]) if low else points[low]
+        end = points[high].without_corner() if high < last else points[high]
+        parts.append(part_of(whole.source, [start, *points[low + 1 : high], end], end.t or 0.0, name))
+    return tuple(parts)
+
+
+def _opened(whole: CurveView, at: int) -> list[Point]:
+    """Return the points of a baked closed curve from point `at` once round to it, as those of an open one."""
+    points = whole.source.points
+    period = float(whole.parameters[-1] - whole.parameters[0])
+    later = [replace(point, t=(point.t or 0.0) + period) for point in points[: at + 1]]
+    return [beginning(points[at]), *points[at + 1 :], *later[:-1], later[-1].without_corner()]
+
+
+def beginning(point: Point) -> Point:
+    """Return `point` as the first of a curve: with what it has after it."""
+    after = [point.explicit_sides(each.order)[1] for each in DERIVATIVES]
+    return point.without_corner().with_derivatives(after, ())
+
+
+def part_of(curve: Curve, points: Sequence[Point], end: float, name: str) -> Curve:
+    """Return an open curve like another through points with parameters of their own, which go on to `end`."""
+    rule = replace(curve.parametrization, kind=ParametrizationKind.MANUAL, start=points[0].t or 0.0, end=end)
+    return replace(curve, name=name, points=tuple(points), parametrization=rule, closed=False)
+
+
+def names_of_parts(name: str, count: int) -> list[str]:
+    """Return names for the parts of a curve: with letters, or numbers where there are many."""
+    if count == 1:
+        return [name]
+    letters = ascii_lowercase if count <= len(ascii_lowercase) else map(str, range(1, count + 1))
+    return [f"{name} {letter}" for _, letter in zip(range(count), letters, strict=False)]
+
+
+def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
+    """Return how far parts of a curve are from it; beyond its end it goes on from its start."""
+    start, end = view.parameters[[0, -1]].tolist()
+    residual = 0.0
+    for part in map(view_of, parts):
+        refuse_without_curve(part)
+        t = dense(part.parameters)
+        residual = max(residual, largest_distance(view, np.where(t > end, t - (end - start), t), part, t))
+    return residual

@@ -1,0 +1,225 @@
+"""Points appended and curves closed so that no handle grows beyond what was drawn.
+
+A point has one velocity, and its handles lie at ±h·v/3 of the segments on its two sides: a segment that is
+ten times as long as the one before it would pull the handle ahead ten times as far out as the person did.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Sequence
+
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore import CurveError
+from curvecore.arrays import FloatArray
+
+from ...document.derivatives import DERIVATIVES
+from ...document.edits import EditError, append_point, insert_points, set_closed, stretched_beside
+from ...document.lines import line_beside
+from ...document.model import Curve, Document, Point, Vector, vectors_of
+from ..curve.core_curve import parameters_of
+from ..curve.curve_view import CurveView, view_of
+from ..geometry.plane import at_knots, polygon_length
+
+_MOST_LOCAL, _MOST_GLOBAL = 200, 24
+"""Points up to which it takes a millisecond at each move of the pointer.
+
+Beyond some 40 points a Lagrange curve by the distances swings so wildly that flattening it takes 5 to 80 ms.
+"""
+
+
+def with_point_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
+    """Return the document with a new last point on its curve `curve`, which `view` shows.
+
+    What was set before is rescaled so that handles stay. The point that was the last one of an open curve
+    gets a segment on its other side, and its velocity shrinks until neither handle is longer than it was
+    drawn.
+    The handle of a point that stood alone is the one ahead of it, and stays.
+
+    Raises
+    ------
+    EditError
+        If the position is not one that a document may hold.
+    """
+    t = appended_parameter(view, Point(*position)) if view.source.is_manual else None
+    return with_points_appended(document, curve, view, [Point(*position, t=t)])
+
+
+Appending = Callable[[Document, int, CurveView, Vector], Document]
+"""Adds a last point to a curve of a document, which a view shows."""
+
+
+def with_points_appended(
+    document: Document, curve: int, view: CurveView, points: Sequence[Point]
+) -> Document:
+    """Return the document with `points` at the end of its curve `curve`; handles as by `with_point_appended`.
+
+    Raises
+    ------
+    EditError
+        If they are not what a document may hold.
+    """
+    count = len(view.source.points)
+    scale = scale_of(view, replace(view.source, points=(*view.source.points, *points)))
+    document = append_point(document, curve, points[0], parameter_scale=scale)
+    document = insert_points(document, curve, count + 1, points[1:])
+    if view.source.is_closed:
+        return document
+    return _kept_short(document, curve, view, [count - 1])
+
+
+def is_quick(view: CurveView) -> bool:
+    """Whether what would become of a curve can be shown at each move of the pointer."""
+    most = _MOST_LOCAL if view.source.family.curve_class.is_local else _MOST_GLOBAL
+    return len(view.source.points) <= most
+
+
+def view_with_point(
+    document: Document,
+    curve: int,
+    view: CurveView,
+    position: Vector,
+    previous: CurveView | None = None,
+    *,
+    append: Appending = with_point_appended,
+) -> CurveView | None:
+    """Return the view of curve `curve` of the document, which `view` shows, with a last point at `position`.
+
+    None where there is no such curve, or where it would take too long. `previous` is the view that this
+    returned last; it lends what did not change. `append` says how the point is added.
+    """
+    if not view.source.points or not is_quick(view):
+        return None
+    try:
+        longer = append(document, curve, view, position).curves[curve]
+    except EditError:
+        return None
+    ahead = view_of(longer, previous)
+    return ahead if ahead.is_current else None
+
+
+def with_closed(document: Document, index: int, view: CurveView, closed: bool) -> Document:
+    """Return the document with its curve `index`, which `view` shows, closed or open; what was set stays.
+
+    Raises
+    ------
+    EditError
+        If the curve cannot be closed.
+    """
+    if closed and _ends_where_it_starts(view.source):
+        # The segment that closes it has no length: the last point is the first.
+        document = document.with_curve(index, replace(view.source, points=view.source.points[:-1]))
+        return set_closed(document, index, closed)
+    scale = scale_of(view, replace(view.source, closed=closed))
+    return set_closed(document, index, closed, parameter_scale=scale)
+
+
+def _ends_where_it_starts(curve: Curve) -> bool:
+    """Whether the last point of an open curve is at the place of the first, with nothing set there."""
+    first, last = curve.points[:1], curve.points[-1:]
+    is_loop = len(curve.points) > curve.family.least_to_close and first[0].position == last[0].position
+    return is_loop and curve.family.curve_class.can_close and not any(vectors_of(last[0]))
+
+
+def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:
+    """Return the document with its curve `curve`, which `view` shows, closed; handles at its ends stay short.
+
+    Raises
+    ------
+    EditError
+        If the curve cannot be closed.
+    """
+    document = with_closed(document, curve, view, closed=True)
+    return _kept_short(document, curve, view, [0, len(view.source.points) - 1])
+
+
+def _kept_short(document: Document, curve: int, view: CurveView, ends: Collection[int]) -> Document:
+    """Shrink what was set at the ends of `view`, which have a segment more now, to the longer of the two.
+
+    The handles of a corner are free of each other, and both stay as they were drawn.
+    """
+    grown = document.curves[curve]
+    ends = [index for index in ends if _is_set(view.source, index)]
+    if not ends or not view.is_current:
+        return document
+    try:
+        h = np.diff(_parameters_alone(grown))
+    except CurveError:
+        return document
+    points = list(grown.points)
+    for index in ends:
+        drawn = view.spacing(index, ahead=index == 0)
+        if drawn:
+            # From what was drawn, not from what the new parameters have made of it: the factor is for both.
+            behind, ahead = (float(each) / drawn for each in (h[index - 1], h[index]))
+            point = _corner_beside_line(view.source, index)
+            if not point.corner:
+                behind = ahead = max(behind, ahead)
+            points[index] = stretched_beside(point, behind, ahead)
+    return document.with_curve(curve, replace(grown, points=tuple(points)))
+
+
+def _corner_beside_line(curve: Curve, index: int) -> Point:
+    """Return a point at an end; beside a line as a corner, whose other side is left to the rules."""
+    point, is_first = curve.points[index], index == 0
+    if point.corner or not line_beside(curve, index, ahead=is_first):
+        return point
+    free = {each.name if is_first else each.after: None for each in DERIVATIVES}
+    return replace(point.as_corner(), **free)
+
+
+def _is_set(curve: Curve, index: int) -> bool:
+    """Whether the person set a derivative that the family uses at a point."""
+    if not (curve.family.derivatives and 0 <= index < len(curve.points)):
+        return False
+    return any(vectors_of(curve.points[index]))
+
+
+def scale_of(before: CurveView, after: Curve) -> float:
+    """Return how much longer in t the points of `before` are in `after`, where they come first.
+
+    One where no rule moves them, where there is no curve to keep, or where their parameters all but meet.
+    """
+    if before.source.is_manual or not before.is_current:
+        return 1.0
+    try:
+        new = _parameters_alone(after)
+    except CurveError:
+        return 1.0
+    last, old = len(before.source.points) - 1, before.parameters
+    longer, long = float(new[last] - new[0]), float(old[last] - old[0])
+    parameter_scale = longer / long if long > 0.0 else 1.0
+    return parameter_scale if 0.0 < parameter_scale < math.inf else 1.0
+
+
+def _parameters_alone(curve: Curve) -> FloatArray:
+    """Return the parameters that the rule of a curve gives, without a view of it."""
+    points = np.array([point.position for point in curve.points])
+    return parameters_of(curve, at_knots(points, closed=curve.is_closed))
+
+
+def appended_parameter(before: CurveView, point: Point) -> float:
+    """Return a manual parameter for a point appended to `before`: as fast as the curve so far.
+
+    A closed curve's last segment is divided in proportion to the distances.
+    """
+    t = before.parameters
+    if len(t) == 0 or not before.is_current:
+        rule = before.source.parametrization
+        given = [each.t for each in before.source.points if each.t is not None]
+        # After a lone point the whole interval: its handle was drawn for that.
+        step = rule.end - rule.start if len(given) == 1 else 1.0
+        return given[-1] + step if given else rule.start
+    last = len(before.points) - 1
+    new = math.dist(point.position, before.points[last])
+    if before.source.is_closed:
+        back = math.dist(point.position, before.points[0])
+        share = new / (new + back) if new + back > 0 else 0.5
+        return float(t[last] + np.clip(share, 0.01, 0.99) * (t[last + 1] - t[last]))
+    total = polygon_length(before.points)
+    span = float(t[-1] - t[0])
+    mean = span / last
+    step = span * new / total if total > 0 else mean
+    return float(t[-1]) + max(step, mean * 1e-3)

@@ -1,0 +1,308 @@
+"""The columns of the point table: a record for each. No Qt.
+
+Table, header, tooltips, widths, copying, typing, filling, pasting and resetting read these records. To add a
+column is to add its record to `COLUMNS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
+from itertools import pairwise
+
+import msgspec
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore.arrays import BoolArray, FloatArray
+
+from ...document import edits
+from ...document.derivatives import DERIVATIVES, Derivative
+from ...document.edits import EditError
+from ...document.limits import not_after
+from ...document.model import Curve, Document, Vector
+from ...document.ties import with_derivative
+from ..curve.curve_view import CurveView
+
+PARAMETER, POSITION = -1, 0
+"""Orders of what is no derivative."""
+
+
+def _nothing_estimated(view: CurveView) -> BoolArray:
+    return np.zeros(len(view.source.points), dtype=bool)
+
+
+class Column(msgspec.Struct, frozen=True, kw_only=True):
+    """A column of the point table.
+
+    Attributes
+    ----------
+    name
+        Its name on the screen.
+    tip
+        Its content, in words.
+    get
+        Returns its numbers (n,), one for each point; NaN where there is none.
+    set
+        Returns the document (document, curve, view, index, value) with another number for one point, where
+        `view` shows the curve as it was; None if the numbers are computed. Raises `EditError` with the reason
+        where it cannot be.
+    set_many
+        The same for several points at once (document, curve, view, values by index), where that is not one
+        after the other.
+    is_estimated
+        Returns which of the numbers (n,) a rule estimates.
+    estimate
+        Returns which rule that is, in words.
+    reset
+        Returns the document (document, curve, indices) where a rule estimates those of some points again;
+        None if none does.
+    after
+        Returns the number after a point that is a corner, where `get` returns the one before it; None if a
+        corner has one number.
+    order, component
+        The datum of a point: -1 its parameter, 0 its position, from 1 on its derivatives,
+        and 0 for x, 1 for y; order None for anything else.
+    derivatives
+        The least number of derivatives of a family that shows the column; one that needs some is written with
+        as few digits as they are.
+    """
+
+    name: str
+    tip: str
+    get: Callable[[CurveView], FloatArray]
+    set: Callable[[Document, int, CurveView, int, float], Document] | None = None
+    set_many: Callable[[Document, int, CurveView, Mapping[int, float]], Document] | None = None
+    is_estimated: Callable[[CurveView], BoolArray] = _nothing_estimated
+    estimate: Callable[[Curve], str] | None = None
+    reset: Callable[[Document, int, Collection[int]], Document] | None = None
+    after: Callable[[CurveView, int], float] | None = None
+    order: int | None = None
+    component: int = 0
+    derivatives: int = 0
+
+    @property
+    def title(self) -> str:
+        """Its name above a block of numbers that is pasted, where capitals make no difference."""
+        return self.name.lower()
+
+    @property
+    def is_derivative(self) -> bool:
+        """Whether it is a derivative of the point, which a rule may estimate."""
+        return self.order is not None and self.order > POSITION
+
+    @property
+    def is_of_the_place(self) -> bool:
+        """Whether it says where the point is, in the plane or along the curve."""
+        return self.order is not None and self.order <= POSITION
+
+    def at(self, index: int) -> str:
+        """Return what it holds of a point, as "x of point 3"."""
+        return f"{self.name} of point {index}"
+
+    def put(self, document: Document, curve: int, view: CurveView, values: Mapping[int, float]) -> Document:
+        """Return the document with other numbers, by the indices of their points.
+
+        Raises
+        ------
+        EditError
+            If they are computed, or not what a document may hold.
+        """
+        if self.set is None:
+            raise EditError(f"{self.name} is computed and cannot be set.")
+        if self.set_many is not None:
+            return self.set_many(document, curve, view, values)
+        for index, value in values.items():
+            document = self.set(document, curve, view, index, value)
+        return document
+
+
+def columns_of(derivatives: int) -> tuple[Column, ...]:
+    """Return the columns of a family whose points have so many derivatives."""
+    return tuple(column for column in COLUMNS if column.derivatives <= derivatives)
+
+
+def known_titles() -> set[str]:
+    """Return the titles that may stand above a block of numbers."""
+    return {column.title for column in COLUMNS}
+
+
+# The parameter
+
+
+def _parameters_shown(view: CurveView) -> FloatArray:
+    count = len(view.source.points)
+    if view.is_current:
+        return np.array(view.parameters[:count])
+    if view.source.is_manual:
+        return np.array(view.arrays.times)
+    return np.full(count, np.nan)
+
+
+def _set_parameter(document: Document, curve: int, view: CurveView, index: int, t: float) -> Document:
+    return edits.set_parameter(document, curve, index, t, knot_parameters(view))
+
+
+def _set_parameters(document: Document, curve: int, view: CurveView, values: Mapping[int, float]) -> Document:
+    """Freeze the parameters with the given ones among them; those of points that were appended must be."""
+    count = len(document.curves[curve].points)
+    kept = [] if len(values) == count else _parameters_in_force(view)[: len(view.source.points)]
+    parameters = [
+        edits.checked(float(values[index]), "A t") if index in values else kept[index]
+        for index in range(count)
+    ]
+    for index, (before, after) in enumerate(pairwise(parameters), start=1):
+        if not after > before:
+            raise not_after(index, before)
+    if view.source.is_closed:
+        parameters = [*parameters, _closing(view, parameters)]
+    return edits.freeze_parameters(document, curve, parameters)
+
+
+def _closing(view: CurveView, parameters: Sequence[float]) -> float:
+    """Return where a closed curve returns to its start: where it did, or a mean step after the last point."""
+    end, last = view.source.parametrization.end, parameters[-1]
+    return end if end > last else last + (last - parameters[0]) / (len(parameters) - 1)
+
+
+def knot_parameters(view: CurveView) -> list[float]:
+    """Return the parameters at the knots: of a closed curve also that of its return to the first point."""
+    own = _parameters_in_force(view)[: len(view.source.points)]
+    return [*own, view.source.parametrization.end] if view.source.is_closed else own
+
+
+def _parameters_in_force(view: CurveView) -> list[float]:
+    """Return the parameters to freeze the others at; of a closed curve, the return included."""
+    if view.is_current:
+        return [float(t) for t in view.parameters]
+    given = [point.t for point in view.source.points if view.source.is_manual and point.t is not None]
+    if len(given) < len(view.source.points):
+        raise EditError(f"There are no parameters to change. {view.problem}")
+    return given
+
+
+# Position and derivatives: vectors, each with two columns
+
+
+def shows_ahead(view: CurveView, index: int) -> bool:
+    """Whether the table has the derivatives after a corner: at the first point, which has no others.
+
+    At every other corner it has those before it.
+    """
+    return index == 0 and not view.source.is_closed and view.source.points[0].corner
+
+
+def _positions(component: int, view: CurveView) -> FloatArray:
+    return np.array(view.points[:, component])
+
+
+def with_component(vector: Vector, component: int, value: float) -> Vector:
+    """Return `vector` with another x (component 0) or y (1)."""
+    return (value, vector[1]) if component == 0 else (vector[0], value)
+
+
+def _set_position(
+    component: int, document: Document, curve: int, _view: CurveView, index: int, value: float
+) -> Document:
+    position = document.curves[curve].points[index].position
+    return edits.set_position(document, curve, index, with_component(position, component, value))
+
+
+def _set_positions(
+    component: int, document: Document, curve: int, _view: CurveView, values: Mapping[int, float]
+) -> Document:
+    """Put points elsewhere; unlike one that is typed, they leave the handles of the others to themselves."""
+    points = list(document.curves[curve].points)
+    for index, value in values.items():
+        x, y = with_component(points[index].position, component, float(value))
+        points[index] = replace(points[index], x=x, y=y)
+    return edits.set_points(document, curve, points)
+
+
+def _given(order: int, component: int, view: CurveView) -> FloatArray:
+    """Return what the person set, on the side that the table shows, (n,); NaN where nothing is set."""
+    given = view.arrays.given[:, :, order - 1, component]
+    shown = np.array(given[:, 0])
+    if len(shown) and shows_ahead(view, 0):
+        shown[0] = given[0, 1]
+    return shown
+
+
+def _derivatives(order: int, component: int, view: CurveView) -> FloatArray:
+    if not view.is_current:
+        return _given(order, component, view)
+    count = len(view.source.points)
+    if view.sides is None:
+        return np.full(count, np.nan)
+    shown = np.array(view.sides.before[:count, order, component])
+    shown[0] = view.sides[shows_ahead(view, 0)][0, order, component]
+    return shown
+
+
+def _derivative_after(order: int, component: int, view: CurveView, index: int) -> float:
+    return np.nan if view.sides is None else float(view.sides.after[index, order, component])
+
+
+def _set_derivatives(
+    order: int, component: int, document: Document, curve: int, view: CurveView, values: Mapping[int, float]
+) -> Document:
+    """Fix one component of derivatives; the other one becomes what is shown, set or estimated."""
+    points = list(document.curves[curve].points)
+    for index, value in values.items():
+        ahead = shows_ahead(view, index)
+        shown = points[index].explicit_sides(order)[ahead] or view.derivative_of(index, order, ahead=ahead)
+        if shown is None:
+            raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
+        given = with_component(shown, component, float(value))
+        points[index] = with_derivative(document.curves[curve], index, order, given, ahead=ahead)
+    return edits.set_points(document, curve, points)
+
+
+# The records
+
+
+def _position_column(component: int) -> Column:
+    axis = "xy"[component]
+    return Column(
+        name=axis,
+        tip=f"Position, {axis}",
+        get=partial(_positions, component),
+        set=partial(_set_position, component),
+        set_many=partial(_set_positions, component),
+        order=POSITION,
+        component=component,
+    )
+
+
+def _derivative_column(each: Derivative, component: int) -> Column:
+    order, axis = each.order, "xy"[component]
+    set_many = partial(_set_derivatives, order, component)
+    return Column(
+        name=f"{each.letter}{axis}",
+        tip=f"{each.name.capitalize()} {each.unit}, {axis}",
+        get=partial(_derivatives, order, component),
+        set=lambda document, curve, view, index, value: set_many(document, curve, view, {index: value}),
+        set_many=set_many,
+        is_estimated=lambda view: np.isnan(_given(order, 0, view)),
+        estimate=lambda curve: str(getattr(curve, each.rule_field).estimate),
+        reset=lambda document, curve, indices: edits.estimate_derivatives(document, curve, indices, (order,)),
+        after=partial(_derivative_after, order, component),
+        order=order,
+        component=component,
+        derivatives=order,
+    )
+
+
+COLUMNS: Sequence[Column] = (
+    Column(
+        name="t",
+        tip="Parameter: the curve passes the point at this t",
+        get=_parameters_shown,
+        set=_set_parameter,
+        set_many=_set_parameters,
+        order=PARAMETER,
+    ),
+    *(_position_column(component) for component in (0, 1)),
+    *(_derivative_column(each, component) for each in DERIVATIVES for component in (0, 1)),
+)
+"""All columns, in the order in which the table shows them."""

@@ -1,0 +1,7 @@
+"""Shapes with an inside: boolean operations, larger and smaller ones, and the cubic pieces they are made of.
+
+- ``regions``: boolean operations on shapes.  ``stroke_shapes``: larger and smaller ones, strokes as shapes.
+- ``cubics``, ``cubic_joints``: curves as cubic pieces, and back.
+- ``clipping``: shapes cut by the outline of the one in front of them, and made whole again.
+- ``formed``: what curves are still of the rectangle, the ellipse that they were drawn as.
+"""

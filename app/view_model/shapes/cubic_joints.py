@@ -1,0 +1,172 @@
+"""Joints of cubic pieces that become a curve: smooth, tied, or corners.
+
+A Hermite curve has one velocity at a smooth point, while a path has two handles of different lengths
+there. The lengths of the segments in t make up for it: the next segment is as long, in t, as makes its
+first handle fit the velocity that the one before ends with. Where the handles do not lie on a line, the
+point becomes a corner with two velocities.
+
+Programs write few digits: handles that a person has drawn on one line miss it by a rounding. Where that is
+all, and the numbers are those of a file, the shorter one is turned to the other, and both are tied, as are
+handles of different lengths that lie on one line to the last bit.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ...document.model import Point, Vector
+from ...document.ties import tied
+
+SMOOTH = 1e-9
+"""By how much of the path's size a control point may move to make a joint smooth."""
+
+WRITTEN_BY_PROGRAMS = math.radians(1.0)
+EXACT = 1e-7
+"""Angles by which a handle may be turned to be tied to the other: of numbers in files, and of our own."""
+
+_TURNED = 5e-4
+"""Share of the path's size by which the tip of such a handle may move.
+
+Coordinates of two decimals in an icon of 24 units turn one that is a unit long by 0.6°, and move its tip by
+4e-4. A corner of 1° is not seen, and the curve moves by 4/9 of that at most: a fifth of a pixel where it
+fills a thousand.
+"""
+
+_ALIKE = 0.01
+"""Share by which handles differ in length that are meant to be equally long."""
+
+_FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
+
+
+class Joints:
+    """Smoothness of the joints of a path, and lengths of segments in t up to a common factor.
+
+    Attributes
+    ----------
+    smooth
+        For each piece, whether the joint at its end is smooth.
+    tied
+        Whether the velocities there are tied: not of smooth joints whose handles are equally long.
+    steps
+        For each piece its length in t.
+    moved
+        By how much a control point is moved at most.
+    """
+
+    def __init__(
+        self,
+        leaving: FloatArray,
+        arriving: FloatArray,
+        lengths: FloatArray,
+        tolerance: float,
+        closed: bool,
+        most_turned: float,
+    ) -> None:
+        count = len(lengths)
+        self._most_turned = most_turned
+        self._tolerance = tolerance
+        self.moved = 0.0
+        self.smooth = [False] * count
+        self.steps = lengths.copy()
+        after = np.roll(leaving, -1, axis=0)
+        apart = self._apart(arriving, after)
+        candidates = apart <= tolerance
+        if not closed:
+            candidates[-1] = False
+        # A closed path is followed from one of its corners, so that no corner is made where it begins.
+        first = int(np.argmin(candidates)) + 1 if not candidates.all() else 0
+        for place in range(first, first + count):
+            here, following = place % count, (place + 1) % count
+            if not candidates[here]:
+                continue
+            step = self._fitting_step(arriving[here], after[here], here, lengths[following])
+            last = place == first + count - 1
+            if step is None or (last and not self._agrees(step, following, after[here])):
+                continue
+            self.smooth[here] = True
+            self.moved = max(self.moved, float(apart[here]))
+            if not last:
+                self.steps[following] = step
+        self.tied = self._tied(arriving, after, tolerance / SMOOTH)
+        if not closed:
+            self.tied[-1] = False
+
+    def _tied(self, arriving: FloatArray, leaving: FloatArray, size: float) -> list[bool]:
+        """Return which joints have handles on one line, of different lengths or beside a straight piece."""
+        a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
+        with np.errstate(all="ignore"):
+            cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / (a * b)
+        goes_on = (np.einsum("kd,kd->k", arriving, leaving) > 0) & (cross <= self._most_turned)
+        way = np.minimum(a, b) / 3 * cross
+        # Behind and ahead of each joint.
+        straight = np.abs(arriving - np.roll(leaving, 1, axis=0)).max(axis=1) <= SMOOTH * size
+        beside_line = straight | np.roll(straight, -1)
+        are_alike = (np.abs(a - b) <= _ALIKE * np.maximum(a, b)) & ~beside_line
+        is_smooth = np.array(self.smooth)
+        found = np.where(is_smooth, goes_on & ~are_alike, goes_on & (way <= _TURNED * size))
+        self.moved = max(self.moved, float(way[found & ~is_smooth].max(initial=0.0)))
+        ties: list[bool] = found.tolist()
+        return ties
+
+    @staticmethod
+    def _apart(arriving: FloatArray, leaving: FloatArray) -> FloatArray:
+        """Return how far the next control point is from the line of the one before; inf if it turns back."""
+        a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
+        with np.errstate(all="ignore"):
+            cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / a / 3
+        dot = np.einsum("kd,kd->k", arriving, leaving)
+        both_rest = (a == 0) & (b == 0)
+        return np.where(both_rest, 0.0, np.where((a > 0) & (b > 0) & (dot > 0), cross, np.inf))
+
+    def _fitting_step(
+        self, arriving: FloatArray, leaving: FloatArray, here: int, length: float
+    ) -> float | None:
+        speed, wanted = float(np.hypot(*arriving)), float(np.hypot(*leaving))
+        if speed == 0:
+            return float(length)
+        step = float(self.steps[here]) * wanted / speed
+        return step if 1 / _FASTEST < step / length < _FASTEST else None
+
+    def _agrees(self, step: float, following: int, leaving: FloatArray) -> bool:
+        """Whether the round trip of a closed path gives its first segment the length that it has."""
+        change = abs(step / float(self.steps[following]) - 1) * float(np.hypot(*leaving)) / 3
+        return change <= self._tolerance
+
+
+def points_of(
+    pieces: FloatArray,
+    leaving: FloatArray,
+    arriving: FloatArray,
+    t: FloatArray,
+    joints: Joints,
+    *,
+    closed: bool,
+) -> tuple[Point, ...]:
+    """Return the points of a path of pieces (k, 4, 2) with these velocities at their ends, (k, 2)."""
+    start, end, steps = _pairs(leaving), _pairs(arriving), joints.steps.tolist()
+    positions, at = _pairs(pieces[:, 0]), t.tolist()
+    points = []
+    for i, (x, y) in enumerate(positions):
+        # At one speed, the longer handle knows the direction best: a straight piece stays straight.
+        through = end[i - 1] if steps[i - 1] >= steps[i] else start[i]
+        if i == 0 and not closed:
+            points.append(Point(x, y, at[0], start[0]))
+        elif joints.tied[i - 1]:
+            before, after = (through, through) if joints.smooth[i - 1] else (end[i - 1], start[i])
+            points.append(tied(Point(x, y, at[i]), before, after, (steps[i - 1], steps[i])))
+        elif joints.smooth[i - 1]:
+            points.append(Point(x, y, at[i], through))
+        else:
+            points.append(Point(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
+    if not closed:
+        x, y = pieces[-1, 3].tolist()
+        points.append(Point(x, y, at[-1], end[-1]))
+    return tuple(points)
+
+
+def _pairs(values: FloatArray) -> list[Vector]:
+    return [(x, y) for x, y in values.tolist()]
