@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
+from PySide6.QtWidgets import QLabel, QScrollArea, QTabBar, QToolButton
 
 from app.document.model import Page
 from app.document.plane_edits import set_page
@@ -190,3 +190,14 @@ def test_growth_of_errors_is_told_where_functions_are_at_hand(editor):
     editor.trigger("toggleBasis")
     begin_lesson(editor)
     assert readout.text().startswith("Λ ")
+
+
+def test_the_panels_of_a_drawing_are_no_wider_than_their_docks(fresh):
+    editor = fresh()
+    begin_drawing(editor)
+    editor.settle()
+    docks = [dock for dock in editor.window.context.docks.side if dock.objectName() in DRAWING]
+    assert len(docks) == 2
+    for dock in docks:
+        area = dock.findChild(QScrollArea)
+        assert not area.horizontalScrollBar().isVisible(), dock.objectName()

@@ -30,7 +30,7 @@ from .marker_field import FIELDS, MarkerField
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
 
-_NARROW = 50
+_NARROW = 44
 
 _UNSEEN_DOTS = "Dashes of length 0 are not seen with butt ends."
 
