@@ -73,13 +73,18 @@ class TransformBox(Bounds, frozen=True):
         Along which axes it can be scaled: those in which it has a length beside that of strokes.
     turns
         Whether its grips rotate, at the corners, and skew, and do not scale.
-    pad
-        Pixels from it to its grips.
+    is_whole
+        Whether it is that of whole curves.
     """
 
     grows: tuple[bool, bool] = (True, True)
     turns: bool = False
-    pad: float = _BESIDE_POINTS
+    is_whole: bool = False
+
+    @property
+    def pad(self) -> float:
+        """Pixels from it to its grips."""
+        return _BESIDE_CURVES if self.is_whole else _BESIDE_POINTS
 
     def holds(self, pointer: Pointer) -> bool:
         """Whether a pointer lies inside; of a flat box, or a tiny one, as near to it as its grips."""
@@ -90,8 +95,13 @@ class TransformBox(Bounds, frozen=True):
         )
 
     def is_roomy(self, scale: float) -> bool:
-        """Whether its middle is a pivot to take: a press in a smaller one moves what is in it."""
-        return max(self.size) * scale >= (_LEAST_TURNING_BOX if self.turns else _LEAST_BOX)
+        """Whether its middle is a pivot to take: a press in a smaller one moves what is in it.
+
+        So does one in whole curves before their grips turn: who clicks there means what lies there.
+        """
+        if self.turns:
+            return max(self.size) * scale >= _LEAST_TURNING_BOX
+        return not self.is_whole and max(self.size) * scale >= _LEAST_BOX
 
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale or skew a side without length."""
@@ -132,8 +142,7 @@ def box_of(
     if bounds is None or bare is None or not any(bare.size):
         return None
     grows = (bare.size[0] > 0.0, bare.size[1] > 0.0)
-    pad = _BESIDE_CURVES if group.is_whole else _BESIDE_POINTS
-    return TransformBox(bounds.low, bounds.high, grows, pad=pad)
+    return TransformBox(bounds.low, bounds.high, grows, is_whole=group.is_whole)
 
 
 class ScaleBox(Drag, frozen=True):

@@ -184,17 +184,22 @@ def test_a_double_click_puts_it_back_to_the_middle(two):
 
 
 @pytest.mark.parametrize("turns", [False, True])
-def test_it_is_taken_over_the_fill_of_what_is_chosen(two, turns):
-    """The curve was dragged instead."""
+def test_it_is_taken_over_the_fill_of_what_is_chosen_once_the_grips_turn(two, turns):
+    """The curve was dragged instead; before that, who presses in the middle means what lies there."""
     document = two.session.document
     filled = replace(document.curves[0], closed=True, style=replace(document.curves[0].style, fill="#ffcc00"))
     two.session.commit(document.with_curve(0, filled), "Fill")
     two.session.selected.choose({0})
     two.session.box.set_turns(turns)
-    before = two.session.document
-    drag_pivot(two, (-1.0, 1.0))
-    assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
-    assert two.session.document is before
+    before, middle = two.session.document, pivot(two)
+    if turns:
+        drag_pivot(two, (-1.0, 1.0))
+        assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
+        assert two.session.document is before
+    else:
+        two.drag(middle, (middle[0] + 1.0, middle[1]))
+        assert pivot(two) == pytest.approx((middle[0] + 1.0, middle[1]), abs=2 * two.pixel)
+        assert two.session.undo_stack.undoText().startswith("Move")
 
 
 def shows_cross(editor):
@@ -222,6 +227,7 @@ def test_it_is_taken_over_a_line_of_what_is_chosen(two):
     line = replace(two.session.document.curves[0], points=make_curve([(0, 0), (4, 2)]).points)
     two.session.commit(two.session.document.with_curve(0, line), "Straight")
     two.session.selected.choose({0})
+    two.session.box.set_turns(True)
     before = two.session.document
     drag_pivot(two, (-1.0, 1.0))
     assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)

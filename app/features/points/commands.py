@@ -10,7 +10,7 @@ from ...actions.sections import (
     EDIT_SELECT,
 )
 from ...actions.situation import Situation
-from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
+from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import edits
 from ...document.selection import NONE_FREE, free_curves
 from ...view_model.curve.jets import is_explicit
@@ -57,7 +57,7 @@ class PointCommands:
         checked=lambda now: now.session.selected.is_editing,
         keywords="points nodes whole curves leave objects",
     )
-    @also(CANVAS_MENU(13), CURVE_LIST_MENU(1))
+    @also(CANVAS_MENU(13), CHOSEN_MENU(1), CURVE_LIST_MENU(1))
     def _edit_or_leave(self) -> None:
         """Show the points of the chosen curves and change them (Enter), or choose whole curves (Escape)."""
         selected = self._session.selected
