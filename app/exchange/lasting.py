@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..document.forms import Star
 from ..document.model import Document
 from ..document.words import count_of, enumerated
 from ..storage.reasons import shown
@@ -18,6 +19,21 @@ def words_about_loss(document: Document, path: Path) -> str:
         return f"{name} would be written anew, with its curves alone."
     lost = [*_other_curves(document), *(["the picture to trace"] if document.image is not None else [])]
     return f"{name} cannot keep {enumerated(lost)}." if lost else ""
+
+
+def words_about_plain(document: Document, path: Path) -> str:
+    """Return, as a sentence, what is no more than paths in a file of another format; empty of nothing."""
+    curves = document.curves
+    kinds = {
+        "clones": any(curve.clone is not None for curve in curves),
+        "texts": any(curve.text is not None for curve in curves),
+        "stars": any(isinstance(curve.form, Star) for curve in curves),
+    }
+    found = [kind for kind, is_there in kinds.items() if is_there]
+    if not found:
+        return ""
+    name = shown(path.name)
+    return f"In {name} {enumerated(found)} are plain paths; a Curvebench document keeps what they are."
 
 
 def _other_curves(document: Document) -> list[str]:

@@ -78,6 +78,24 @@ def test_a_document_saved_as_svg_is_one_and_stands_for_it_from_then_on(editor, s
     ]
 
 
+def test_what_an_svg_has_as_plain_paths_is_told(editor, save_as):
+    """It said “exact”, and the clone followed no more when the file was opened again."""
+    editor.key(Qt.Key.Key_V)
+    editor.key(Qt.Key.Key_D, Qt.KeyboardModifier.AltModifier)
+    save_as("a.svg")
+    assert editor.message.startswith("In a.svg clones are plain paths")
+    editor.trigger("starTool")
+    editor.drag((150, 200), (180, 200))
+    editor.trigger("saveDocument")
+    editor.wait_for_work()
+    assert "In a.svg clones and stars are plain paths" in editor.status
+    editor.trigger("undo")
+    editor.trigger("undo")
+    editor.trigger("saveDocument")
+    editor.wait_for_work()
+    assert "plain" not in editor.status
+
+
 @pytest.mark.parametrize("name", ["icons.PNG", "icons.dxf", "icons.points.csv"])
 def test_nothing_of_ours_has_the_name_of_another_format(editor, save_as, tmp_path, name):
     save_as(name)

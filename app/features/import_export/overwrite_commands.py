@@ -146,7 +146,9 @@ class OverwriteCommands:
         session.files.go_over_to(found.now, beginning, document)
         self._preferences.add_recent_file(path)
         self._preferences.last_folder = path.parent
-        session.offer(exchange.lasting.words_about_loss(document, path), "saveDocumentAs")
+        lasting = exchange.lasting
+        lost = lasting.words_about_loss(document, path), lasting.words_about_plain(document, path)
+        session.offer(" ".join(filter(None, lost)), "saveDocumentAs")
         near = _words_about(origin or found.now, found)
         session.say(" ".join([f"Saved {shown(path.name)}{near}.", *found.written.changes]))
         self._work.warn_of(found.written.remarks)
@@ -175,8 +177,9 @@ class OverwriteCommands:
             session.say(f"{name} is like this already.")
             return
         copy = f" What it was is kept as {shown(found.copy.name)}." if found.copy is not None else ""
-        near, *changes = f"{_words_about(foreign, found)}.", *found.written.changes
-        session.say(f"Wrote {name}{' '.join([near, *changes])}{copy}")
+        plain = exchange.lasting.words_about_plain(document, foreign.path)
+        parts = f"{_words_about(foreign, found)}.", *found.written.changes, plain
+        session.say(f"Wrote {name}{' '.join(filter(None, parts))}{copy}")
         self._work.warn_of(found.written.remarks)
 
 
