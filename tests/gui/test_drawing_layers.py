@@ -108,7 +108,7 @@ def test_whatever_is_new_comes_to_the_front_of_the_present_layer(layered, qtbot)
     assert newest(editor).groups == ("Notes",)
     assert len(newest(editor).points) == 2
     draw(editor, "pencilTool", (3, -25), (20, -28))
-    qtbot.waitUntil(lambda: newest(editor).name == "Curve 1")
+    qtbot.waitUntil(lambda: newest(editor).name == "Curve 2")
     assert newest(editor).groups == ("Notes",)
     assert layer_now(editor) == "Layer: Notes"
     # Choosing a curve makes its layer the present one, and choosing nothing leaves it.
