@@ -112,3 +112,13 @@ def own_families_in_windows(kept_editor, own_families):
     """Have windows that offer the families that only the tests have; the one that is kept has fewer."""
     with kept_editor.another():
         yield own_families
+
+
+@pytest.fixture(autouse=True)
+def _nothing_said_of_family_files():
+    """Fail a test that leaves a notice of a family's file: every later window would show it."""
+    yield
+    files = sys.modules.get("app.features.own_families.files")
+    if files is not None:
+        left = files.family_files()
+        assert not (left.problems or left.running or left.offered), "left over: a notice of a family's file"

@@ -23,6 +23,7 @@ from app.testing import Editor
 from app.view_model.basis.basis_findings import findings_of
 from curvecore import LagrangeCurve
 from tests.effort import noted_calls
+from tests.gui.family_files import forget_family_files
 
 WAIT_MS = 30_000
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
@@ -35,9 +36,7 @@ def _forgotten(monkeypatch):
     """No file stays in use, and a sign on the disk is soon heeded."""
     monkeypatch.setattr("app.workbench.disk_watch._SETTLE_MS", 10)
     yield
-    family_files().forget_all()
-    for path in tuple(FAMILIES.files):
-        family_file.forget_file(FAMILIES, path)
+    forget_family_files()
 
 
 @pytest.fixture

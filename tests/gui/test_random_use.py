@@ -27,6 +27,7 @@ from app.session import Session
 from app.storage.format import decode, encode
 from app.testing import Editor
 from app.window import MainWindow
+from tests.gui.family_files import forget_family_files
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = int(os.environ.get("CURVEBENCH_RANDOM_SEED", "1"))
@@ -166,6 +167,7 @@ def use(qtbot, seed, folder, log, faults, odd_values) -> None:
         window.close()
         window.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        forget_family_files()
 
 
 @pytest.mark.timeout(0 if MINUTES else 240)
