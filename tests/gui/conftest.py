@@ -121,4 +121,5 @@ def _nothing_said_of_family_files():
     files = sys.modules.get("app.features.own_families.files")
     if files is not None:
         left = files.family_files()
-        assert not (left.problems or left.running or left.offered), "left over: a notice of a family's file"
+        notices = [each for each in (left.problems, left.offered) if each]
+        assert not notices, f"left over of a family's file: {notices}"

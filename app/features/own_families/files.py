@@ -102,7 +102,7 @@ class FamilyFiles(QObject):
         self._watches.clear()
         self._seen.clear()
         self.problems.clear()
-        self.offered = None
+        self.running, self.offered = "", None
         self.told.emit()
 
     # Noticing
