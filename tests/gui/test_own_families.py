@@ -584,11 +584,13 @@ def test_a_file_asked_for_while_another_is_tried_leaves_that_one_asked_for_too(
     save(template(path))
     other.write_text(template(other), encoding="utf-8")
     said = []
-    family_files().brought.connect(lambda *_: said.append(text_of(editor)))
+    # The files outlive this window.
+    listening = family_files().brought.connect(lambda *_: said.append(text_of(editor)))
     for each in (path, other):
         ask(each)
         editor.trigger("useFamilyFile")
     qtbot.waitUntil(lambda: len(said) == 2, timeout=WAIT_MS)
+    family_files().brought.disconnect(listening)
     assert [words.partition(" brings ")[0] for words in said] == [f"“{NAME}.py”", "“my_second.py”"]
     assert editor.status == ""
     editor.trigger("useOwnFamily")
