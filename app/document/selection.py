@@ -134,12 +134,39 @@ def _within(indices: frozenset[int], count: int) -> frozenset[int]:
     return frozenset(index for index in indices if 0 <= index < count)
 
 
-def are_left(edited: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+def followed_choice(choice: Choice, before: Sequence[Curve], after: Sequence[Curve]) -> Choice:
+    """Return what is selected after a change: the same curves and points, where they are now.
+
+    The active curve is one of `after`. Where what was edited is gone, and no curve has come in its place,
+    none is edited and none chosen: the next key is not about a curve that nobody has asked for.
+    """
+    active, is_editing = choice.active, choice.is_editing
+    points = followed_group(choice.points, active, before, after)
+    kept = followed_curves(choice.chosen, before, after)
+    if is_editing and _are_left(choice.curves, active, before, after):
+        is_editing, kept = False, frozenset()
+    elif active not in kept and kept and not is_editing and len(after) == len(before):
+        # Undo and redo of a drag that has chosen something leave that chosen, whatever was before it.
+        active = min(kept, key=lambda place: abs(place - active))
+    elif active not in kept:
+        # A curve that was added is what is worked on now; where one has gone nobody has chosen another.
+        kept = frozenset({active} if is_editing or len(after) > len(before) else ())
+    curves = kept or frozenset({active})
+    chosen = kept if not is_editing or len(kept) > 1 else frozenset()
+    return Choice(active, points, curves, chosen, is_editing, choice.layer)
+
+
+def _are_left(edited: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
     """Whether all that was edited is gone, and the active curve is another one that was there already."""
     if len(after) >= len(before) or not any(map(is_, before, repeat(after[active]))):
         return False
     shapes = {place for each in edited for place in shape_around(before, each)}
     return not followed_places(shapes, before, after)
+
+
+def all_points(document: Document, curves: Collection[int]) -> PointGroup:
+    """Return all points of some curves."""
+    return some_points((at, frozenset(range(len(document.curves[at].points)))) for at in curves)
 
 
 def returned_points(edited: Collection[int], before: Sequence[Curve], after: Sequence[Curve]) -> PointGroup:

@@ -4,7 +4,8 @@
   document changes.  ``signals``: what it tells.  ``telling``: several signals of one thing, told as a whole.
 - ``change``: what became of a change, and why one is refused.
 - ``history``: the steps that can be undone.  ``views``: the view-models of the curves shown.
-- ``selection``: selected points and curves, the point under the pointer.  ``scrub_line``: a t that is shown.
+- ``selected``: selected points and curves, the point under the pointer.  ``selection``: ways to select.
+- ``following``: the selection from document to document.  ``scrub_line``: a t that is shown.
 - ``box``: what the box around what is selected turns about, and what its grips do.
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
 - ``next_style``: the style of what is drawn next.

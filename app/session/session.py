@@ -24,8 +24,8 @@ from ..view_model.curve.curve_view import CurveView
 from .box import SelectionBox
 from .change import Change, raiser_of, why_locked, why_not_kept
 from .files import Files
+from .following import Following
 from .history import Beginning, History, State
-from .next_style import Marked
 from .scrub_line import ScrubLine
 from .selection import Selection
 from .signals import SessionSignals
@@ -61,6 +61,7 @@ class Session(SessionSignals):
         self.files = Files(self)
         self.active_index = 0
         self.selected = Selection(self)
+        self._following = Following(self)
         self.box = SelectionBox(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
@@ -88,7 +89,7 @@ class Session(SessionSignals):
         self._committed = self._shown = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
-        self.selected.reset()
+        self._following.reset()
         if state.beginning is not self.files.beginning:
             self._turn_to(state.beginning)
         self.interrupted.emit()
@@ -210,7 +211,7 @@ class Session(SessionSignals):
             self._home = self.selected.choice
             self._views.leave()
         if active is not None and active != self.active_index:
-            self.selected.begin(active)
+            self._following.begin(active)
         self._show(document)
         return True
 
@@ -262,7 +263,7 @@ class Session(SessionSignals):
         with self.telling:
             self.interrupted.emit()
             self.cancel()
-            self.selected.settle()
+            self._following.settle()
         return was_previewing
 
     def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
@@ -284,9 +285,9 @@ class Session(SessionSignals):
                 self._turn_to(state.beginning)
             self._restore(state)
             if is_other:
-                self.selected.begin_opened()
+                self._following.begin_opened()
             elif not self.history.is_pushing:
-                self.selected.select_returned(before.curves)
+                self._following.select_returned(before.curves)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()
@@ -298,9 +299,7 @@ class Session(SessionSignals):
             # Its file holds the other document: nothing of this one may go there unasked.
             self.files.close()
             self.undo_stack.resetClean()
-        self.selected.set_points([])
-        self.selected.take_up()
-        self.selected.next_style.marked = Marked.LENT
+        self._following.leave()
         self.scrub.set(None)
         self.box.set_pivot(None)
         # Another document's curves are nobody's last good shape.
@@ -322,7 +321,7 @@ class Session(SessionSignals):
 
     def _show(self, document: Document) -> None:
         shown, self._shown = self._shown, document
-        with self.selected.following(shown):
+        with self._following.going_on(shown):
             self.document_changed.emit(document)
 
     def renew(self, families: Collection[Family]) -> None:
@@ -351,7 +350,7 @@ class Session(SessionSignals):
             self._turn_to(state.beginning)
             self.files.path = path
             self._restore(state, views)
-            self.selected.begin_opened()
+            self._following.begin_opened()
             self.undo_stack.clear()
             self.undo_stack.setClean()
             self.file_changed.emit()

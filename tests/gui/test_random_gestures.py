@@ -15,6 +15,7 @@ from app.canvas.hit_test import PixelPoints, hit_test, nearer
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, Point, make_curve
+from app.document.selection import all_points
 from app.document.transforms import Edge, align_points, distribute_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.plotting.pixel_map import PixelMap
@@ -337,7 +338,7 @@ class Gestures(RuleBasedStateMachine):
 
     @rule()
     def select_all(self):
-        self.session.selected.select_all_points()
+        self.session.selected.set_group(all_points(self.session.document, self.session.selected.edited))
 
     @rule(curve=st.integers(0, 1))
     def activate(self, curve):

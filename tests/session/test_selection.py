@@ -7,6 +7,7 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Point, make_curve
 from app.document.point_group import points_of, some_points
+from app.document.selection import all_points
 from app.session import Session
 
 A, B, C = (make_curve([(place, 0.0), (place, 1.0)], name=name) for place, name in enumerate("ABC"))
@@ -116,7 +117,7 @@ def test_points_of_several_curves_are_of_those_edited_and_the_active_one_has_som
 
 def test_selected_points_go_along_with_their_curves():
     session = session_with(C, replace(A, shape="S"), replace(B, shape="S"), active=1)
-    session.selected.select_all_points()
+    session.selected.set_group(all_points(session.document, session.selected.edited))
     c, a, b = session.document.curves
     longer = replace(b, points=(*b.points, Point(5.0, 5.0)))
     session.change("A point more", lambda _document: Document((c, a, longer)))

@@ -8,6 +8,7 @@ from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE
 from ...actions.strips import POINT_MENU
 from ...document.edits import EditError
 from ...document.paper import DocumentKind, kind_of
+from ...document.selection import all_points
 from ...document.several_curves import named
 from ...tools.canvas.select import SELECT
 from ...view_model.pieces.arrivals import with_parts
@@ -37,7 +38,7 @@ class HighlightCommands:
         arrival, words = with_parts(session.document, parts, session.active_index), what.points.counted
         if session.change(f"Duplicate {words}", lambda _: arrival.document, active=arrival.places.start):
             session.selected.set_curves(arrival.places)
-            session.selected.select_all_points()
+            session.selected.set_group(all_points(session.document, session.selected.edited))
             name = named(session.document, arrival.places)
             it = f"“{name}”, which lies" if len(parts) == 1 else f"{name}, which lie"
             session.say(f"{words} as {it} on the original; drag one to move it.")

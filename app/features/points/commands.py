@@ -12,7 +12,7 @@ from ...actions.sections import (
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import edits
-from ...document.selection import NONE_FREE, free_curves
+from ...document.selection import NONE_FREE, all_points, free_curves
 from ...view_model.curve.jets import is_explicit
 from ...workbench.context import WindowContext
 
@@ -41,7 +41,7 @@ class PointCommands:
         """Select all points of the curves that are edited; with none, choose all that is seen and free."""
         session, selected = self._session, self._session.selected
         if selected.is_editing:
-            selected.select_all_points()
+            selected.set_group(all_points(session.document, selected.edited))
             if len(selected.group.parts) > 1:
                 session.say(f"{selected.group.counted} selected.")
         else:

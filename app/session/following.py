@@ -1,0 +1,113 @@
+"""The selection from document to document."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from itertools import repeat
+from operator import is_
+from typing import TYPE_CHECKING
+
+from ..document.model import Curve, Document
+from ..document.point_group import NO_POINTS
+from ..document.selection import followed_choice, followed_curves, returned_curves, returned_points
+from ..document.several_curves import is_blank
+from ..document.steps import reshaped
+from .next_style import Marked
+
+if TYPE_CHECKING:
+    from .session import Session
+
+
+class Following:
+    """What becomes of the selection as its session goes to another document, or to another state of one."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+
+    # To another document
+
+    def leave(self) -> None:
+        """Put away what is selected of a document that goes; what is drawn next looks as it did."""
+        selected = self._session.selected
+        selected.set_points([])
+        selected.take_up()
+        selected.next_style.marked = Marked.LENT
+
+    def begin_opened(self) -> None:
+        """Begin with a document that was opened: nobody chose its curves.
+
+        None hidden or locked is edited, nor any on a page, where one chooses first.
+        """
+        document, selected = self._session.document, self._session.selected
+        selected.next_style.marked = Marked.OPENED
+        is_drawing = document.page is not None and not is_blank(document)
+        if is_drawing or not self._session.active_curve.is_free:
+            selected.choose(())
+            selected.next_style.marked = Marked.OPENED
+
+    def reset(self) -> None:
+        """Edit the active curve, with nothing of it selected, and tell nobody yet."""
+        selected, active = self._session.selected, self._session.active_index
+        selected.hold((active,))
+        selected.group, selected.last = NO_POINTS, active
+
+    # Around a gesture
+
+    def begin(self, index: int) -> None:
+        """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
+        session, selected = self._session, self._session.selected
+        selected.next_style.note(session.document, selected.marked, session.active_index)
+        selected.enter(index)
+        selected.hold((index,))
+        # It is not in the document yet.
+        selected.next_style.marked = Marked.LENT
+
+    def settle(self) -> None:
+        """Take what a gesture showed as selected, and which was dropped, for what is: as far as it may be."""
+        selected = self._session.selected
+        if not selected.is_editing and selected.chosen and selected.chosen != selected.curves:
+            selected.set_curves(selected.chosen)
+        selected.keep_group(selected.group)
+
+    # To another state
+
+    @contextmanager
+    def going_on(self, before: Document) -> Iterator[None]:
+        """Go along from a document to the one that is shown now, around what tells of it.
+
+        Nobody who is told of the document finds something named that it does not have. Whoever draws it has
+        to hear of the points first.
+        """
+        session, selected, curves = self._session, self._session.selected, self._session.document.curves
+        if session.active_index in selected.curves and reshaped(before, session.document) is not None:
+            # As under most drags: all that is selected, or pointed at, is where it was.
+            yield
+            session.scrub.keep()
+            return
+        session.active_index = min(session.active_index, len(curves) - 1)
+        old = selected.choice
+        selected.next_style.note(before, selected.marked, old.active)
+        new = followed_choice(old, before.curves, curves)
+        session.active_index = new.active
+        selected.last = max(followed_curves({selected.last}, before.curves, curves), default=new.active)
+        selected.hold(new.curves, new.chosen, is_editing=new.is_editing)
+        if not any(map(is_, before.curves, repeat(curves[new.active]))):
+            # It was drawn, or worked on.
+            selected.next_style.marked = Marked.ASKED
+        selected.keep_group(selected.group)
+        selected.set_hovered(selected.hovered)
+        yield
+        selected.keep_group(new.points)
+        session.scrub.keep()
+        if (new.curves, new.chosen, new.is_editing) != (old.curves, old.chosen, old.is_editing):
+            session.selected_curves_changed.emit(selected.curves)
+
+    def select_returned(self, before: Sequence[Curve]) -> None:
+        """Select the points, or the curves, that undo or redo has brought back."""
+        selected, curves = self._session.selected, self._session.committed.curves
+        returned = returned_curves(before, curves)
+        if len(returned) > 1 or (returned and not selected.is_editing):
+            selected.set_curves(returned)
+        elif selected.is_editing and not selected.group.parts and len(before) == len(curves):
+            selected.keep_group(returned_points(selected.edited, before, curves))

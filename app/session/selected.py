@@ -1,0 +1,112 @@
+"""What is selected: points, curves, the point under the pointer; each names something that exists."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..document.layers import layer_of
+from ..document.point_group import NO_POINTS
+from ..document.selection import Choice
+from ..document.several_curves import is_blank
+from ..document.shapes import whole_shapes
+from .highlight import Highlight
+from .next_style import NextStyle
+
+if TYPE_CHECKING:
+    from .session import Session
+
+
+class Selected:
+    """Selection and the like, neither saved nor undone.
+
+    One curve is edited, and with it those of its shape and those chosen beside it: their points are shown
+    and selected, some of the active one if any. Or none is, and curves are chosen as wholes; the active one
+    is then the last that was edited or chosen.
+
+    Whatever is asked for, it names what exists in the document shown. The session's signals tell of it.
+
+    Attributes
+    ----------
+    group
+        The selected points, of all curves that are edited.
+    curves
+        Indices of the curves that are worked on together; the active one is one of them.
+    last
+        The curve that was chosen last, of several at once the foremost.
+    is_editing
+        Whether the active curve is edited.
+    hovered
+        The point under the pointer, or -1.
+    next_style
+        The style of what is drawn next, where nothing is chosen.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self.group = NO_POINTS
+        self.curves = frozenset({0})
+        self.is_editing = True
+        self.last = 0
+        # While no curve is edited, those that are chosen: all of `curves`, or none at all.
+        self._chosen: frozenset[int] = frozenset()
+        self.hovered = -1
+        self.next_style = NextStyle()
+        # The layer that was chosen since a curve was; None where that of the active curve is meant.
+        self._layer: str | None = None
+
+    @property
+    def points(self) -> frozenset[int]:
+        """Indices of the selected points of the active curve."""
+        return self.group.of(self._session.active_index)
+
+    @property
+    def edited(self) -> frozenset[int]:
+        """The curves whose points can be selected: the active one, its shape, and those chosen with it."""
+        return self.whole if self.is_editing else frozenset()
+
+    @property
+    def chosen(self) -> frozenset[int]:
+        """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
+        if not self.is_editing:
+            return self._chosen
+        return self.curves if len(self.curves) > 1 else frozenset()
+
+    @property
+    def marked(self) -> frozenset[int]:
+        """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
+        return self.curves if self.is_editing else self._chosen
+
+    @property
+    def means_curve(self) -> bool:
+        """Whether there is a curve to act on: edited or chosen, or that of a blank document."""
+        # A blank document has nothing to choose from: its curve is the one that is about to be drawn.
+        return bool(self.marked) or is_blank(self._session.document)
+
+    def highlight(self, *, whole_curves: bool = False) -> Highlight:
+        """Return the selected points, or else the chosen curves, or the edited one with all of its shape.
+
+        `whole_curves` passes over the points, as where the list of curves has the focus.
+        """
+        if self.group.parts and not whole_curves:
+            return Highlight(self.group.curves, self.group)
+        # One curve of a shape can be chosen alone, in the list.
+        return Highlight(self.whole if self.is_editing else self._chosen)
+
+    @property
+    def whole(self) -> frozenset[int]:
+        """The selected curves, with all others of their shapes."""
+        return whole_shapes(self._session.document, self.curves)
+
+    @property
+    def layer(self) -> str:
+        """The layer that what is new comes into, empty for none: that of what was chosen last, or itself."""
+        document, layer = self._session.document, self._layer
+        if layer is not None and (not layer or layer in document.layers):
+            return layer
+        return layer_of(document, self._session.active_index)
+
+    @property
+    def choice(self) -> Choice:
+        """All that is selected now."""
+        active = self._session.active_index
+        return Choice(active, self.group, self.curves, self.chosen, self.is_editing, self._layer)
