@@ -20,7 +20,8 @@ from ..tasks.progress import Report, silent
 from ..view_model.basis.growth import growths_of_points
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..view_model.geometry.arc_lengths import lengths_of
-from .drawing.drawing import frame_around, refuse_wild, too_much
+from .drawing.drawing import refuse_wild, too_much
+from .drawing.frames import frame_around
 from .errors import ExchangeError
 
 LENGTH_TOLERANCE = 1e-9

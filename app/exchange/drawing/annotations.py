@@ -17,7 +17,8 @@ from ...view_model.curve.handles import Handle, control_polygon, handles_of
 from ...view_model.look.palette import point_palette
 from ..errors import ExchangeError
 from ..options import Options
-from .drawing import MARGIN, Annotation, Drawing, Frame, frame_with
+from .drawing import Annotation, Drawing
+from .frames import MARGIN, Frame, frame_with
 
 PANEL = 0.4
 """Height of the basis functions' panel against the picture's longer side."""

@@ -25,47 +25,18 @@ from ...view_model.curve.refusals import in_words
 from ...view_model.shapes.cubics import RELATIVE_TOLERANCE
 from ...view_model.shapes.formed import formed
 from ..errors import ExchangeError
-from .extents import extent_of, painted_extent
+from .extents import extent_of
+from .frames import LARGEST, MARGIN, Frame, frame_around, frame_of, frame_with
 from .kept_drawn import placed, words_about_missing
 from .outlines import Outline, by_shape
 
-MARGIN = 0.06
-"""Free space on every side of the drawing, against its larger side."""
-
-SLIMMEST = 0.2
-"""Least ratio of a frame's shorter to its longer side."""
-
 POINT_RADIUS = 0.006
-"""Of the discs at the points, likewise."""
-
-LARGEST = 1e30
-SMALLEST = 1e-30
-"""Sizes that every reader of pictures can hold: many compute in single precision, 1e-38 to 1e38."""
+"""Of the discs at the points, against the larger side of the drawing."""
 
 MOST_POINTS = 10_000
 """Points of the largest Lagrange curve that is computed; the work grows with the square."""
 
-_RESOLUTION = 1e-12
 _SAMPLES = 513
-
-
-class Frame(msgspec.Struct, frozen=True):
-    """The rectangle that a picture shows; y points up."""
-
-    left: float
-    bottom: float
-    width: float
-    height: float
-
-    @property
-    def top(self) -> float:
-        """The upper edge."""
-        return self.bottom + self.height
-
-    @property
-    def side(self) -> float:
-        """The longer side."""
-        return max(self.width, self.height)
 
 
 class Annotation(msgspec.Struct, frozen=True):
@@ -237,28 +208,21 @@ def drawing_of(
     """
     if tolerance is not None and not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
-    curves, remarks = drawable(document, part(report, 0.0, 0.3))
-    if not curves:
-        why = f". {' '.join(remarks)}" if remarks else ": all curves are hidden."
-        raise ExchangeError(f"There is nothing to draw{why}")
+    curves, remarks = _some_drawable(document, part(report, 0.0, 0.3))
     samples = [_samples(*each) for each in told(curves, part(report, 0.3, 0.5), "Computing curves")]
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
-    (texts, pictures), page, beyond = seen_kept(document), document.page, list[str]()
-    if page is None:
-        frame = frame_with(outlines)
-    else:
-        frame = Frame(page.x, page.y, page.width, page.height)
-        beyond = _beyond(outlines, frame)
+    texts, pictures = seen_kept(document)
+    frame = frame_with(outlines) if document.page is None else frame_of(document.page)
     return Drawing(
         outlines,
         frame,
         allowed,
         tuple(remarks),
-        tuple(beyond),
-        has_page=page is not None,
+        tuple(_beyond(outlines, frame)) if document.page is not None else (),
+        has_page=document.page is not None,
         hidden=hidden,
         layers=document.layers,
         empty_layers=document.empty_layers,
@@ -266,6 +230,17 @@ def drawing_of(
         kept_texts=texts,
         kept_pictures=pictures,
     )
+
+
+def _some_drawable(
+    document: Document, report: Report
+) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
+    """Return the same as `drawable`; raise `ExchangeError` where no curve is there to be drawn."""
+    curves, remarks = drawable(document, report)
+    if not curves:
+        why = f". {' '.join(remarks)}" if remarks else ": all curves are hidden."
+        raise ExchangeError(f"There is nothing to draw{why}")
+    return curves, remarks
 
 
 def _hidden(document: Document, drawn: Iterable[Curve], tolerance: float) -> Iterator[tuple[int, Outline]]:
@@ -294,18 +269,6 @@ def _pair(point: FloatArray) -> Vector:
 
 def _scaled(style: Style, scale: float) -> Style:
     return style if style.width is None else replace(style, width=style.width * scale)
-
-
-def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) -> Frame:
-    """Return the frame that shows curves with their points, and other points (n, 2).
-
-    Raises
-    ------
-    ExchangeError
-        If no picture can hold the coordinates.
-    """
-    parts = [np.vstack([painted_extent(each), each.points]) for each in outlines]
-    return frame_around(parts if points is None else [*parts, points])
 
 
 def too_much(curve: Curve) -> str:
@@ -364,32 +327,3 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.locked,
         formed(curve),
     )
-
-
-def frame_around(parts: list[FloatArray]) -> Frame:
-    """Return the frame that shows all points, with a margin and not too slim.
-
-    Raises
-    ------
-    ExchangeError
-        If no picture can hold the coordinates.
-    """
-    points = np.vstack(parts)
-    low, high = points.min(axis=0), points.max(axis=0)
-    size = float((high - low).max())
-    reach = float(np.abs(points).max())
-    if size == 0:
-        raise ExchangeError("There is nothing to draw: all points coincide.")
-    if not SMALLEST <= size <= LARGEST:
-        raise ExchangeError(
-            f"The drawing is {size:.2g} across; a picture can hold {SMALLEST:g} to {LARGEST:g}."
-        )
-    if size < _RESOLUTION * reach:
-        raise ExchangeError(
-            f"The drawing is {size:.2g} across at a distance of {reach:.2g} from the origin: "
-            "too small for a picture."
-        )
-    outer = size * (1 + 2 * MARGIN)
-    width, height = np.maximum(high - low + 2 * MARGIN * size, SLIMMEST * outer).tolist()
-    middle = low + (high - low) / 2
-    return Frame(float(middle[0]) - width / 2, float(middle[1]) - height / 2, width, height)

@@ -23,7 +23,8 @@ from ..formats import Written
 from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
-from .drawing import Drawing, Frame
+from .drawing import Drawing
+from .frames import Frame
 from .painting import FINEST, Painting
 from .styles import PictureStyle
 

@@ -25,8 +25,9 @@ from ...view_model.animation.motion_picture import (
 )
 from ...view_model.animation.motion_settings import Repeat
 from ...view_model.look.palette import ACCENT, PAPER, colour_on
-from .drawing import Drawing, Frame, drawing_of
+from .drawing import Drawing, drawing_of
 from .film import Film
+from .frames import Frame
 from .image import paint_drawing
 
 _NOMINAL = 640.0

@@ -9,8 +9,9 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Document
 from ...document.style import USUAL_WIDTH
-from .drawing import Drawing, Frame, drawing_of
+from .drawing import Drawing, drawing_of
 from .extents import painted_extent
+from .frames import Frame
 
 _SLIMMEST = 0.02
 """Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""

@@ -14,7 +14,8 @@ from ...document.model import Document
 from ...tasks.progress import part, told
 from ...view_model.curve.curve_view import ParametricCurve
 from ...view_model.curve.refusals import in_words
-from ..drawing.drawing import Frame, drawing_of
+from ..drawing.drawing import drawing_of
+from ..drawing.frames import Frame
 from ..drawing.outlines import Outline
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from ...document.guide import Axis, Guide, guide_at
 from ...document.model import MAX_MAGNITUDE
-from ..drawing.drawing import Frame
+from ..drawing.frames import Frame
 from .names import LOCKED, SODIPODI
 from .numbers import number
 from .sheet import Sheet

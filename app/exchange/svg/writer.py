@@ -9,7 +9,8 @@ from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
 from ..corner import from_upper_left, shifted
-from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, Frame, drawing_of
+from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of
+from ..drawing.frames import Frame
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..drawing.trim import trimmed

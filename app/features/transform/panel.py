@@ -109,24 +109,19 @@ class TransformPanel(FieldForm):
         self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
-        self.x_edit = self._length("transformX", "X", "x of the pivot", lambda: self._numbers()[0])
-        self.y_edit = self._length("transformY", "Y", "y of the pivot", lambda: self._numbers()[1])
-        self.width_edit = self._length("transformWidth", "Width", "Width", lambda: self._numbers()[2])
-        self.height_edit = self._length("transformHeight", "Height", "Height", lambda: self._numbers()[3])
-        self.angle_edit = _angle(
-            "transformAngle",
-            "Angle",
-            "Degrees that a rectangle, ellipse or star is turned; else since it was selected",
-        )
-        self.turn_edit = _angle(
-            "transformTurn", "Rotate by", "Degrees, counterclockwise; Enter turns each time"
-        )
+        self.x_edit = self._length("X", "x of the pivot", 0)
+        self.y_edit = self._length("Y", "y of the pivot", 1)
+        self.width_edit = self._length("Width", "Width", 2)
+        self.height_edit = self._length("Height", "Height", 3)
+        turned = "Degrees that a rectangle, ellipse or star is turned; else since it was selected"
+        self.angle_edit = _angle("transformAngle", "Angle", turned)
+        each_time = "Degrees, counterclockwise; Enter turns each time"
+        self.turn_edit = _angle("transformTurn", "Rotate by", each_time)
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
-        self.skew_edit = _angle(
-            "transformSkew", "Skew by", "Degrees: the top goes right, or the right side up; Enter: the top"
-        )
+        ways = "Degrees: the top goes right, or the right side up; Enter: the top"
+        self.skew_edit = _angle("transformSkew", "Skew by", ways)
         self.skew_buttons = (
             _skew_button("Across", "horizontally", "the top goes right"),
             _skew_button("Up", "vertically", "the right side goes up"),
@@ -147,9 +142,12 @@ class TransformPanel(FieldForm):
         self._connect()
         self.follow_theme()
 
-    def _length(self, name: str, label: str, tip: str, now: Callable[[], float]) -> NumberEdit:
+    def _length(self, label: str, tip: str, place: int) -> NumberEdit:
+        """Return the field of one of `_numbers`."""
         tip = f"{tip}: a number or an expression, with a unit or without, or +10% (Enter to set)"
-        return NumberEdit(name, label, tip, partial(self._read, now))
+        return NumberEdit(
+            f"transform{label}", label, tip, partial(self._read, lambda: self._numbers()[place])
+        )
 
     def _read(self, now: Callable[[], float], text: str) -> float:
         unit = self._shown.unit if self._shown is not None else ""

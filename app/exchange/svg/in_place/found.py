@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby
@@ -20,7 +21,7 @@ from ....view_model.curve.curve_view import view_of
 from ...cubics_in import imported
 from ...drawing.outlines import Outline
 from ...errors import ExchangeError
-from ..groups import Drawn, is_seen, settled, with_line
+from ..groups import Drawn, Group, Settled, is_seen, settled, with_line
 from ..guides import guides_of
 from ..reader import SvgReader
 from ..state import State
@@ -207,20 +208,10 @@ class Reading:
         self.guides = [(of_element[each], guide) for each, guide in guides_of(root, reader.sheet)]
         seen = [each for each in drawn if is_seen(each)] or [with_line(each) for each in drawn]
         told = settled(seen, reader.layers)
-        named = {each.element: path.look for each, path in zip(seen, told.paths, strict=True)}
-        self.states: dict[Node, State] = {}
-        self.groups: dict[Node, str] = {}
-        self.layers: set[Node] = set()
-        self.empty_layers: dict[Node, EmptyLayer] = {}
-        empty = {each.name: each for each in told.empty_layers}
         around = (group for each in seen for group in each.anchor.around.groups)
-        for group in dict.fromkeys([*around, *(group for each in reader.layers for group in each)]):
-            if group.anchor is not None and group in told.names:
-                node = of_element[group.anchor.element]
-                self.states[node], self.groups[node] = group.anchor.around, told.names[group]
-                if told.names[group] in empty:
-                    self.empty_layers[node] = empty[told.names[group]]
-                self.layers |= {node} if group.is_layer else set()
+        groups = dict.fromkeys([*around, *(group for each in reader.layers for group in each)])
+        self._take_groups(groups, told, of_element)
+        named = {each.element: path.look for each, path in zip(seen, told.paths, strict=True)}
 
         def found(parts: Sequence[Drawn]) -> Found:
             first, look = parts[0], named.get(parts[0].element)
@@ -235,6 +226,23 @@ class Reading:
 
         self.shapes = [found(list(each)) for _, each in groupby(drawn, attrgetter("element"))]
         self.seen = [each for each in self.shapes if each.drawn[0].element in named]
+
+    def _take_groups(
+        self, groups: Iterable[Group], told: Settled, of_element: Mapping[ET.Element, Node]
+    ) -> None:
+        """Take note of the groups that a document has of the file."""
+        self.states: dict[Node, State] = {}
+        self.groups: dict[Node, str] = {}
+        self.layers: set[Node] = set()
+        self.empty_layers: dict[Node, EmptyLayer] = {}
+        empty = {each.name: each for each in told.empty_layers}
+        for group in groups:
+            if group.anchor is not None and group in told.names:
+                node = of_element[group.anchor.element]
+                self.states[node], self.groups[node] = group.anchor.around, told.names[group]
+                if told.names[group] in empty:
+                    self.empty_layers[node] = empty[told.names[group]]
+                self.layers |= {node} if group.is_layer else set()
 
 
 def same_course(one: Sequence[FloatArray], other: Sequence[FloatArray], room: float) -> bool:

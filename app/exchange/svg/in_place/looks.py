@@ -173,7 +173,6 @@ class Looks:
         for name, field in GRADIENTS.items():
             if (gradient := getattr(style, field)) is not None:
                 paints[name] = made.gradients.reference(gradient.mapped(there))
-        width = (style.width or 0.0) / scale
         ends = {_START: style.start_marker, _END: style.end_marker}
         markers = {
             name: made.markers.reference(kind)
@@ -186,17 +185,25 @@ class Looks:
             "fill-opacity": number(style.fill_opacity),
             "fill-rule": str(style.fill_rule.value),
             "stroke": paints["stroke"],
-            "stroke-opacity": number(style.stroke_opacity),
-            "stroke-width": number(width),
-            "stroke-dasharray": ",".join(number(each * width) for each in style.dash) or "none",
-            "stroke-dashoffset": number(style.dash_offset * width),
-            "stroke-linecap": str(style.cap.value),
-            "stroke-linejoin": str(style.join.value),
-            "stroke-miterlimit": number(style.miter_limit),
+            **_stroke_properties(style, scale),
             **markers,
             "opacity": number(style.opacity / around if around else style.opacity),
             "clip-path": made.clips.reference(tuple(each.mapped(there) for each in style.clips)),
         }
+
+
+def _stroke_properties(style: Style, scale: float) -> Mapping[str, str]:
+    """Return the properties of a stroke that are no references; the element enlarges it by `scale`."""
+    width = (style.width or 0.0) / scale
+    return {
+        "stroke-opacity": number(style.stroke_opacity),
+        "stroke-width": number(width),
+        "stroke-dasharray": ",".join(number(each * width) for each in style.dash) or "none",
+        "stroke-dashoffset": number(style.dash_offset * width),
+        "stroke-linecap": str(style.cap.value),
+        "stroke-linejoin": str(style.join.value),
+        "stroke-miterlimit": number(style.miter_limit),
+    }
 
 
 def _plainest(gradient: Gradient) -> Gradient:
