@@ -112,7 +112,13 @@ def test_the_window_starts_without_what_is_rarely_used():
     of_dialogs = {
         name.removeprefix("app.features.import_export.") for name in names if "import_export." in name
     }
-    assert of_dialogs == {"commands", "copy_commands", "import_series", "overwrite_commands"}
+    assert of_dialogs == {
+        "commands",
+        "copy_commands",
+        "export_commands",
+        "import_series",
+        "overwrite_commands",
+    }
 
 
 def test_the_start_imports_without_a_search_through_sources():

@@ -17,7 +17,7 @@ from app.document.transforms import clean_step
 from app.families import QUINTIC_HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.commands import ImportCommands
 from app.tools.snapping import SnapKind, Snapping
 from app.workbench.clipboard import CURVES
 from tests.effort import calls_of
@@ -732,7 +732,7 @@ def test_what_is_no_curve_on_the_clipboard_is_told(five):
 def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
     path = tmp_path / "drawing.svg"
     path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/><path d="M0 9L9 0"/></svg>')
-    five.window.commands[ExchangeCommands].import_files([path])
+    five.window.commands[ImportCommands].import_files([path])
     five.wait_for_work()
     QTest.mouseClick(five.window.findChild(QPushButton, "importDrawing"), LEFT)
     five.settle()

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QToolButton
 
 from app.exchange.svg.reader import read_svg
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.commands import ImportCommands
 
 ICON = Path(__file__).parents[1] / "data" / "svg" / "lucide_leaf.svg"
 
@@ -30,7 +30,7 @@ def test_an_icon_is_recoloured_aligned_and_copied(editor):
     editor.session.new()
     editor.settle()
     editor.show_dock("styleDock")
-    editor.window.commands[ExchangeCommands].import_files([ICON])
+    editor.window.commands[ImportCommands].import_files([ICON])
     editor.wait_for_work()
     dialog = editor.window.findChild(QDialog, "importDrawingDialog")
     QTest.keyClick(dialog, Qt.Key.Key_Return)

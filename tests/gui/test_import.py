@@ -32,7 +32,8 @@ from app.exchange.table import text, thinning
 from app.exchange.table.source import TableSource
 from app.exchange.writing import export
 from app.families import HERMITE
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.commands import ImportCommands
+from app.features.import_export.export_commands import ExportCommands
 from app.storage.files import save
 from app.testing import spin
 from app.view_model.curve.curve_view import view_of
@@ -68,7 +69,7 @@ def dialog_of(editor, name):
 
 def opened(editor, path, name="importTableDialog"):
     """The dialog of an import, when nothing is going on any more."""
-    editor.window.commands[ExchangeCommands].import_files([path])
+    editor.window.commands[ImportCommands].import_files([path])
     editor.wait_for_work()
     dialog = dialog_of(editor, name)
     assert dialog is not None, editor.message
@@ -545,7 +546,7 @@ def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
 
 @pytest.mark.usefixtures("drawings_read_here")
 def test_our_own_svg_comes_back_as_the_same_curves(editor, tmp_path):
-    editor.window.commands[ExchangeCommands].export(tmp_path / "out.svg")
+    editor.window.commands[ExportCommands].export(tmp_path / "out.svg")
     editor.wait_for_work()
     press(opened(editor, tmp_path / "out.svg", "importDrawingDialog"), "importDrawing")
     original, copy = (view_of(curve).curve for curve in editor.session.document.curves)
@@ -580,7 +581,7 @@ def test_another_document_comes_in_too(editor, tmp_path):
 @pytest.mark.usefixtures("drawings_read_here")
 def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reason):
     before = editor.session.document
-    editor.window.commands[ExchangeCommands].import_files([write(tmp_path / name, content)])
+    editor.window.commands[ImportCommands].import_files([write(tmp_path / name, content)])
     editor.wait_for_work()
     assert editor.message.count(name) == 1
     assert reason in editor.message
@@ -588,7 +589,7 @@ def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reaso
 
 
 def test_a_file_that_is_not_there(editor, tmp_path):
-    editor.window.commands[ExchangeCommands].import_files([tmp_path / "gone.csv"])
+    editor.window.commands[ImportCommands].import_files([tmp_path / "gone.csv"])
     editor.wait_for_work()
     assert "gone.csv" in editor.message
 
@@ -620,7 +621,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     assert not editor.session.files.is_modified
     assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
     # And one that is read for a document that has gone.
-    editor.window.commands[ExchangeCommands].import_files([path])
+    editor.window.commands[ImportCommands].import_files([path])
     editor.new()
     editor.wait_for_work()
     editor.settle()
@@ -664,7 +665,7 @@ def until_collected():
 
 def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     before, height = editor.session.document, editor.window.canvas.height()
-    editor.window.commands[ExchangeCommands].import_files([busy])
+    editor.window.commands[ImportCommands].import_files([busy])
     assert editor.window.context.work.jobs.is_busy
     bar = shown_bar(editor)
     assert bar.text == "Reading busy.svg"
@@ -687,7 +688,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
 
 
 def test_one_thing_at_a_time(editor, busy, tmp_path, monkeypatch):
-    editor.window.commands[ExchangeCommands].import_files([busy])
+    editor.window.commands[ImportCommands].import_files([busy])
     chosen = [str(tmp_path / "other.csv")]
     monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))
     editor.trigger("importFile")
@@ -702,7 +703,7 @@ def test_one_thing_at_a_time(editor, busy, tmp_path, monkeypatch):
 
 def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
-    editor.window.commands[ExchangeCommands].export(old, Options(own={"samples": 100_000}))
+    editor.window.commands[ExportCommands].export(old, Options(own={"samples": 100_000}))
     assert editor.window.context.work.jobs.is_busy
     shown_bar(editor)
     editor.trigger("cancelWork")
@@ -714,7 +715,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
 
 
 def test_closing_the_window_drops_the_work(editor, busy):
-    editor.window.commands[ExchangeCommands].import_files([busy])
+    editor.window.commands[ImportCommands].import_files([busy])
     shown_bar(editor)
     editor.session.files.give_up_changes()
     task = editor.window.context.work.jobs._task
@@ -743,7 +744,7 @@ def calls_in_turns():
 
 
 def test_closing_the_dialog_of_a_table_drops_the_work(editor, tmp_path):
-    editor.window.commands[ExchangeCommands].import_files([spiral(tmp_path / "spiral.csv", 200_000)])
+    editor.window.commands[ImportCommands].import_files([spiral(tmp_path / "spiral.csv", 200_000)])
     editor.wait_for_work()
     dialog = dialog_of(editor, "importTableDialog")
     assert dialog.jobs.is_busy
@@ -768,7 +769,7 @@ def test_very_many_rows_never_block_the_window(editor, tmp_path, monkeypatch):
         monkeypatch.setattr(owner, name, noted)
     path = spiral(tmp_path / "many.csv", rows)
     with calls_in_turns() as turns:
-        editor.window.commands[ExchangeCommands].import_files([path])
+        editor.window.commands[ImportCommands].import_files([path])
         editor.wait_for_work()
         dialog = dialog_of(editor, "importTableDialog")
         settle(editor, dialog, 60)

@@ -20,7 +20,8 @@ from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.families import LAGRANGE
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.commands import ImportCommands
+from app.features.import_export.export_commands import ExportCommands
 from app.testing import spin
 from app.workbench.document_files import DocumentFiles
 from app.workbench.file_names import title_of
@@ -35,7 +36,7 @@ pytestmark = pytest.mark.usefixtures("drawings_read_here")
 
 
 def opened(editor, path):
-    editor.window.commands[ExchangeCommands].import_files([path])
+    editor.window.commands[ImportCommands].import_files([path])
     editor.wait_for_work()
     dialog = editor.window.findChild(QDialog, "importDrawingDialog")
     assert dialog is not None, editor.message
@@ -306,7 +307,7 @@ def opened_with_more(editor, tmp_path):
 
 def open_as_document(editor, path):
     blank(editor)
-    editor.window.commands[ExchangeCommands].import_files([path], opened=path)
+    editor.window.commands[ImportCommands].import_files([path], opened=path)
     editor.wait_for_work()
     dialog = editor.window.findChild(QDialog, "importDrawingDialog")
     drawn(editor, dialog)
@@ -478,7 +479,7 @@ def test_an_icon_goes_out_as_large_as_it_came_in(editor, tmp_path):
             ),
         ),
     )
-    editor.window.commands[ExchangeCommands].export(tmp_path / "out.svg")
+    editor.window.commands[ExportCommands].export(tmp_path / "out.svg")
     editor.wait_for_work()
     text = (tmp_path / "out.svg").read_text(encoding="utf-8")
     assert 'viewBox="0 0 24 24"' in text

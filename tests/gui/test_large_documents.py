@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QDialog
 from app.cli.windows import open_windows
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.commands import ImportCommands
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.storage import files
 from app.testing import Editor
@@ -69,7 +69,7 @@ def test_many_curves_are_imported_beside_the_window(editor, large):
     """It stood still for 11 s, with 1,900 paths on a busy machine, from the click on Import on."""
 
     def asked() -> ImportDrawingDialog:
-        editor.window.commands[ExchangeCommands].import_files([large])
+        editor.window.commands[ImportCommands].import_files([large])
         editor.wait_for_work()
         (dialog,) = filter(QDialog.isVisible, editor.window.findChildren(ImportDrawingDialog))
         return dialog
@@ -101,7 +101,7 @@ def test_many_curves_are_imported_beside_the_window(editor, large):
 def test_a_window_that_is_as_new_takes_the_curves_that_were_worked_out_beside_it(editor, large):
     """It worked them all out a second time, frozen for 4 s with 2,000 paths."""
     editor.session.new()
-    editor.window.commands[ExchangeCommands].import_files([large])
+    editor.window.commands[ImportCommands].import_files([large])
     editor.wait_for_work()
     (dialog,) = filter(QDialog.isVisible, editor.window.findChildren(ImportDrawingDialog))
 

@@ -17,7 +17,8 @@ from app.diagnostics.log_file import FILE_NAME, LogFile
 from app.diagnostics.slow_frames import SlowFrames
 from app.document.edits import set_position
 from app.document.model import Document, make_curve
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.commands import ImportCommands
+from app.features.import_export.export_commands import ExportCommands
 from app.features.recovery.autosave import Autosave
 from app.storage.files import load, save
 from app.storage.format_error import FormatError
@@ -95,9 +96,9 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
         ("letters.csv", "71.25;;x"),
     ):
         (folder / name).write_text(text)
-        window.commands[ExchangeCommands].import_files([folder / name])
+        window.commands[ImportCommands].import_files([folder / name])
         editor.wait_for_work()
-    window.commands[ExchangeCommands].export(folder / "letters.svg")
+    window.commands[ExportCommands].export(folder / "letters.svg")
     editor.wait_for_work()
     autosave = Autosave(session, folder / "heirloom.curve.json")  # a file where a folder should be
     editor.drag_point(1, to=(2.0, 3.0))

@@ -15,7 +15,7 @@ from app.document.paper import DocumentKind, kind_of
 from app.document.style import Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot, spot_rect
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.export_commands import ExportCommands
 from app.tools.snapping import SnapKind
 from app.widgets.paint_field import PaintField
 from tests.gui.test_theme import contrast
@@ -58,7 +58,7 @@ def test_a_page_around_the_curves_holds_their_strokes(drawn):
 
 def test_pictures_show_the_page_until_it_is_taken_away(drawn, tmp_path):
     drawn.session.change("Page", lambda document: replace(document, page=Page(0.0, 0.0, 4.0, 4.0)))
-    export = drawn.window.commands[ExchangeCommands].export
+    export = drawn.window.commands[ExportCommands].export
     export(tmp_path / "page.svg")
     drawn.wait_for_work()
     text = (tmp_path / "page.svg").read_text(encoding="utf-8")
@@ -149,7 +149,7 @@ def test_an_artboard_is_typed_and_exported(editor, tmp_path):
     assert min(right, high) > 24
     assert high < 40
     assert editor.window.findChild(QComboBox, "pageUsual").currentText() == "24 × 24 px"
-    editor.window.commands[ExchangeCommands].export(tmp_path / "icon.svg")
+    editor.window.commands[ExportCommands].export(tmp_path / "icon.svg")
     editor.wait_for_work()
     assert 'viewBox="0 0 24 24"' in (tmp_path / "icon.svg").read_text(encoding="utf-8")
     editor.trigger("undo")

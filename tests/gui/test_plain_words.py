@@ -28,7 +28,7 @@ from app.document.edits import rename_curve
 from app.document.model import Document, ReferenceImage, make_curve
 from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.commands import ImportCommands
 from app.features.point_table.commands import PointTableCommands
 from app.features.recovery.bar import RecoveryBar
 from app.features.recovery.offers import Offer
@@ -178,7 +178,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
         'd="M0 0L1 1"/></svg>',
         encoding="utf-8",
     )
-    planted.window.commands[ExchangeCommands].import_files([drawing])
+    planted.window.commands[ImportCommands].import_files([drawing])
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importDrawingDialog")
     rows = [dialog.missed.topLevelItem(row) for row in range(dialog.missed.topLevelItemCount())]
@@ -192,7 +192,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     table = tmp_path / "a.csv"
     table.write_text(f"x;y\n1;2\n3;{SHORT} is too long for its cell\n", encoding="utf-8")
-    planted.window.commands[ExchangeCommands].import_files([table])
+    planted.window.commands[ImportCommands].import_files([table])
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importTableDialog")
     while dialog.jobs.is_busy:

@@ -13,7 +13,7 @@ from app.document.lines import is_line
 from app.document.model import Document, make_curve
 from app.document.style import NO_PAINT
 from app.families import HERMITE
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.export_commands import ExportCommands
 from app.view_model.points.point_kinds import CORNER, POINT_KINDS, kinds_of
 
 Key = Qt.Key
@@ -107,6 +107,6 @@ def pixel_at(editor, image, place):
 
 
 def check_file(editor, path):
-    editor.window.commands[ExchangeCommands].export(path)
+    editor.window.commands[ExportCommands].export(path)
     editor.wait_for_work()
     assert path.read_text(encoding="utf-8").count("<path") == 1

@@ -38,7 +38,7 @@ from app.cli.windows import open_windows
 from app.document.edits import rename_curve, set_velocity
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.features.import_export.commands import ExchangeCommands
+from app.features.import_export.export_commands import ExportCommands
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.storage.files import load
@@ -265,14 +265,14 @@ def test_recent_files_are_listed(editor, tmp_path):
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".dxf", ".py", ".tex", ".tikz", ".csv"])
 def test_pictures_are_exported(editor, tmp_path, suffix):
     path = tmp_path / f"curve{suffix}"
-    editor.window.commands[ExchangeCommands].export(path)
+    editor.window.commands[ExportCommands].export(path)
     editor.wait_for_work()
     assert path.stat().st_size > 500
     assert path.name in editor.status
 
 
 def test_an_export_that_cannot_be_written_is_explained(editor, tmp_path):
-    editor.window.commands[ExchangeCommands].export(tmp_path / "no such folder" / "curve.png")
+    editor.window.commands[ExportCommands].export(tmp_path / "no such folder" / "curve.png")
     editor.wait_for_work()
     assert "was not written" in editor.message
 

@@ -1,7 +1,8 @@
 """Import and export of other formats.
 
-- ``commands``: the actions.  ``import_series``: several files, one after the other.
-  ``intake``: curves of one in the document.  ``own_files``: a file for each chosen object.
+- ``commands``: what comes in.  ``import_series``: several files, one after the other.
+  ``intake``: curves of one in the document.
+- ``export_commands``: what goes out.  ``own_files``: a file for each chosen object.
 - ``copy_commands``: pictures on the clipboard.  ``overwrite_commands``: back to the file that was opened.
 - ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,

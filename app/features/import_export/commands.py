@@ -1,4 +1,4 @@
-"""Import and export: what comes in from other files, and what goes out to them."""
+"""Import: what comes in from other files."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import SignalInstance
 from PySide6.QtWidgets import QFileDialog
 
 from ... import exchange
@@ -23,49 +22,43 @@ from ...exchange import table
 from ...exchange.formats import (
     FORMATS,
     ContentKind,
-    Written,
     can_write_back,
     ending_in,
     file_filters,
     format_of,
     is_document,
-    with_ending,
 )
 from ...session.next_style import Marked
-from ...storage.files import StorageError, read
+from ...storage.files import read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
-from ...workbench.file_names import file_stem, own_name
 from .. import import_export
 from .copy_commands import CopyCommands
+from .export_commands import ExportCommands
 from .import_series import ImportSeries
 from .overwrite_commands import OverwriteCommands
 
 if TYPE_CHECKING:
-    from ...exchange.choice import ExportChoice
     from ...exchange.cubics_in import Imported
-    from ...exchange.options import Options
     from ...exchange.table.prepared import PreparedTable
     from ...exchange.table.source import TableSource
     from ...exchange.table.table import Preview
     from ...view_model.pieces.arrivals import Arrival
-    from .export_dialog import ExportDialog
     from .import_drawing_dialog import ImportDrawingDialog
     from .import_table_dialog import ImportTableDialog
 
-# Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
+# Readers and dialogs are imported when they are wanted: at the start nobody waits for them.
 
 _NOT_IMPORTED = "{} not imported, for another document was opened meanwhile."
 
 
-class ExchangeCommands:
-    """Files of other formats, in and out, beside the window's own thread."""
+class ImportCommands:
+    """Files of other formats that come in, read beside the window's own thread."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._work = context, context.work
         self._session, self._preferences = context.session, context.preferences
-        self._dialog: ExportDialog | None = None
         self._documents = self._meant_for = 0
         self._series = ImportSeries(
             self._begin, lambda: not self._work.jobs.is_busy, context.central.message_bar.warn
@@ -74,8 +67,6 @@ class ExchangeCommands:
         context.files.open_foreign = self._open
         self._work.jobs.ended.connect(self._series.go_on)
         context.session.opened.connect(self._count_document)
-
-    # In
 
     @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
     def _ask_and_import(self) -> None:
@@ -288,101 +279,6 @@ class ExchangeCommands:
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
         self._session.say(f"{done}: {what}, {exact}. {rest}".rstrip())
 
-    # Out
-
-    @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
-    def _ask_and_export(self) -> None:
-        """Export a picture, splines, code or numbers, of all curves or of the chosen ones."""
-        if self._dialog is None:
-            self._dialog = import_export.export_dialog.ExportDialog(
-                self._usual_choice(), self._context.window
-            )
-            self._dialog.chosen.connect(self._ask_where)
-            self._dialog.finished.connect(self._release_dialog)
-            for changed in self._shown_in_dialog:
-                changed.connect(self._show_in_dialog)
-        self._show_in_dialog()
-        self._dialog.bring_up()
-
-    def _usual_choice(self) -> ExportChoice:
-        """Return the choice of the last time, of this document or of any; where some are chosen, of these."""
-        remembered, session = exchange.choice, self._session
-        usual = remembered.choice_of(session.files.last_export)
-        usual = usual or remembered.choice_from(self._preferences.export_choice)
-        return usual.of_chosen() if session.selected.chosen else usual
-
-    @property
-    def _shown_in_dialog(self) -> tuple[SignalInstance, ...]:
-        """What tells that the dialog shows something else from now on."""
-        session = self._session
-        return (session.document_changed, session.active_changed, session.selected_curves_changed)
-
-    def _release_dialog(self) -> None:
-        # Closed once more, it is released already.
-        if self._dialog is None:
-            return
-        self._dialog = None
-        for changed in self._shown_in_dialog:
-            changed.disconnect(self._show_in_dialog)
-
-    def _show_in_dialog(self) -> None:
-        if self._dialog is not None:
-            session = self._session
-            self._dialog.show_document(
-                session.document,
-                session.active_index,
-                session.selected.marked,
-                with_estimates=self._preferences.with_estimates,
-            )
-
-    def _ask_where(self, choice: ExportChoice) -> None:
-        if choice.is_each and self._session.selected.chosen:
-            import_export.own_files.OwnFiles(self._context).ask(choice)
-        else:
-            self._ask_where_to(choice)
-
-    def _ask_where_to(self, choice: ExportChoice) -> None:
-        session, last = self._session, self._session.files.last_export
-        self._preferences.export_choice = exchange.choice.text_of(choice)
-        known = exchange.choice.known_name(choice, session.document, session.selected.marked, last)
-        usual = own_name(known or file_stem(session)) + choice.ending
-        kind = f"{choice.format.title} (*{choice.ending})"
-        start = str(self._preferences.last_folder / usual)
-        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", start, kind)
-        if not name:
-            return
-        path = with_ending(Path(name), choice.ending)
-        if path != Path(name) and path.exists():
-            # The dialog asked about the name that was typed, if it asked at all.
-            there = StorageError("It is there already; choose it in the list to replace it.")
-            self._work.refuse(path, "written", there)
-            return
-        session.files.note_export(exchange.choice.note_of(choice, path.name, last))
-        order = choice.order(
-            session.document,
-            session.active_index,
-            session.selected.marked,
-            with_estimates=self._preferences.with_estimates,
-        )
-        self.export(path, order.options, order.document)
-
-    def export(self, path: Path, options: Options | None = None, document: Document | None = None) -> None:
-        """Write the document, or a part of it, in the format that the ending names; say how exactly."""
-        document = document or self._session.document
-        options = options or exchange.options.Options(unit=document.unit)
-
-        def work(report: Report) -> Written:
-            return exchange.writing.export(document, path, options.reporting(report))
-
-        self._work.start(
-            f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
-        )
-
-    def _say_written(self, path: Path, written: Written) -> None:
-        self._preferences.last_folder = path.parent
-        self._session.say(f"Wrote {path.name}, {written.words}.")
-        self._work.warn_of(written.remarks)
-
 
 def _origin(path: Path, arrival: Arrival, taken: Imported | PreparedTable) -> Foreign:
     """Return the file that a document begins with."""
@@ -399,4 +295,4 @@ class _OpenTable:
     preview: Preview
 
 
-COMMAND_SETS = (ExchangeCommands, CopyCommands, OverwriteCommands)
+COMMAND_SETS = (ImportCommands, ExportCommands, CopyCommands, OverwriteCommands)

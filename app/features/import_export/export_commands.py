@@ -1,0 +1,129 @@
+"""Export: what goes out to other files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import SignalInstance
+from PySide6.QtWidgets import QFileDialog
+
+from ... import exchange
+from ...actions.declaration import action
+from ...actions.sections import FILE_EXCHANGE
+from ...document.model import Document
+from ...exchange.formats import Written, with_ending
+from ...storage.files import StorageError
+from ...tasks.progress import Report
+from ...workbench.context import WindowContext
+from ...workbench.file_names import file_stem, own_name
+from .. import import_export
+
+if TYPE_CHECKING:
+    from ...exchange.choice import ExportChoice
+    from ...exchange.options import Options
+    from .export_dialog import ExportDialog
+
+# Writers and dialogs are imported when they are wanted: at the start nobody waits for them.
+
+
+class ExportCommands:
+    """Files of other formats that go out, written beside the window's own thread."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._work = context, context.work
+        self._session, self._preferences = context.session, context.preferences
+        self._dialog: ExportDialog | None = None
+
+    @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
+    def _ask_and_export(self) -> None:
+        """Export a picture, splines, code or numbers, of all curves or of the chosen ones."""
+        if self._dialog is None:
+            self._dialog = import_export.export_dialog.ExportDialog(
+                self._usual_choice(), self._context.window
+            )
+            self._dialog.chosen.connect(self._ask_where)
+            self._dialog.finished.connect(self._release_dialog)
+            for changed in self._shown_in_dialog:
+                changed.connect(self._show_in_dialog)
+        self._show_in_dialog()
+        self._dialog.bring_up()
+
+    def _usual_choice(self) -> ExportChoice:
+        """Return the choice of the last time, of this document or of any; where some are chosen, of these."""
+        remembered, session = exchange.choice, self._session
+        usual = remembered.choice_of(session.files.last_export)
+        usual = usual or remembered.choice_from(self._preferences.export_choice)
+        return usual.of_chosen() if session.selected.chosen else usual
+
+    @property
+    def _shown_in_dialog(self) -> tuple[SignalInstance, ...]:
+        """What tells that the dialog shows something else from now on."""
+        session = self._session
+        return (session.document_changed, session.active_changed, session.selected_curves_changed)
+
+    def _release_dialog(self) -> None:
+        # Closed once more, it is released already.
+        if self._dialog is None:
+            return
+        self._dialog = None
+        for changed in self._shown_in_dialog:
+            changed.disconnect(self._show_in_dialog)
+
+    def _show_in_dialog(self) -> None:
+        if self._dialog is not None:
+            session = self._session
+            self._dialog.show_document(
+                session.document,
+                session.active_index,
+                session.selected.marked,
+                with_estimates=self._preferences.with_estimates,
+            )
+
+    def _ask_where(self, choice: ExportChoice) -> None:
+        if choice.is_each and self._session.selected.chosen:
+            import_export.own_files.OwnFiles(self._context).ask(choice)
+        else:
+            self._ask_where_to(choice)
+
+    def _ask_where_to(self, choice: ExportChoice) -> None:
+        session, last = self._session, self._session.files.last_export
+        self._preferences.export_choice = exchange.choice.text_of(choice)
+        known = exchange.choice.known_name(choice, session.document, session.selected.marked, last)
+        usual = own_name(known or file_stem(session)) + choice.ending
+        kind = f"{choice.format.title} (*{choice.ending})"
+        start = str(self._preferences.last_folder / usual)
+        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", start, kind)
+        if not name:
+            return
+        path = with_ending(Path(name), choice.ending)
+        if path != Path(name) and path.exists():
+            # The dialog asked about the name that was typed, if it asked at all.
+            there = StorageError("It is there already; choose it in the list to replace it.")
+            self._work.refuse(path, "written", there)
+            return
+        session.files.note_export(exchange.choice.note_of(choice, path.name, last))
+        order = choice.order(
+            session.document,
+            session.active_index,
+            session.selected.marked,
+            with_estimates=self._preferences.with_estimates,
+        )
+        self.export(path, order.options, order.document)
+
+    def export(self, path: Path, options: Options | None = None, document: Document | None = None) -> None:
+        """Write the document, or a part of it, in the format that the ending names; say how exactly."""
+        document = document or self._session.document
+        options = options or exchange.options.Options(unit=document.unit)
+
+        def work(report: Report) -> Written:
+            return exchange.writing.export(document, path, options.reporting(report))
+
+        self._work.start(
+            f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
+        )
+
+    def _say_written(self, path: Path, written: Written) -> None:
+        self._preferences.last_folder = path.parent
+        self._session.say(f"Wrote {path.name}, {written.words}.")
+        self._work.warn_of(written.remarks)
