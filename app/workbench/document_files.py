@@ -7,18 +7,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from msgspec.structs import replace
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from .. import exchange
 from ..document.curve_edits import unstyled_model
-from ..document.model import Document, Page, empty_document
-from ..document.paper import begun_for_paper, drawn_style
+from ..document.model import Document
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
-from ..families import HERMITE
-from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..storage.examples import first_sketch
@@ -38,22 +32,16 @@ from .file_names import (
     is_misnamed,
     is_svg,
     path_to_save,
-    short_name,
-    title_of,
     why_not_saved_as,
 )
-
-NEW_NAME = empty_document().curves[0].name
-"""The name that a curve has before anyone gives it one."""
+from .new_documents import as_usual, blank_document, blank_drawing, blank_sketch
+from .unsaved_changes import ask_about_changes
 
 StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[str], object]], bool]
 """Takes a title, work, who gets its result, the file, what is done with it, and who hears why it was not.
 
 Returns whether the work has begun.
 """
-
-_A4 = Page(0.0, 0.0, 210.0, 297.0)
-"""The page of a drawing, in millimetres, where no other is usual."""
 
 _READ = 0.1
 """Share of opening that is reading the file."""
@@ -94,60 +82,33 @@ class DocumentFiles:
         self.open_window: Callable[[], object] | None = None
         """Opens a window with an empty document; None where somebody else keeps the windows."""
         self._after_opening: list[Callable[[str], object]] | None = None
-        session.files.blank = self._blank
+        session.files.blank = lambda: blank_document(preferences)
         self._prepare_sketch()
-
-    def _blank(self) -> Document:
-        """Return what a new document is."""
-        curve = self._preferences.new_curve
-        document = self._as_usual(Document((curve,)))
-        return document.with_curve(
-            0, replace(curve, style=drawn_style(document, self._preferences.new_style))
-        )
 
     def _prepare_sketch(self) -> None:
         """Give the sketch that a session begins with the unit and the grid of new documents."""
         session, sketch = self._session, plain(first_sketch())
-        is_begun = session.files.path is not None or session.undo_stack.count()
-        if not is_begun and session.document == sketch != self._as_usual(sketch):
-            session.files.begin(self._as_usual(sketch))
-
-    def _as_usual(self, document: Document) -> Document:
-        preferences = self._preferences
-        unit, spacing, page = preferences.unit_name, preferences.grid_spacing, preferences.new_page
-        return replace(document, unit=unit, grid_spacing=spacing, page=page)
+        is_begun, usual = session.files.path is not None or session.undo_stack.count(), self._preferences
+        if not is_begun and session.document == sketch != as_usual(sketch, usual):
+            session.files.begin(as_usual(sketch, usual))
 
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""
-        if self.may_discard():
-            self.remember_rules()
-            self._session.new()
+        self._begin(blank_document)
 
     def new_drawing(self) -> bool:
         """Start a page to draw on, after asking about unsaved changes; return whether it is there."""
-        if not self.may_discard():
-            return False
-        self.remember_rules()
-        usual = self._blank()
-        curve = usual.curves[0].with_family(HERMITE)
-        document = usual = replace(usual, curves=(curve,))
-        if document.page is None:
-            document = begun_for_paper(usual, replace(usual, unit="mm", page=_A4))
-        self._session.files.begin(document)
-        return True
+        return self._begin(blank_drawing)
 
     def new_sketch(self) -> bool:
         """Start a plane without a page, after asking about unsaved changes; return whether it is there."""
+        return self._begin(blank_sketch)
+
+    def _begin(self, make: Callable[[Preferences], Document]) -> bool:
         if not self.may_discard():
             return False
         self.remember_rules()
-        usual = self._blank()
-        if usual.page is not None:
-            # Units and lines of paper were chosen along with the page.
-            curve = usual.curves[0]
-            plain_line = replace(curve, style=replace(curve.style, width=None))
-            usual = replace(usual, page=None, unit="", curves=(plain_line,))
-        self._session.files.begin(usual)
+        self._session.files.begin(make(self._preferences))
         return True
 
     def remember_rules(self) -> None:
@@ -331,7 +292,7 @@ class DocumentFiles:
         self._session.files.check()
         if not self._session.files.is_modified:
             return True
-        answer = self._ask_about_changes()
+        answer = ask_about_changes(self._session, self._foreign, self._window)
         if answer == QMessageBox.StandardButton.Save:
             return self.save(waits=True)
         if answer == QMessageBox.StandardButton.SaveAll:
@@ -343,28 +304,6 @@ class DocumentFiles:
         if self._session.files.file is not None:
             self._session.files.file.close()
 
-    def _ask_about_changes(self) -> int:
-        foreign = self._foreign
-        lost = words_of_loss(foreign, self._session.committed) if foreign is not None else ""
-        asked, told = _question_about(self._session, lost)
-        question = QMessageBox(self._window)
-        question.setObjectName("saveChanges")
-        question.setWindowTitle("Curvebench")
-        question.setTextFormat(Qt.TextFormat.PlainText)
-        question.setIcon(QMessageBox.Icon.Question)
-        question.setText(breakable(asked))
-        question.setInformativeText(told)
-        buttons = QMessageBox.StandardButton
-        question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
-        if foreign is not None and lost:
-            question.addButton(buttons.SaveAll).setText("Save As…")
-            question.button(buttons.Save).setText(f"Save in {short_name(foreign.path.name)}")
-        question.setDefaultButton(buttons.Save)
-        answer = question.exec()
-        # Else every question ever asked would stay a part of the window.
-        question.setParent(None)
-        return answer
-
 
 def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
     """Return a document and the views of its curves."""
@@ -372,27 +311,6 @@ def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
     reading = Reading.of(path)
     told = part(report, _READ, 1.0)
     return reading, views_ahead(reading.document.curves, lambda share: told(share, "Computing curves"))
-
-
-def words_of_loss(foreign: Foreign, document: Document) -> str:
-    """Return what a file would not keep of a document, until it was written to all the same."""
-    return "" if foreign.written else exchange.lasting.words_about_loss(document, foreign.path)
-
-
-def _question_about(session: Session, lost: str) -> tuple[str, str]:
-    """Return what is asked before a document goes that is not in its file, and why.
-
-    `lost` is what the file of another format that it was opened from would not keep.
-    """
-    files, file = session.files, session.files.file
-    if lost:
-        return f"Save the changes to {short_name(title_of(session))}?", lost
-    is_named = files.path is not None or files.foreign is not None or files.beginning.title
-    name = short_name(title_of(session)) if is_named else "the sketch"
-    why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
-    if files.has_changes:
-        return f"Save the changes to {name}?", f"{why}Without saving they are lost."
-    return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
 
 
 def _sentence(what: str, problem: Exception) -> str:

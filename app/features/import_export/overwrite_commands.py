@@ -21,7 +21,7 @@ from ...storage.foreign import Foreign
 from ...storage.reasons import shown
 from ...tasks.progress import Report, part
 from ...workbench.context import WindowContext
-from ...workbench.document_files import words_of_loss
+from ...workbench.unsaved_changes import words_of_loss
 
 
 def _has_file(now: Situation) -> bool:

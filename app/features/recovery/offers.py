@@ -15,7 +15,7 @@ from ...document.model import Document
 from ...document.words import count_of
 from ...storage.reasons import shown
 from ...storage.recovery import Snapshot
-from ...workbench.document_files import NEW_NAME
+from ...workbench.new_documents import NEW_NAME
 
 _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
 
