@@ -292,12 +292,15 @@ class DocumentFiles:
         self._session.files.check()
         if not self._session.files.is_modified:
             return True
-        answer = ask_about_changes(self._session, self._foreign, self._window)
+        answer = self._ask_about_changes()
         if answer == QMessageBox.StandardButton.Save:
             return self.save(waits=True)
         if answer == QMessageBox.StandardButton.SaveAll:
             return self.ask_and_save(waits=True)
         return answer == QMessageBox.StandardButton.Discard
+
+    def _ask_about_changes(self) -> int:
+        return ask_about_changes(self._session, self._foreign, self._window)
 
     def release(self) -> None:
         """Tell others that the document is open here no longer."""
