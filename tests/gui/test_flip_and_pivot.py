@@ -236,6 +236,35 @@ def test_it_is_taken_over_the_fill_of_what_is_chosen_once_the_grips_turn(two, tu
         assert two.session.undo_stack.undoText().startswith("Move")
 
 
+@pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, SHIFT])
+@pytest.mark.parametrize("turns", [False, True])
+def test_a_click_on_it_reaches_what_lies_there(editor, turns, keys):
+    """The pivot swallowed it: no ellipse in the middle of a chosen rectangle was chosen by its middle."""
+    editor.window.canvas.camera.show_box((-7, 7), (-5, 5))
+    editor.settle()
+    for tool, reach in (("rectangleTool", 4.0), ("ellipseTool", 2.0)):
+        editor.trigger(tool)
+        editor.drag((-reach, -reach), (reach, reach))
+        editor.session.change(
+            "Fill",
+            lambda document: document.with_curve(
+                len(document.curves) - 1,
+                replace(document.curves[-1], style=replace(document.curves[-1].style, fill="#ffcc00")),
+            ),
+        )
+    editor.trigger("selectTool")
+    *_, rectangle, ellipse = range(len(editor.session.document.curves))
+    selected = editor.session.selected
+    selected.choose([rectangle])
+    editor.session.box.set_turns(turns)
+    editor.settle()
+    document = editor.session.document
+    editor.click((0.0, 0.0), keys=keys)
+    assert selected.chosen == ({rectangle, ellipse} if keys else {ellipse})
+    assert editor.session.document is document
+    assert editor.session.box.pivot is None
+
+
 def shows_cross(editor):
     """Whether the cross is seen at the left of the pivot, where no line of a curve is."""
     canvas = editor.window.canvas
