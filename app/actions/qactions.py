@@ -26,9 +26,9 @@ from .keymap import (
     tool_tip,
 )
 from .needs import NOTHING, Need
-from .sections import Menu, Section
+from .sections import MENUS, Menu, Section
 from .situation import Situation
-from .strips import BARS, Bar, Strip
+from .strips import BARS, Bar, Place, Strip
 
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
@@ -208,10 +208,18 @@ class Actions(QObject):
 
     def in_strip(self, strip: Strip) -> dict[int, list[QAction]]:
         """Return the actions of a strip by the tens of their places, in order."""
-        places = ((place, each) for each in self._handlers for place in each.places if place.strip is strip)
-        found: dict[int, list[QAction]] = {}
-        for place, each in sorted(places, key=lambda pair: pair[0].number):
-            found.setdefault(place.number // 10, []).append(self[each.action.name])
+        groups = self.with_sections(strip).items()
+        return {ten: [each for each in group if isinstance(each, QAction)] for ten, group in groups}
+
+    def with_sections(self, strip: Strip) -> dict[int, list[QAction | Section]]:
+        """Return the actions of a strip, and the sections that are submenus there, by their tens."""
+        places: list[tuple[Place, QAction | Section]]
+        places = [(place, self[each.action.name]) for each in self._handlers for place in each.places]
+        places += [(place, each) for menu in MENUS for each in menu.sections for place in each.also]
+        found: dict[int, list[QAction | Section]] = {}
+        for place, entry in sorted(places, key=lambda pair: pair[0].number):
+            if place.strip is strip:
+                found.setdefault(place.number // 10, []).append(entry)
         return found
 
     def of_menu(self, menu: Menu) -> Iterator[tuple[Action, QAction]]:

@@ -6,12 +6,14 @@ their definition: of the command sets, then of the methods.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from itertools import count
 
 import msgspec
 
 from ..view_model.analysis.overlay import Group
 from .needs import CHOSEN, NOTHING, Need
+from .strips import CHOSEN_MENU, CURVE_MENU, Place
 
 MENUS: list[Menu] = []
 """The menus of the menu bar, in order."""
@@ -32,6 +34,10 @@ class Section(msgspec.Struct, frozen=True):
         Its place among all sections.
     needs
         What all of its actions need, besides what each needs itself.
+    also
+        Where in context menus it stands, too: there as a submenu.
+    called
+        The title of that submenu; sections of one title that follow each other in a strip share it.
     """
 
     menu: Menu
@@ -39,6 +45,8 @@ class Section(msgspec.Struct, frozen=True):
     is_separated: bool
     place: int
     needs: Need
+    also: tuple[Place, ...] = ()
+    called: str = ""
 
 
 class Menu:
@@ -61,10 +69,19 @@ class Menu:
         self.sections: list[Section] = []
         MENUS.append(self)
 
-    def section(self, submenu: str = "", *, is_separated: bool = True, needs: Need | None = None) -> Section:
-        """Return a new section at the end of the menu."""
+    def section(
+        self,
+        submenu: str = "",
+        *,
+        is_separated: bool = True,
+        needs: Need | None = None,
+        also: Collection[Place] = (),
+        called: str = "",
+    ) -> Section:
+        """Return a new section at the end of the menu; in context menus it is called as its submenu is."""
         needs = self.needs if needs is None else needs
-        self.sections.append(Section(self, submenu, is_separated, next(_places), needs))
+        made = Section(self, submenu, is_separated, next(_places), needs, tuple(also), called or submenu)
+        self.sections.append(made)
         return self.sections[-1]
 
 
@@ -89,7 +106,7 @@ EDIT_TOOLS = EDIT.section("Tools")
 EDIT_PEN = EDIT.section("Tools")
 EDIT_PENCIL = EDIT.section("Pencil", is_separated=False)
 EDIT_SELECT = EDIT.section()
-EDIT_SAME = EDIT.section("Select Same", is_separated=False)
+EDIT_SAME = EDIT.section("Select Same", is_separated=False, also=[CHOSEN_MENU(20), CURVE_MENU(49)])
 EDIT_TRANSFORM = EDIT.section("Transform", is_separated=False)
 EDIT_TRANSFORM_AGAIN = EDIT.section("Transform")
 EDIT_TRANSFORM_BOX = EDIT.section("Transform")
@@ -99,7 +116,7 @@ EDIT_ALIGN_UP = EDIT.section("Align and Distribute")
 EDIT_DISTRIBUTE = EDIT.section("Align and Distribute")
 EDIT_ALIGN_TO = EDIT.section("Align and Distribute")
 EDIT_LAYERS = EDIT.section("Layers", is_separated=False)
-EDIT_LAYER_MOVES = EDIT.section("Layers")
+EDIT_LAYER_MOVES = EDIT.section("Layers", also=[CHOSEN_MENU(22), CURVE_MENU(46)], called="Layer")
 EDIT_PAGE = EDIT.section("Page", is_separated=False)
 EDIT_DELETE = EDIT.section(is_separated=False)
 EDIT_CLIPBOARD = EDIT.section()
@@ -129,12 +146,12 @@ CURVE_COLOUR = CURVE.section("Properties")
 CURVE_STYLE = CURVE.section("Properties", is_separated=False, needs=NOTHING)
 CURVE_SETTINGS = CURVE.section("Properties")
 CURVE_NAME = CURVE.section("Properties", is_separated=False)
-CURVE_SHAPES = CURVE.section("Arrange", is_separated=False)
-CURVE_PATHS = CURVE.section("Arrange")
+CURVE_SHAPES = CURVE.section("Arrange", is_separated=False, also=[CHOSEN_MENU(35)], called="Paths")
+CURVE_PATHS = CURVE.section("Arrange", also=[CHOSEN_MENU(35)], called="Paths")
 CURVE_OFFSETS = CURVE.section("Arrange")
 CURVE_CLIPS = CURVE.section("Arrange")
 CURVE_GROUPS = CURVE.section("Arrange")
-CURVE_ORDER = CURVE.section("Arrange")
+CURVE_ORDER = CURVE.section("Arrange", also=[CHOSEN_MENU(21), CURVE_MENU(45)], called="Order")
 CURVE_WALK = CURVE.section("Arrange", needs=NOTHING)
 
 ANALYSIS = Menu("Analysis")

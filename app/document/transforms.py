@@ -82,6 +82,28 @@ def rotation(degrees: float, centre: Vector) -> Affine:
     return Affine(cos - 1.0, -sin, sin, cos - 1.0, centre)
 
 
+def mirrors(by: Affine) -> bool:
+    """Whether a map makes a mirror image."""
+    return (1.0 + by.xx) * (1.0 + by.yy) < by.xy * by.yx
+
+
+def turn_of(by: Affine) -> float:
+    """Return the degrees of the rotation nearest to a map, from −180 to 180.
+
+    Of one that mirrors, of the rotation after a mirror image sideways, which is half a turn from that after
+    one upside down.
+    """
+    sideways = -1.0 if mirrors(by) else 1.0
+    xx, yx = sideways * (1.0 + by.xx), sideways * by.yx
+    return round(math.degrees(math.atan2(yx - by.xy, xx + 1.0 + by.yy)), 9) + 0.0
+
+
+def least_turn(by: Affine) -> float:
+    """Return the degrees by which a map turns; of one that mirrors the smaller turn of the two."""
+    degrees = turn_of(by)
+    return degrees - 180.0 * math.ceil(degrees / 180.0 - 0.5) + 0.0 if mirrors(by) else degrees
+
+
 LARGEST_SKEW = 89.0
 """Degrees of a skew, to either side; at 90 nothing would be left of a shape."""
 

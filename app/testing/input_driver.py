@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from PySide6.QtCore import QEvent, QEventLoop, QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
@@ -18,6 +18,7 @@ _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
 _SHORT_MS = 300
+_SUBMENU_MS = 60
 
 
 def wait_for_rest(widget: QWidget, seconds: float = 10.0, *, up_to_ms: int = _SHORT_MS) -> None:
@@ -235,14 +236,17 @@ class InputDriver:
         return menu
 
     def choose(self, name: str) -> None:
-        """Click the entry of the open menu that has this objectName."""
-        menu = self.menu()
-        entry = next((each for each in menu.actions() if each.objectName() == name), None)
-        if entry is None:
+        """Click the entry of the open menu, or of a submenu of it, that has this objectName."""
+        if not (way := _way_to(name, self.menu())):
             raise LookupError(f"There is no entry called {name!r} in the menu.")
-        require_enabled(entry)
-        QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
-        self.settle()
+        require_enabled(way[-1])
+        for entry in way:
+            menu = self.menu()
+            QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
+            if entry is not way[-1]:
+                # A submenu opens a little later.
+                spin(_SUBMENU_MS)
+            self.settle()
 
     def settle(self) -> None:
         """Let Qt deliver what is pending and paint, and the status line say what a gesture has come to."""
@@ -255,3 +259,14 @@ class InputDriver:
         """Wait until numbers, panels and the table have followed the hand: those of this pace or quicker."""
         wait_for_rest(self.window, up_to_ms=up_to_ms)
         self.settle()
+
+
+def _way_to(name: str, menu: QMenu) -> list[QAction]:
+    """Return the entries to click, each in the menu of the one before, for that of this objectName."""
+    for entry in menu.actions():
+        if entry.objectName() == name:
+            return [entry]
+        within = entry.menu()
+        if isinstance(within, QMenu) and (way := _way_to(name, within)):
+            return [entry, *way]
+    return []

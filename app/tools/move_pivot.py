@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from ..document import words
 from ..document.model import Vector
@@ -27,9 +28,16 @@ def is_on_pivot(place: Vector, pointer: Pointer) -> bool:
 
 
 class MovePivot(Gesture):
-    """Drag of the pivot; it changes nothing in the document. A double click puts the pivot back."""
+    """Drag of the pivot; it changes nothing in the document. A double click puts the pivot back.
 
-    def __init__(self, context: ToolContext) -> None:
+    Parameters
+    ----------
+    on_click
+        What a click does; None for nothing.
+    """
+
+    def __init__(self, context: ToolContext, on_click: Callable[[], None] | None = None) -> None:
+        self._on_click = on_click
         self._press, self._start = context.pointer, context.target.centre
         self._before = context.host.box.pivot
         self._snapper = context.snappers.for_pivot(context.target.bounds)
@@ -46,6 +54,12 @@ class MovePivot(Gesture):
             axis = axis_held(way, pointer)
             to = plus(self._start, along_axis(way, axis))
             context.target.pivot = self._snapper.snap(to, pointer, axis)
+
+    def release(self, context: ToolContext) -> None:
+        """Leave it here, or click."""
+        self.move(context)
+        if not self._is_moving and self._on_click is not None:
+            self._on_click()
 
     def cancel(self, context: ToolContext) -> None:
         """Put it where it was."""

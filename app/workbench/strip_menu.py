@@ -1,8 +1,11 @@
-"""Context menus, made of the actions of a strip."""
+"""Context menus, made of the actions of a strip and of the sections that are submenus there."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 from ..actions.strips import Strip
@@ -14,13 +17,26 @@ def strip_menu(
 ) -> QMenu:
     """Return a menu with the actions of `strip`, which goes when it is closed.
 
-    One that `is_short` has those alone that can be done now.
+    One that `is_short` has those alone that can be done now; so do its submenus.
     """
     menu = QMenu(context.window)
     menu.setObjectName(name)
     menu.setToolTipsVisible(True)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    for group in context.actions.in_strip(strip).values():
+    submenus: dict[str, QMenu] = {}
+    for group in context.actions.with_sections(strip).values():
         menu.addSeparator()
-        menu.addActions([each for each in group if each.isEnabled() or not is_short])
+        for entry in group:
+            if isinstance(entry, QAction):
+                menu.addActions(_offered([entry], is_short=is_short))
+            elif actions := _offered(context.actions.in_section(entry), is_short=is_short):
+                if entry.called not in submenus:
+                    submenus[entry.called] = menu.addMenu(entry.called)
+                    submenus[entry.called].setToolTipsVisible(True)
+                submenus[entry.called].addSeparator()
+                submenus[entry.called].addActions(actions)
     return menu
+
+
+def _offered(actions: Sequence[QAction], *, is_short: bool) -> list[QAction]:
+    return [each for each in actions if each.isEnabled() or not is_short]

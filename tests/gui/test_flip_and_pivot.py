@@ -9,6 +9,8 @@ import pytest
 from extents import CLOSE, box_shown, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLineEdit
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
@@ -63,6 +65,38 @@ def test_a_key_mirrors_all_points_about_the_middle_of_the_curve(two, key, axis, 
     assert undo_text(two) == f"Flip all 4 points {way}"
     two.trigger("undo")
     assert points(two).tolist() == before.tolist()
+
+
+@pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0, 120.0, 180.0, -90.0])
+@pytest.mark.parametrize("flips", ["Horizontally", "Vertically"])
+def test_a_mirror_image_is_no_rotation(two, degrees, flips, point_locale):
+    """The angle was 180 or noise; a mirror image leans as far to the other side, and turns on from there."""
+    choose_both(two)
+    two.trigger("openTransform")
+    angle = two.window.findChild(QLineEdit, "transformAngle")
+
+    def shown():
+        two.settle()
+        return float(angle.text().replace("−", "-"))
+
+    def enter(value):
+        angle.setFocus()
+        angle.selectAll()
+        two.type_text(angle, str(value))
+        QTest.keyClick(angle, Key.Key_Return)
+
+    enter(degrees)
+    before = points(two) - points(two)[0]
+    two.trigger(f"flip{flips}")
+    assert math.remainder(shown() + degrees, 360.0) == pytest.approx(0.0, abs=1e-6)
+    two.trigger("rotateLeft")
+    assert math.remainder(shown() - (90.0 - degrees), 360.0) == pytest.approx(0.0, abs=1e-6)
+    enter(-degrees)
+    assert math.remainder(shown() + degrees, 360.0) == pytest.approx(0.0, abs=1e-6)
+    two.trigger(f"flip{flips}")
+    assert shown() == pytest.approx(degrees, abs=1e-6)
+    # The quarter turn was about the middle of another box.
+    assert points(two) - points(two)[0] == pytest.approx(before, abs=CLOSE)
 
 
 def test_selected_points_are_mirrored_alone(two):
@@ -200,6 +234,35 @@ def test_it_is_taken_over_the_fill_of_what_is_chosen_once_the_grips_turn(two, tu
         two.drag(middle, (middle[0] + 1.0, middle[1]))
         assert pivot(two) == pytest.approx((middle[0] + 1.0, middle[1]), abs=2 * two.pixel)
         assert two.session.undo_stack.undoText().startswith("Move")
+
+
+@pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, SHIFT])
+@pytest.mark.parametrize("turns", [False, True])
+def test_a_click_on_it_reaches_what_lies_there(editor, turns, keys):
+    """The pivot swallowed it: no ellipse in the middle of a chosen rectangle was chosen by its middle."""
+    editor.window.canvas.camera.show_box((-7, 7), (-5, 5))
+    editor.settle()
+    for tool, reach in (("rectangleTool", 4.0), ("ellipseTool", 2.0)):
+        editor.trigger(tool)
+        editor.drag((-reach, -reach), (reach, reach))
+        editor.session.change(
+            "Fill",
+            lambda document: document.with_curve(
+                len(document.curves) - 1,
+                replace(document.curves[-1], style=replace(document.curves[-1].style, fill="#ffcc00")),
+            ),
+        )
+    editor.trigger("selectTool")
+    *_, rectangle, ellipse = range(len(editor.session.document.curves))
+    selected = editor.session.selected
+    selected.choose([rectangle])
+    editor.session.box.set_turns(turns)
+    editor.settle()
+    document = editor.session.document
+    editor.click((0.0, 0.0), keys=keys)
+    assert selected.chosen == ({rectangle, ellipse} if keys else {ellipse})
+    assert editor.session.document is document
+    assert editor.session.box.pivot is None
 
 
 def shows_cross(editor):

@@ -215,6 +215,15 @@ def test_a_turned_rectangle_says_its_angle_whenever_it_is_chosen_and_so_does_its
     assert angle.text().replace("−", "-") == "-100"
 
 
+@pytest.mark.parametrize("flip", ["flipHorizontally", "flipVertically"])
+def test_a_mirrored_rectangle_that_is_chosen_again_stands_at_no_angle(rectangle, flip):
+    """Mirrored upside down it said 180°."""
+    rectangle.trigger(flip)
+    assert now(rectangle).angle == 0
+    rectangle.trigger("rotateRightStep")
+    assert now(rectangle).angle == -15
+
+
 def test_the_numbers_of_several_rectangles_are_set_in_one_step(rectangle, point_locale):
     rectangle.trigger("openTransform")
     rectangle.trigger("rectangleTool")

@@ -8,6 +8,8 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from app.actions.mnemonics import plain
+
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
 
@@ -275,15 +277,23 @@ def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
     found = entries(three.open_menu(on_curve(three, 1)))
     assert all(found.values())
     assert {"insertPointHere", "splitHere", "ungroupCurves", "breakApart", "pathFracture"}.isdisjoint(found)
-    wanted = ["cutPoints", "copyPoints", "duplicateCurve", "deleteCurve", "copyStyle", "groupCurves"]
-    wanted += ["combineCurves", "pathUnion", "raiseCurve", "curveVisible", "curveLocked"]
+    wanted = ["cutPoints", "copyPoints", "pastePoints", "duplicateCurve", "clone", "deleteCurve"]
+    wanted += ["groupCurves", "setClip", "copyStyle", "curveVisible", "curveLocked"]
     assert [name for name in found if name in wanted] == wanted
+    menus = {plain(each.text()): each.menu() for each in three.menu().actions() if each.menu()}
+    assert list(menus) == ["Select Same", "Order", "Paths"]
+    assert {"combineCurves", "pathUnion"} <= entries(menus["Paths"]).keys()
+    assert list(entries(menus["Order"])) == ["raiseCurve", "lowerCurve", "raiseToTop", "lowerToBottom"]
     three.choose("groupCurves")
     # Something that is not chosen is chosen first, with the group that it is in.
     found = entries(three.open_menu(on_curve(three, 2)))
     assert selected.chosen == {2}
-    assert {"groupCurves", "ungroupCurves", "combineCurves"}.isdisjoint(found)
-    close(three)
+    assert {"ungroupCurves", "setClip"}.isdisjoint(found)
+    assert "groupCurves" in found
+    three.choose("lowerToBottom")
+    assert [curve.name for curve in three.session.document.curves] == ["C", "A", "B"]
+    three.trigger("undo")
+    assert selected.chosen == {2}
     found = entries(three.open_menu(on_curve(three, 0)))
     assert selected.chosen == {0, 1}
     assert "ungroupCurves" in found

@@ -20,6 +20,7 @@ from app.document.style import FillRule, Style
 from app.families import HERMITE
 from app.features.curve_list import dragging
 from app.features.curve_list.row_parts import Spot, spot_rect
+from app.workbench.strip_menu import strip_menu
 from tests.gui.curve_rows import heard, rows, view_of
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -209,8 +210,17 @@ def test_what_runs_the_other_way_keeps_its_rule(rings):
 def test_one_curve_is_not_combined_and_a_plain_one_not_broken_apart(rings):
     assert not rings.action("combineCurves").isEnabled()
     assert not rings.action("breakApart").isEnabled()
-    assert not rings.action("groupCurves").isEnabled()
     assert not rings.action("ungroupCurves").isEnabled()
+
+
+def test_one_curve_is_grouped_and_ungrouped(rings):
+    """A group of one takes others in later; it was refused."""
+    name = rings.curve.name
+    rings.trigger("groupCurves")
+    assert rings.curve.groups == ("Group 1",)
+    assert rings.status == "“Group 1” has 1 curve."
+    rings.trigger("ungroupCurves")
+    assert (rings.curve.name, rings.curve.groups) == (name, ())
 
 
 def test_with_nothing_chosen_there_is_nothing_to_combine_or_group(ring):
@@ -903,6 +913,7 @@ def test_style_calls_a_shape_by_its_name_and_the_menu_of_a_curve_raises_it(ring)
     ring.settle()
     name = ring.session.document.curves[0].shape
     assert ring.window.findChild(QLabel, "styleSubject").text() == name != ring.curve.name
-    entries = ring.window.context.actions.in_strip(CURVE_MENU).values()
-    names = {each.objectName() for section in entries for each in section}
-    assert {"raiseCurve", "lowerCurve", "groupCurves"} <= names
+    menu = strip_menu(ring.window.context, CURVE_MENU)
+    (order,) = [each.menu() for each in menu.actions() if each.text() == "Order"]
+    assert {"raiseCurve", "lowerCurve"} <= {each.objectName() for each in order.actions()}
+    assert "groupCurves" in {each.objectName() for each in menu.actions()}

@@ -13,7 +13,7 @@ from app.document.style import LineCap, Style
 from app.document.transforms import flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
-from app.view_model.boxes.pivot import Pivot, anchored, turned_since
+from app.view_model.boxes.pivot import Pivot, Turning, anchored
 from app.view_model.boxes.stretch import stretched
 from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
@@ -183,5 +183,5 @@ def test_the_angle_is_read_off_the_points(degrees):
     group = points_of(0, range(5))
     before = anchored(views_of(document), group, BARE)
     new = mapped(mapped(document, group, rotation(degrees, (3.0, 3.0))), group, scaling(2.0, 2.0, (0.0, 1.0)))
-    turned = turned_since(before, anchored(views_of(moved(new, group, (1.0, 1.0))), group, BARE))
+    turned = Turning(before, 0.0).at(anchored(views_of(moved(new, group, (1.0, 1.0))), group, BARE))
     assert turned % 360.0 == pytest.approx(degrees % 360.0, abs=1e-9)

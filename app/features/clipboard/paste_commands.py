@@ -13,7 +13,7 @@ from PySide6.QtCore import QMimeData
 from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.sections import EDIT_CLIPBOARD
-from ...actions.strips import CANVAS_MENU, CURVE_LIST_MENU
+from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.layers import front_of, in_front
@@ -50,7 +50,7 @@ class PasteCommands:
         give_keys_to_drawing(context, PasteCommands)
 
     @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V", "paste")
-    @also(CANVAS_MENU(20), CURVE_LIST_MENU(38))
+    @also(CANVAS_MENU(20), CHOSEN_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
         """Add the curves or the SVG on the clipboard at the pointer; append points (x y, or t x y)."""
         self._paste(self._context.central.canvas.pointed_place, self._append)

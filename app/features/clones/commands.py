@@ -8,7 +8,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import HIGHLIGHTED, Need
 from ...actions.sections import EDIT_CLONES
 from ...actions.situation import Situation
-from ...actions.strips import CURVE_MENU
+from ...actions.strips import CHOSEN_MENU, CURVE_MENU
 from ...document.clones import add_clones, original_of, unlinked
 from ...document.several_curves import named
 from ...workbench.context import WindowContext
@@ -41,7 +41,7 @@ class CloneCommands:
     @action(
         "clone", "Clone", EDIT_CLONES, "Alt+D", "link", needs=HIGHLIGHTED, keywords="linked copy instance"
     )
-    @also(CURVE_MENU(14))
+    @also(CURVE_MENU(14), CHOSEN_MENU(14))
     def _clone(self) -> None:
         """Add a copy that follows every change of its original; moved and turned it goes its own way."""
         session, places = self._session, self._places

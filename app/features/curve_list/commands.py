@@ -111,7 +111,7 @@ class CurveListCommands:
         icon="duplicate",
         title=lambda now: f"Duplicate {_curves(now)}",
     )
-    @also(CURVE_MENU(13), CHOSEN_MENU(12), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
+    @also(CURVE_MENU(13), CHOSEN_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of the curve, or of all that are selected, in the same place."""
         session, order = self._session, sorted(highlighted_curves(self._context))
@@ -147,7 +147,7 @@ class CurveListCommands:
         "delete",
         title=lambda now: f"Delete {_curves(now)}",
     )
-    @also(CURVE_MENU(30), CHOSEN_MENU(13), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
+    @also(CURVE_MENU(30), CHOSEN_MENU(15), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the curve, or all that are selected."""
         self._delete_all(highlighted_curves(self._context))
@@ -208,7 +208,7 @@ class CurveListCommands:
         full_name="Curve Visible",
         checked=lambda now: now.view.source.visible,
     )
-    @also(CURVE_MENU(21), CHOSEN_MENU(60), CURVE_LIST_MENU(12))
+    @also(CURVE_MENU(21), CHOSEN_MENU(50), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
         """Show or hide the curve, or all that are selected."""
         self._rows.switch_visible_of(frozenset({self._session.active_index}))
@@ -222,7 +222,7 @@ class CurveListCommands:
         full_name="Curve Locked",
         checked=lambda now: now.view.source.locked,
     )
-    @also(CURVE_MENU(22), CHOSEN_MENU(61), CURVE_LIST_MENU(13))
+    @also(CURVE_MENU(22), CHOSEN_MENU(51), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
         """Keep the curve, or all that are selected, safe from changes."""
         self._rows.switch_locked_of(frozenset({self._session.active_index}))

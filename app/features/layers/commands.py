@@ -6,7 +6,7 @@ from ...actions.declaration import action, also
 from ...actions.needs import SOME_LAYER, Need
 from ...actions.sections import EDIT_LAYER_MOVES, EDIT_LAYERS
 from ...actions.situation import Situation
-from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, LAYER_MENU
+from ...actions.strips import CURVE_LIST_MENU, LAYER_MENU
 from ...document.layers import layers_beside, moved_to_layer, neighbour_of, new_layer, stepped_layer
 from ...document.several_curves import named, place_in
 from ...document.shapes import whole_shapes
@@ -111,7 +111,6 @@ class LayerCommands:
         needs=_LAYER_ABOVE,
         keywords="send selection to next layer",
     )
-    @also(CURVE_MENU(47))
     def _move_up(self) -> None:
         """Bring what is chosen to the front of the layer above its own."""
         self._move(1)
@@ -124,7 +123,6 @@ class LayerCommands:
         needs=_LAYER_BELOW,
         keywords="send selection to previous layer",
     )
-    @also(CURVE_MENU(48))
     def _move_down(self) -> None:
         """Bring what is chosen to the front of the layer below its own."""
         self._move(-1)

@@ -37,7 +37,7 @@ class ClipCommands:
         ),
         keywords="clipping path mask crop cut inside object",
     )
-    @also(CHOSEN_MENU(42))
+    @also(CHOSEN_MENU(32))
     def _set(self) -> None:
         """Cut the chosen shapes by the outline of the one in front; Release Clip brings it back."""
         self._work.compute("Set clip", with_clip_set)
@@ -51,7 +51,7 @@ class ClipCommands:
         needs=Need("a shape that is clipped", _is_clipped),
         keywords="clipping path unclip remove mask crop whole",
     )
-    @also(CHOSEN_MENU(43))
+    @also(CHOSEN_MENU(33))
     def _release(self) -> None:
         """Show the chosen shapes whole, and the outline that cut them as a shape of its own."""
         self._work.compute("Release clip", with_clip_released)

@@ -19,14 +19,13 @@ from ...document.shape_edits import (
     combined,
     grouped,
     groups_meant,
-    objects,
     ungrouped,
 )
 from ...document.shapes import shape_of
 from ...document.words import count_of
 from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
-from .chosen_shapes import meant
+from .chosen_shapes import A_SHAPE, meant
 from .clip_commands import ClipCommands
 from .corner_commands import CornerCommands
 from .offset_commands import OffsetCommands
@@ -64,7 +63,7 @@ class ShapeCommands:
         needs=Need("two chosen curves or more", _is_several),
         keywords="compound path, hole, make shape, counter",
     )
-    @also(CURVE_MENU(40), CHOSEN_MENU(32), CURVE_LIST_MENU(50))
+    @also(CURVE_MENU(40), CURVE_LIST_MENU(50))
     def _combine(self) -> None:
         """Make one shape of the chosen curves: one fill, with holes where one lies within another."""
         session, curves = self._session, meant(self._session)
@@ -86,7 +85,7 @@ class ShapeCommands:
         needs=Need("a shape of several curves", _are_in_shapes),
         keywords="release compound path, uncombine",
     )
-    @also(CURVE_MENU(41), CHOSEN_MENU(33), CURVE_LIST_MENU(51))
+    @also(CURVE_MENU(41), CURVE_LIST_MENU(51))
     def _break_apart(self) -> None:
         """Make a curve of its own of each curve of the shape."""
         session, curves = self._session, meant(self._session)
@@ -123,7 +122,7 @@ class ShapeCommands:
         "Ctrl+G",
         "group",
         full_name="Group Curves",
-        needs=Need("two chosen curves or more", lambda now: len(meant(now.session)) > 1),
+        needs=A_SHAPE,
     )
     @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53), OBJECT_BAR(20))
     def _group(self) -> None:
@@ -131,9 +130,9 @@ class ShapeCommands:
         session, curves = self._session, meant(self._session)
         made = grouped(session.document, curves)
         if self._put(f"Group {named(session.document, curves)}", made):
-            name = named(session.document, made.places)
-            (group,) = objects(session.document, made.places)
-            session.say(f"“{name}” has {counted_nodes(group.parts)}.")
+            # Of one curve alone the group around it is what was made, and not what is chosen.
+            (group, *_) = groups_meant(session.document, made.places)
+            session.say(f"“{group.name}” has {counted_nodes(group.parts)}.")
 
     @action(
         "ungroupCurves",

@@ -7,7 +7,7 @@ from functools import partial
 from ...actions.declaration import Action, action, action_for_each, also_for_each
 from ...actions.needs import Need
 from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
-from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
+from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
 from ...document.shapes import is_of_several
 from ...view_model.shapes.regions import (
     PATH_OPERATIONS,
@@ -58,7 +58,7 @@ class PathCommands:
     )
     @also_for_each(
         lambda operation: (
-            *(CURVE_MENU(44), CHOSEN_MENU(40), CURVE_LIST_MENU(55)),
+            *(CURVE_MENU(44), CURVE_LIST_MENU(55)),
             *(OBJECT_BAR(10),) * (operation in PATH_OPERATIONS[:_IN_BAR]),
         )
     )

@@ -49,7 +49,7 @@ class StyleClipboardCommands:
         keywords="colour format painter",
         needs=CHOSEN,
     )
-    @also(CHOSEN_MENU(21))
+    @also(CHOSEN_MENU(41))
     def _copy(self) -> None:
         """Copy stroke and fill of the curve that is edited."""
         session, data = self._session, QMimeData()
@@ -69,7 +69,7 @@ class StyleClipboardCommands:
         keywords="colour format painter",
         needs=CHOSEN,
     )
-    @also(CHOSEN_MENU(22))
+    @also(CHOSEN_MENU(42))
     def _paste(self) -> None:
         """Give the curve, or all that are selected, the stroke and the fill that were copied.
 

@@ -281,7 +281,7 @@ class StyleCommands:
         full_name="Style: Stroke and Fill…",
         keywords="colour width dash opacity line cap join outline",
     )
-    @also(CURVE_MENU(23), CHOSEN_MENU(20), CURVE_LIST_MENU(14))
+    @also(CURVE_MENU(23), CHOSEN_MENU(40), CURVE_LIST_MENU(14))
     def _show(self) -> None:
         """Show colour, width, ends, corners, dashes and fill of the curve, or of all that are selected."""
         self._dock.bring_up()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -20,7 +19,7 @@ from ...document.transforms import rotation, skewing
 from ...document.words import number
 from ...state.window_state import WindowState
 from ...view_model.boxes.bounds import NINE
-from ...view_model.boxes.pivot import Anchor, turned_since
+from ...view_model.boxes.pivot import Turning
 from ...view_model.boxes.resizing import SIDES, resized
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.shapes.formed import Formed, formed, with_form
@@ -46,9 +45,7 @@ class TransformPanelCommands(QObject):
         self._context, self._session, self._store = context, context.session, context.store
         self._target = context.central.canvas.tools.target
         self._panel: TransformPanel | None = None
-        # The selection as it was when it was made, and the angle that it had then.
-        self._anchor: Anchor | None = None
-        self._angle_then = 0.0
+        self._turning: Turning | None = None
         self._forms_then: dict[int, Formed] = {}
         self._dock = context.docks["transformDock"]
         self._is_seen = False
@@ -157,12 +154,12 @@ class TransformPanelCommands(QObject):
 
     def _angle(self) -> float:
         now = self._target.anchored()
-        turned = turned_since(self._anchor, now) if self._anchor is not None else None
-        if turned is None:
+        angle = self._turning.at(now) if self._turning is not None else None
+        if angle is None:
             angles = {form.angle for form in self._formed().values()}
-            self._anchor, turned = now, 0.0
-            self._angle_then = angles.pop() if len(angles) == 1 else 0.0
-        return math.remainder(self._angle_then + turned, 360.0) + 0.0
+            angle = angles.pop() if len(angles) == 1 else 0.0
+            self._turning = Turning(now, angle)
+        return angle
 
     # What the person did
 
@@ -230,7 +227,8 @@ class TransformPanelCommands(QObject):
 
     def _first_middle(self) -> Vector:
         """Return where the middle that it had at angle 0 is now: back at 0 nothing has moved."""
-        before, now = self._anchor, self._target.anchored()
+        before = self._turning.anchor if self._turning is not None else None
+        now = self._target.anchored()
         by = before.since(now) if before is not None else None
         if before is None or before.bounds is None or by is None:
             return self._target.centre

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from msgspec.structs import replace
@@ -57,7 +58,7 @@ class SelectTool(Tool):
             self._press_on_curve(context, line, is_second=True)
             return
         if below is None and self._is_on_pivot(context):
-            self.gesture = MovePivot(context)
+            self.gesture = MovePivot(context, self._click_at_pivot(context))
             return
         self._press(context)
         if below is not None:
@@ -167,6 +168,16 @@ class SelectTool(Tool):
             context.host.selected.set_points([])
         else:
             self._picker.unpick(context)
+
+    @staticmethod
+    def _click_at_pivot(context: ToolContext) -> Callable[[], None] | None:
+        """Return what a click on the pivot of chosen curves means: another curve that lies there."""
+        hit, host = context.hit, context.host
+        if hit is None or hit.part is not Part.OTHER_CURVE or host.selected.is_editing:
+            return None
+        if hit.index in host.selected.chosen:
+            return None
+        return partial(click_curve, context, hit)
 
     def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
         self._drags_grip = True

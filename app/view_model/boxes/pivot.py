@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Curve, Vector
 from ...document.point_group import PointGroup
-from ...document.transforms import IDENTITY, Affine
+from ...document.transforms import IDENTITY, Affine, mirrors, turn_of
 from ..curve.curve_view import CurveView
 from .bounds import Bounds, Strokes, bounds_of
 from .stretch import between
@@ -114,14 +114,42 @@ class Pivot(msgspec.Struct, frozen=True, eq=False):
         return Pivot(self.place if stays else place, now)
 
 
-def turned_since(anchor: Anchor, now: Anchor) -> float | None:
-    """Return by how many degrees a group was turned, from −180 to 180; None where it is another one."""
-    by = anchor.since(now)
-    if by is None:
-        return None
-    # The rotation that is nearest to the map.
-    degrees = math.degrees(math.atan2(by.yx - by.xy, 2.0 + by.xx + by.yy))
-    return round(degrees, 9) + 0.0
+class Turning:
+    """The angle at which a group stands, from when it was selected on; a mirror image is no rotation.
+
+    What is mirrored sideways and turned by 180° is what is mirrored upside down: the angle before says which
+    of the two it is.
+
+    Attributes
+    ----------
+    anchor
+        The group as it was then.
+    """
+
+    def __init__(self, anchor: Anchor, degrees: float) -> None:
+        self.anchor, self._then, self._last = anchor, degrees, degrees
+        # Of a mirror image what is added to the rotation after one sideways.
+        self._more: float | None = None
+
+    def at(self, now: Anchor) -> float | None:
+        """Return the angle now, from −180 to 180; None where the group is another one."""
+        by = self.anchor.since(now)
+        if by is None:
+            return None
+        degrees = turn_of(by) + self._then
+        if not mirrors(by):
+            self._more = None
+        else:
+            degrees -= 2.0 * self._then
+            if self._more is None:
+                self._more = 180.0 if abs(_wrapped(degrees + self._last)) > 90.0 else 0.0
+            degrees += self._more
+        self._last = _wrapped(degrees)
+        return self._last
+
+
+def _wrapped(degrees: float) -> float:
+    return math.remainder(degrees, 360.0) + 0.0
 
 
 def map_between(before: FloatArray, after: FloatArray) -> Affine:

@@ -15,7 +15,7 @@ from ...document.form import FormHandle
 from ...document.form_edits import formed_anew
 from ...document.forms import AnyForm
 from ...document.model import Curve, Document, Vector
-from ...document.transforms import IDENTITY, Affine
+from ...document.transforms import IDENTITY, Affine, least_turn
 from ...families import HERMITE
 from ..curve.curve_view import view_of
 
@@ -48,11 +48,8 @@ class Formed(msgspec.Struct, frozen=True):
 
     @property
     def angle(self) -> float:
-        """Degrees by which it is turned; of a mirror image, the turn after it was mirrored sideways."""
-        sideways = -1.0 if (1 + self.by.xx) * (1 + self.by.yy) < self.by.xy * self.by.yx else 1.0
-        xx, yx = sideways * (1 + self.by.xx), sideways * self.by.yx
-        # The rotation that is nearest to the map.
-        return round(math.degrees(math.atan2(yx - self.by.xy, xx + 1 + self.by.yy)), 9) + 0.0
+        """Degrees by which it is turned; a mirror image, sideways or upside down, is no rotation."""
+        return least_turn(self.by)
 
     def as_drawn(self, place: Vector) -> Vector:
         """Return where a place was before the form was turned."""
