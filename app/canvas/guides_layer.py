@@ -7,9 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QPainter, QPen
 
-from ..appearance.theme import mix
 from ..document.guide_edits import place_words
 from ..document.model import Axis, Guide, Vector
 from ..plotting.halo import Halo
@@ -23,8 +22,6 @@ _REACH = 5.0
 """Pixels from the pointer within which a guide is grabbed."""
 
 _DASHES = (8.0, 4.0)
-_CALM = 0.75
-"""Share of the accent in a guide that is not pointed at."""
 
 _GAP = 4.0
 
@@ -103,8 +100,7 @@ class GuidesLayer(Layer):
     def _paint_guide(
         self, painter: QPainter, shown: PixelMap, guide: Guide, ends: tuple[float, float], *, is_lit: bool
     ) -> None:
-        colour = self.theme.accent if is_lit else mix(self.theme.accent, self.theme.paper, _CALM)
-        pen = QPen(QColor(colour), 1.0)
+        pen = QPen(self.theme.accent, 1.0)
         if not is_lit:
             pen.setDashPattern(_DASHES)
         painter.setPen(pen)
@@ -129,7 +125,7 @@ class GuidesLayer(Layer):
             top = at - _GAP - size.height()
             top = max(min(top if top >= 0 else at + _GAP, shown.height - size.height()), 0.0)
             box = QRectF(QPointF(_GAP, top), size)
-        self._halo.write(painter, box, text, self.theme.paper, self.theme.accent, 2 * self.scale)
+        self._halo.write(painter, box, text, self.theme.paper, self.theme.accent_text, 2 * self.scale)
 
 
 def _distance(guide: Guide, pixel: Vector, shown: PixelMap) -> float:

@@ -275,7 +275,7 @@ class MarksLayer(Layer):
     ) -> None:
         """Write beside a place, away from what is worked on."""
         plate = self.readout_rect = beyond(place, ways, _CLEAR * self.scale, size_of(painter, text), shown)
-        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
+        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent_text)
 
     def _paint_label(
         self, painter: QPainter, shown: PixelMap, pixel: QPointF, text: str, around: Surroundings
@@ -284,7 +284,7 @@ class MarksLayer(Layer):
         size, gap = size_of(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
         self.snap_label_rect = free_corner(pixel, size, gap, around, shown)
         theme = self.theme
-        self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent, 2 * self.scale)
+        self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent_text, 2 * self.scale)
 
 
 def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:

@@ -52,7 +52,10 @@ class OtherPointsLayer(Layer):
         self.over_picture = False
         self._views: list[tuple[int, CurveView]] = []
         self._group = NO_POINTS
-        self._stamps = _SelectedStamps(self._stamp, _REACH)
+        self._ringed = _SelectedStamps(self._stamp, _REACH)
+        self._plain = _SelectedStamps(_stamp_plain, _REACH)
+        # As in the layer of the active curve.
+        self.is_plain = False
         self._kinds: IntArray = np.arange(len(POINT_KINDS))
         self._places: PixelPoints | None = None
         self.set_visible(False)
@@ -99,7 +102,8 @@ class OtherPointsLayer(Layer):
         margin = _REACH * _RADIUS * self.scale
         near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
         radius, rim = _RADIUS * self.scale, _RIM * self.scale
-        self._stamps.draw(
+        stamps = self._plain if self.is_plain else self._ringed
+        stamps.draw(
             painter, pixels[near], kinds[near], len(POINT_KINDS), self.theme, radius, rim, self._kinds
         )
 
@@ -141,6 +145,10 @@ class OtherPointsLayer(Layer):
         own = [(place, each.of_selected(shown)) for place, each in handles]
         facing = [(place, each.facing(shown)) for place, each in handles]
         return handle_or_point(pixel, shown, point, own, facing, self._group)
+
+
+def _stamp_plain(painter: QPainter, radius: float, kind: int) -> None:
+    paint_mark(painter, QPointF(0.0, 0.0), radius, kind)
 
 
 class _SelectedStamps(Stamps):

@@ -24,6 +24,7 @@ from ..plotting.pens import diamond, triangle
 from ..plotting.sprites import Sprites
 from .point_density import RADIUS
 from .point_marks import paint_mark
+from .point_stamps import PLAIN_RIM
 
 _LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 """The lines of handles, by the order of their derivatives."""
@@ -33,6 +34,9 @@ _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 
 _REACH = 11.0
 """Pixels that marks reach at most: the ring of a selected point, or a kind with corners."""
+
+_HOVERED = 0.4
+"""Share of the accent in a plain point under the pointer."""
 
 _FACING = 0.6
 """Share of ink in the handles of points that are not selected; the rest is paper."""
@@ -79,9 +83,12 @@ class HandleLook(NamedTuple):
 
 
 class PointLook(NamedTuple):
-    """How a point looks that is selected, or under the pointer: its colour, as a number, and its kind."""
+    """How a point looks that is selected, or under the pointer: its colour, as a number, and its kind.
 
-    colour: int
+    A plain one has no colour of its own.
+    """
+
+    colour: int | None
     kind: int
     is_selected: bool
 
@@ -198,6 +205,9 @@ class PointInk:
     def _paint_point(self, painter: QPainter, look: PointLook) -> None:
         """Draw a point larger than it is at rest; one that is selected, within a ring."""
         radius = (_SELECTED_RADIUS if look.is_selected else RADIUS + _GROWTH) * self.scale
+        if look.colour is None:
+            self._paint_plain(painter, radius, look)
+            return
         painter.setPen(self._rim)
         painter.setBrush(QColor.fromRgba(look.colour))
         paint_mark(painter, QPointF(), radius, look.kind, self._theme.paper)
@@ -205,3 +215,11 @@ class PointInk:
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(self._ring)
             painter.drawEllipse(QPointF(), radius + 3 * self.scale, radius + 3 * self.scale)
+
+    def _paint_plain(self, painter: QPainter, radius: float, look: PointLook) -> None:
+        """Draw a plain point: filled with the accent where it is selected, half so under the pointer."""
+        accent, paper = self._theme.accent, self._theme.paper
+        fill, line = (accent, paper) if look.is_selected else (mix(accent, paper, _HOVERED), accent)
+        painter.setPen(QPen(line, PLAIN_RIM * self.scale))
+        painter.setBrush(fill)
+        paint_mark(painter, QPointF(), radius, look.kind)

@@ -21,7 +21,6 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import write_in_corner
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.sprites import Mark
-from ..plotting.stamps import Stamps
 from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
@@ -30,7 +29,7 @@ from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
 from .point_density import RADIUS, Discs, discs_for, with_neighbours
 from .point_ink import Inks, PointLook, Written
-from .point_marks import REACH, paint_mark
+from .point_stamps import PointStamps
 
 _LABELLED_UP_TO = 12
 _DISCS_MS = 200
@@ -87,10 +86,12 @@ class PointLayer(Layer):
         self.shows_new_handle = False
         # Over a picture, what is thin and grey needs paper around it to be seen.
         self.over_picture = False
+        # Without numbers and colours that say which point is which.
+        self.is_plain = False
         self.weights: FloatArray | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
-        self._stamps = Stamps(self._stamp, REACH)
+        self._stamps = PointStamps()
         # What the marks are, and the numbers in points that say so.
         self._kinds: IntArray = np.empty(0, dtype=np.intp)
         self._kinds_of: tuple[object, ...] = ()
@@ -188,16 +189,14 @@ class PointLayer(Layer):
     def _paint_points(self, painter: QPainter, discs: Discs, colours: Sequence[QColor]) -> None:
         pixels, visible = self._pixels, self._visible
         roles = self._have_roles(len(pixels), visible, crowded=discs.crowded)
-        calm = roles.calm
-        kinds = self._kinds
-        self._stamps.draw(
-            painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim, kinds
-        )
+        kinds, is_plain = self._kinds, self.is_plain
+        self._stamps.draw(painter, pixels, roles.calm, kinds, self.theme, discs, is_plain=is_plain)
         marks: list[Mark[PointLook]] = []
         for is_selected, indices in ((False, roles.hovered), (True, roles.selected)):
             for index in indices:
                 x, y = pixels[index].tolist()
-                marks.append((PointLook(colours[index].rgba(), int(kinds[index]), is_selected), x, y))
+                colour = None if is_plain else colours[index].rgba()
+                marks.append((PointLook(colour, int(kinds[index]), is_selected), x, y))
         self._ink.points.draw(painter, marks)
         if self.note:
             painter.setFont(self.fonts.times(0.9 * self.scale))
@@ -206,7 +205,10 @@ class PointLayer(Layer):
     def _have_roles(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
         """Return the roles of the visible points; under a drag they stay."""
         # By identity: weights are other arrays when they change, and so are the points in sight.
-        made_of = (self.selection, self.hovered, count, crowded, id(visible), id(self.weights))
+        made_of = (
+            *(self.selection, self.hovered, count, crowded),
+            *(id(visible), id(self.weights), self.is_plain),
+        )
         if made_of != self._roles_of:
             self._roles_of = made_of
             # Kept, so that no other array is given the numbers of these.
@@ -244,9 +246,6 @@ class PointLayer(Layer):
         if self._discs_now.crowded:
             return f"{len(self._view.points)} points: selection only · zoom in to see all"
         return self.shown_handles.note(self._plot.pixel_map)
-
-    def _stamp(self, painter: QPainter, radius: float, kind: int) -> None:
-        paint_mark(painter, QPointF(0, 0), radius, kind, self.theme.paper)
 
     # Numbers
 
@@ -307,10 +306,11 @@ class PointLayer(Layer):
     def _numbered(self, count: int, visible: IntArray) -> list[int]:
         """Return which points have their numbers beside them: many at once would cover each other."""
         numbered = visible
-        if count > _LABELLED_UP_TO:
-            named = self.selection if len(self.selection) <= _LABELLED_UP_TO else ()
+        if count > _LABELLED_UP_TO or self.is_plain:
+            named = () if self.is_plain else (*self.selection, self.hovered)
+            named = named if len(self.selection) <= _LABELLED_UP_TO else named[-1:]
             is_wanted = self._has_weight_text(count)
-            is_wanted[[index for index in (*named, self.hovered) if 0 <= index < count]] = True
+            is_wanted[[index for index in named if 0 <= index < count]] = True
             numbered = visible[is_wanted[visible]]
         result: list[int] = numbered.tolist()
         return result

@@ -19,15 +19,20 @@ REACH = max(abs(coordinate) for kind in POINT_KINDS for corner in kind.outline f
 """Largest reach of a mark of radius 1."""
 
 
-def paint_mark(painter: QPainter, place: QPointF, radius: float, kind: int, paper: QColor) -> None:
-    """Draw the mark of a point of the kind at a place in `POINT_KINDS`, with the painter's pen and brush."""
+def paint_mark(
+    painter: QPainter, place: QPointF, radius: float, kind: int, paper: QColor | None = None
+) -> None:
+    """Draw the mark of a point of the kind at a place in `POINT_KINDS`, with the painter's pen and brush.
+
+    Without `paper` no mark has a dot.
+    """
     record = POINT_KINDS[kind]
     if record.outline:
         corners = [place + QPointF(radius * x, radius * y) for x, y in record.outline]
         painter.drawPolygon(QPolygonF(corners))
     else:
         painter.drawEllipse(place, radius, radius)
-    if record.is_open:
+    if record.is_open and paper is not None:
         painter.save()
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(paper)

@@ -91,7 +91,7 @@ class CanvasScene:
         self._scrub: float | None = None
         self.image = ImageLayer(plot)
         self.grid = GridLayer(plot)
-        self.page = PageLayer(plot)
+        self.page = PageLayer(plot, self.grid)
         self.units = UnitLayer(plot)
         self.kept = (KeptLayer(plot, z=_KEPT_BEHIND, behind=True), KeptLayer(plot, z=_KEPT, behind=False))
         self.curves = DrawnCurves(plot)
@@ -160,6 +160,12 @@ class CanvasScene:
         self.image.render(image, pixels)
         self.curves.set_cased(pixels is not None)
         self.points.over_picture = self.other_points.over_picture = pixels is not None
+
+    def set_plain(self, is_plain: bool) -> None:
+        """Draw points without numbers and colours that say which is which."""
+        for layer in (self.points, self.other_points):
+            layer.is_plain = is_plain
+            layer.update()
 
     def set_kept(self, texts: Sequence[KeptText], pictures: Sequence[KeptPicture]) -> None:
         """Show texts and pictures of other programs."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QPointF, QRectF, QSizeF
+from PySide6.QtGui import QFontMetricsF, QPainter
 
+from ..plotting.halo import Halo
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
@@ -23,6 +24,7 @@ class UnitLayer(Layer):
         super().__init__(plot)
         self._plot = plot
         self._unit = ""
+        self._halo = Halo()
 
     def render(self, unit: str) -> None:
         """Write this name from the next paint on; empty for none."""
@@ -37,6 +39,7 @@ class UnitLayer(Layer):
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Write it."""
         painter.setFont(self.fonts.less(1.5, 1.0))
-        painter.setPen(self.theme.muted)
-        at_left = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        painter.drawText(QRectF(6, 4, 200, 18), at_left, self.words(shown))
+        if text := self.words(shown):
+            # Paper around the letters: a dark desk may lie below.
+            box = QRectF(QPointF(6, 4), QSizeF(QFontMetricsF(painter.font()).horizontalAdvance(text), 18))
+            self._halo.write(painter, box, text, self.theme.paper, self.theme.muted, 2 * self.scale)

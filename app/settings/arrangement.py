@@ -12,10 +12,13 @@ class Arrangement(msgspec.Struct, frozen=True):
     ----------
     basis
         Whether the basis functions are shown.
+    numbered
+        Whether points have numbers, and colours that say which is which.
     docks
         Names of the docks at the right that are brought up, in that order, so that the last of a place is in
         front; None where they are as in a new window.
     """
 
     basis: bool = True
+    numbered: bool = True
     docks: tuple[str, ...] | None = None

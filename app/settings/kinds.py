@@ -242,15 +242,17 @@ class SavedPage(TextSetting[Page | None]):
 
 
 class SavedArrangement(TextSetting[Arrangement]):
-    """What stands around the canvas, as JSON."""
+    """What stands around the canvas, as JSON; what an older one does not say is as usual."""
 
-    def __init__(self, key: str, *, basis: bool) -> None:
-        super().__init__(key, Arrangement(basis))
+    def __init__(self, key: str, usual: Arrangement) -> None:
+        super().__init__(key, usual)
+        self._usual = msgspec.structs.asdict(usual)
 
     def _parse(self, text: str) -> Arrangement:
         try:
-            return msgspec.json.decode(text, type=Arrangement)
-        except msgspec.DecodeError:
+            said = msgspec.json.decode(text, type=dict[str, object])
+            return msgspec.convert(self._usual | said, Arrangement)
+        except (msgspec.DecodeError, msgspec.ValidationError):
             raise _UnusableError("it is no arrangement of a window") from None
 
     def _stored(self, value: Arrangement) -> object:

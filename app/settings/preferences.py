@@ -13,6 +13,7 @@ from ..appearance.theme import ThemeMode
 from ..tools.pen_click import PenClick
 from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
+from .arrangement import Arrangement
 from .file import SettingsFile
 from .kinds import (
     Choice,
@@ -139,10 +140,10 @@ class Preferences:
     splitter_state = SavedLayout("window/splitter")
     """The result of ``QSplitter.saveState``."""
 
-    sketches = SavedArrangement("window/sketches", basis=True)
+    sketches = SavedArrangement("window/sketches", Arrangement())
     """What stands around the canvas in documents without a page, lessons among them."""
 
-    drawings = SavedArrangement("window/drawings", basis=False)
+    drawings = SavedArrangement("window/drawings", Arrangement(basis=False, numbered=False))
     """What stands around it where there is a page to draw on."""
 
     plot_height = Height("window/plots")

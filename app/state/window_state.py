@@ -6,7 +6,7 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from ..appearance.theme import PRINTED, Theme, ThemeMode
+from ..appearance.theme import LIGHT, PRINTED, PRINTED_IN_DARK, Theme, ThemeMode
 from ..document.model import Document
 from ..document.paper import DocumentKind
 from ..document.transforms import Reference
@@ -100,7 +100,7 @@ class WindowState(msgspec.Struct, frozen=True):
     grid: bool = True
     kind: DocumentKind = DocumentKind.SKETCH
     sketches: Arrangement = Arrangement()
-    drawings: Arrangement = Arrangement(basis=False)
+    drawings: Arrangement = Arrangement(basis=False, numbered=False)
     side_panel: bool = True
     lessons: bool = False
     rulers: bool = True
@@ -150,6 +150,11 @@ class WindowState(msgspec.Struct, frozen=True):
         return self.arrangement.basis
 
     @property
+    def numbered(self) -> bool:
+        """Whether points have numbers, and colours that say which is which."""
+        return self.arrangement.numbered
+
+    @property
     def shows_rulers(self) -> bool:
         """Whether the axes of the canvas are rulers now: not in a presentation."""
         return self.rulers and not self.presentation
@@ -167,7 +172,9 @@ class WindowState(msgspec.Struct, frozen=True):
 
     def paper(self, document: Document, theme: Theme) -> Theme:
         """Return the theme that this document's paper and paints are shown in, within a window of `theme`."""
-        return PRINTED if self.prints(document) else theme
+        if not self.prints(document):
+            return theme
+        return PRINTED if document.page is None or theme is LIGHT else PRINTED_IN_DARK
 
     @property
     def strokes(self) -> Strokes:

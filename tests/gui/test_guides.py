@@ -10,8 +10,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
-from app.appearance.theme import DARK, LIGHT, mix
-from app.canvas.guides_layer import _CALM
+from app.appearance.theme import DARK, LIGHT
 from app.document.expression import ExpressionError
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Guide, make_curve
@@ -534,7 +533,6 @@ def test_a_guide_is_a_dashed_line_that_is_seen(drawing, name, theme):
     image = canvas.grab().toImage()
     x = canvas.to_pixel(-2.0, 0.0).x()
     top = int(canvas.camera.origin.y())
-    colour = mix(theme.accent, theme.paper, _CALM)
     ratio = image.devicePixelRatio()
 
     def column(at):
@@ -542,7 +540,7 @@ def test_a_guide_is_a_dashed_line_that_is_seen(drawing, name, theme):
         return [image.pixelColor(round(at * ratio), round(y * ratio)) for y in rows]
 
     share = max(
-        sum(each.name() == colour.name() for each in column(at)) / len(column(at)) for at in (x - 1, x, x + 1)
+        sum(each == theme.accent for each in column(at)) / len(column(at)) for at in (x - 1, x, x + 1)
     )
     assert 0.4 < share < 0.85
     drawing.trigger("themeSystem")
@@ -577,7 +575,7 @@ def test_an_angle_is_typed_and_the_guide_drawn_dragged_and_snapped_to_at_it(draw
 
     # Seen there, and grabbed there.
     drawing.wait_for_rest()
-    image, colour = canvas.grab().toImage(), mix(LIGHT.accent, LIGHT.paper, _CALM)
+    image, colour = canvas.grab().toImage(), LIGHT.accent
 
     def is_seen(x, y):
         pixel = canvas.to_pixel(x, y)

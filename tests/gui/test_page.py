@@ -9,7 +9,8 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QListView, QToolButton
 
-from app.appearance.theme import DARK, LIGHT, PRINTED, ThemeMode
+from app.appearance.colours import point_colours
+from app.appearance.theme import DARK, LIGHT, PRINTED, PRINTED_IN_DARK, ThemeMode
 from app.document.model import Axis, Document, Guide, Page, make_curve
 from app.document.paper import DocumentKind, kind_of
 from app.document.style import Style
@@ -222,7 +223,9 @@ def test_a_page_is_seen_as_it_prints_until_the_person_chooses_otherwise(drawn, m
     page, around = colour_at(drawn, 6.0, 1.0), colour_at(drawn, 6.0, -0.3)
     assert (page.name(), colour_at(drawn, 4.0, 2.0).name()) == ("#ffffff", LIGHT.ink.name())
     assert drawn.action("paperAsPrinted").isChecked()
-    assert 20 < page.lightness() - around.lightness() < 60
+    printed = PRINTED if mode is ThemeMode.LIGHT else PRINTED_IN_DARK
+    assert around.name() == printed.desk.name()
+    assert page.lightness() - around.lightness() > 20
     drawn.trigger("paperAsPrinted")
     drawn.settle()
     assert colour_at(drawn, 6.0, 1.0).name() == without
@@ -275,6 +278,7 @@ def test_in_the_dark_only_the_paper_is_light_and_ink_is_black_wherever_it_is_sho
         assert seen(3, 3) == seen(3, corner.y() + 3) == DARK.surface
         assert contrast(DARK.muted, DARK.surface) >= 4.5
         assert colour_at(editor, 105.0, 100.0) == QColor("white")
+        assert colour_at(editor, 105.0, -3.0).name() == PRINTED_IN_DARK.desk.name()
         editor.show_dock("styleDock")
         field = editor.window.findChild(PaintField, "strokePaint")
         icon = field.findChild(QToolButton, "strokePaintButton").icon().pixmap(14).toImage()
@@ -290,3 +294,51 @@ def test_in_the_dark_only_the_paper_is_light_and_ink_is_black_wherever_it_is_sho
         assert drawn.pixelColor(place * drawn.devicePixelRatio()) == DARK.curve
     finally:
         store.change(theme_mode=ThemeMode.SYSTEM, page_as_printed=True, grid=True)
+
+
+def test_points_of_a_drawing_are_plain_on_the_page_and_on_the_desk_until_numbers_are_wanted(editor):
+    editor.session.new()
+    editor.trigger("newDrawing")
+    store, layer = editor.window.context.store, editor.window.canvas.drawing.points
+    store.change(theme_mode=ThemeMode.DARK, grid=False)
+    points = [(150.0, 100.0), (195.0, 150.0), (225.0, 110.0), (240.0, 160.0)]
+    line = replace(make_curve(points, family=HERMITE), style=Style(width=0.3))
+    editor.session.change("Draw", lambda document: replace(document, curves=(line,)))
+    editor.trigger("fitPage")
+    editor.session.selected.choose({0})
+    editor.session.selected.edit_chosen()
+    editor.click(points[1])
+    editor.hover((20.0, 20.0))
+    editor.wait_for_rest()
+
+    def seen(index):
+        canvas = editor.window.canvas
+        picture, middle = canvas.grab().toImage(), canvas.to_pixel(*points[index])
+        ratio, around = picture.devicePixelRatio(), range(-6, 7)
+        return {
+            picture.pixelColor(round((middle.x() + x) * ratio), round((middle.y() + y) * ratio)).name()
+            for x in around
+            for y in around
+        }
+
+    def middle_of(index):
+        return colour_at(editor, *points[index])
+
+    try:
+        own = [each.name() for each in point_colours(4, PRINTED_IN_DARK)]
+        theme = PRINTED_IN_DARK
+        for index in (0, 2, 3):  # on the page, and on the desk
+            assert theme.accent.name() in seen(index)
+            assert own[index] not in seen(index)
+            assert middle_of(index) == theme.paper
+        assert middle_of(1) == theme.accent
+        assert layer.numbers == []
+        editor.trigger("numberPoints")
+        editor.settle()
+        assert own[2] in seen(2)
+        assert len(layer.numbers) == 4
+        assert store.state.drawings.numbered
+        assert store.state.sketches.numbered
+    finally:
+        editor.trigger("numberPoints")
+        store.change(theme_mode=ThemeMode.SYSTEM, grid=True)

@@ -12,6 +12,7 @@ from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...actions.sections import (
     EDIT_TOOLS,
     VIEW_DRAWING,
+    VIEW_MODE,
     VIEW_SHOWN,
     VIEW_SIZE,
     VIEW_THEME,
@@ -54,10 +55,16 @@ class ViewCommands:
         self._before_folding = b""
         self._before_canvas_only = _AROUND
         self._store.changed.connect(self._show_state)
+        self._show_numbers(self._store.state)
+
+    def _show_numbers(self, state: WindowState) -> None:
+        self._context.central.canvas.drawing.set_plain(not state.numbered)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.grid != before.grid:
             self._context.central.canvas.drawing.grid.set_visible(after.grid)
+        if after.numbered != before.numbered:
+            self._show_numbers(after)
         if after.side_panel != before.side_panel:
             self._show_side_panel(after)
         if after.presentation != before.presentation:
@@ -205,6 +212,17 @@ class ViewCommands:
     )
     def _toggle_estimates(self) -> None:
         """Show what each point does with the velocities estimated from it, not the family's functions."""
+
+    @switch(
+        "numbered",
+        "numberPoints",
+        "Numbers of Points",
+        VIEW_MODE,
+        icon="number-points",
+        keywords="labels indices colours plain nodes index",
+    )
+    def _toggle_numbers(self) -> None:
+        """Tell points apart by numbers and colours, or draw them plain; drawings begin with plain ones."""
 
     @switch(
         "side_panel",
