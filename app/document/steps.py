@@ -21,6 +21,7 @@ _besides_place = attrgetter(*(name for name in Point.__struct_fields__ if name n
 _Step: TypeAlias = tuple[Document | None, Document | None, list[int] | None]
 
 _last: _Step = (None, None, None)
+_last_moved: tuple[Document | None, Document | None, list[Point] | None] = (None, None, None)
 
 
 def reshaped(before: Document, after: Document) -> list[int] | None:
@@ -73,7 +74,18 @@ def have_only_moved(before: Iterable[Point], after: Iterable[Point]) -> bool:
 
 
 def moved_points(before: Document, after: Document) -> list[Point] | None:
-    """Return the points of `after` that are elsewhere; None where more than places is another thing."""
+    """Return the points of `after` that are elsewhere; None where more than places is another thing.
+
+    The last answer is kept, as that of `reshaped`.
+    """
+    global _last_moved  # noqa: PLW0603
+    step = _last_moved
+    if step[0] is not before or step[1] is not after:
+        step = _last_moved = (before, after, _moved_points(before, after))
+    return step[2]
+
+
+def _moved_points(before: Document, after: Document) -> list[Point] | None:
     places = reshaped(before, after)
     if places is None:
         return None
