@@ -46,6 +46,12 @@ def _reshaped(before: Document, after: Document) -> list[int] | None:
     return places if _all_differ_in_points(were, are) else None
 
 
+def known_curves(before: Document | None) -> tuple[set[int], dict[int, Curve]]:
+    """Return which curves there are, by identity, and one that has them by the identity of its points."""
+    curves = before.curves if before is not None else ()
+    return set(map(id, curves)), dict(zip(map(id, map(_points, curves)), curves, strict=True))
+
+
 def changed_besides_points(before: Sequence[Curve], after: Sequence[Curve]) -> list[int]:
     """Return the places of as many curves as before that differ in more than where their points are."""
     places = list(compress(range(len(after)), map(is_not, after, before)))

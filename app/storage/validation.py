@@ -10,7 +10,7 @@ from ..document.derivatives import VECTORS
 from ..document.limits import are_within
 from ..document.model import Curve, Document, ParametrizationKind, Point
 from ..document.shapes import shape_problem
-from ..document.steps import moved_points
+from ..document.steps import known_curves, moved_points
 from ..document.ties import holds
 from .field_check import check_fields
 from .format_error import FormatError
@@ -36,12 +36,12 @@ def validate_changes(before: Document | None, after: Document) -> None:
     """Raise FormatError, as `validate` does, for what in `after` is not the same object as in `before`."""
     if before is not None and (moved := moved_points(before, after)) is not None and _are_within(moved):
         return
-    known = {id(curve) for curve in before.curves} if before is not None else set()
+    known, by_points = known_curves(before)
     same_places = before is not None and len(before.curves) == len(after.curves)
     old = before.curves if before is not None and same_places else repeat(None, len(after.curves))
     for index, (curve, was) in enumerate(zip(after.curves, old, strict=True)):
         if id(curve) not in known:
-            _validate_curve(curve, f"curves[{index}]", was)
+            _validate_curve(curve, f"curves[{index}]", by_points.get(id(curve.points), was))
     check_fields(after, before=before)
 
 
