@@ -129,17 +129,21 @@ class DrawnCurves:
         below: dict[int, Shape] = {}
         above: dict[int, Shape] = {}
         edited: Shape = ()
-        is_layered = False
+        is_layered, marked = False, {active, *selected}
         for places in shapes([view.source for view in views]):
-            shape = tuple(views[place] for place in places)
-            is_line = self.looks.is_line(shape[0])
+            is_line = self.looks.is_line(views[places.start])
             if active in places and not is_line and not is_faint(views[active]):
-                edited, is_layered = shape, True
+                edited, is_layered = tuple(views[place] for place in places), True
                 continue
             # The edited one is a line of its own, plain or faint; what is selected is drawn by its marks.
-            marked = {active, *selected} if is_line else {active}
-            rest = (views[place] for place in places if place not in marked)
-            shape = tuple(view for view in rest if view.source.visible and view.has_curve)
+            hidden = marked if is_line else (active,)
+            shape = tuple(
+                [
+                    view
+                    for place in places
+                    if place not in hidden and (view := views[place]).source.visible and view.has_curve
+                ]
+            )
             if shape:
                 is_over = places.start > active >= 0
                 is_layered |= is_over and not is_line

@@ -30,8 +30,11 @@ _SLOW = 0.008
 
 _REST_MS = 80
 
-_AT_ONCE = 400
-"""Curves that are painted before the window is heard again: some hundredths of a second."""
+_AT_ONCE = 200
+"""Curves that are painted before the window is heard again: a few hundredths of a second."""
+
+_FOLLOWED = 400
+"""Shapes that move again and again which are painted in every frame, and the others but once."""
 
 _FEW = 8
 """Shapes that may be painted in every frame, whether they move or not, beside the picture of the others."""
@@ -103,7 +106,7 @@ class OtherCurvesLayer(Layer):
         self._kept.clear()
         if changed and changed <= loose_places(self._sections):
             return
-        is_followed = 0 < len(changed) <= (_AT_ONCE if again else _FEW)
+        is_followed = 0 < len(changed) <= (_FOLLOWED if again else _FEW)
         self._sections, self._picture = sections_of(sorted(changed) if is_followed else (), count), None
 
     def set_cased(self, cased: bool) -> None:

@@ -15,6 +15,7 @@
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
+  ``placing``: points put elsewhere.
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``several_curves``: of several curves at once, and curves from elsewhere.  ``point_group``: points of

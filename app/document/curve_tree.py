@@ -88,9 +88,18 @@ class Node(msgspec.Struct, frozen=True):
             yield from part.walk()
 
 
+_last: tuple[Sequence[Curve], tuple[Node, ...]] = ((), ())
+
+
 def tree_of(curves: Sequence[Curve]) -> tuple[Node, ...]:
-    """Return the curves, shapes and groups that are in nothing else, in order."""
-    return tuple(_nodes(curves, range(len(curves)), ()))
+    """Return the curves, shapes and groups that are in nothing else, in order.
+
+    That of the last curves asked for is kept: all actions ask, at every step, what is chosen of them.
+    """
+    global _last  # noqa: PLW0603
+    if _last[0] is not curves or not isinstance(curves, tuple):
+        _last = curves, tuple(_nodes(curves, range(len(curves)), ()))
+    return _last[1]
 
 
 def _nodes(curves: Sequence[Curve], places: range, around: tuple[str, ...]) -> Iterator[Node]:

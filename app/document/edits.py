@@ -24,8 +24,12 @@ from .limits import EditError as EditError  # noqa: PLC0414
 from .limits import checked as checked  # noqa: PLC0414
 from .limits import checked_vector, not_after
 from .model import Curve, Document, ParametrizationKind, Point, Vector
+from .placing import all_placed, placed
 from .ties import with_derivative
 from .words import number
+
+PointsChange = Callable[[Sequence[Point]], Iterable[Point]]
+"""What is made of some points, one of each."""
 
 
 def _with_points(document: Document, curve: int, points: Iterable[Point]) -> Document:
@@ -79,35 +83,33 @@ def append_point(document: Document, curve: int, point: Point, *, parameter_scal
 
 def move_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move the points at `indices` by the vector `by`; their handles go along, those of others stay."""
-    return with_each_shifted(
-        document, curve, indices, lambda point: placed(point, (point.x + by[0], point.y + by[1]))
+    x, y = float(by[0]), float(by[1])
+    return with_all_shifted(
+        document,
+        curve,
+        indices,
+        lambda points: all_placed(points, [each.x + x for each in points], [each.y + y for each in points]),
     )
 
 
-def with_each_shifted(
-    document: Document, curve: int, indices: Collection[int], shift: Callable[[Point], Point]
+def with_all_shifted(
+    document: Document, curve: int, indices: Collection[int], shift: PointsChange
 ) -> Document:
     """Put the points at `indices` elsewhere, all by the same way; of a whole curve nothing else changes."""
     old = document.curves[curve]
     if len(indices) < len(old.points):
-        return with_each_changed(document, curve, indices, shift)
-    return document.with_curve(curve, replace(old, points=tuple(map(shift, old.points))))
+        return with_all_changed(document, curve, indices, shift)
+    return document.with_curve(curve, replace(old, points=tuple(shift(old.points))))
 
 
-def with_each_changed(
-    document: Document, curve: int, indices: Collection[int], change: Callable[[Point], Point]
+def with_all_changed(
+    document: Document, curve: int, indices: Collection[int], change: PointsChange
 ) -> Document:
     """Put what `change` makes of them in the place of the points at `indices`, which go together."""
     points = list(document.curves[curve].points)
-    for index in indices:
-        points[index] = change(points[index])
+    for index, point in zip(indices, change([points[index] for index in indices]), strict=True):
+        points[index] = point
     return with_points_elsewhere(document, curve, points, indices)
-
-
-def placed(point: Point, position: Vector, what: str = "the point") -> Point:
-    """Return a point at another position, if a document may hold that."""
-    x, y = checked_vector(position, what)
-    return replace(point, x=x, y=y)
 
 
 def set_position(document: Document, curve: int, index: int, position: Vector) -> Document:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from .model import MAX_MAGNITUDE, Vector
 from .words import number
@@ -31,6 +32,15 @@ def checked_vector(vector: Vector, what: str) -> Vector:
     if abs(x) <= MAX_MAGNITUDE and abs(y) <= MAX_MAGNITUDE:
         return (float(x), float(y))
     return (checked(x, f"The x of {what}"), checked(y, f"The y of {what}"))
+
+
+def are_within(values: Sequence[float]) -> bool:
+    """Whether all numbers are plain floats that a document may hold, at one look."""
+    if not values:
+        return True
+    # A sum is NaN if anything is, while min and max may pass it over.
+    is_plain = set(map(type, values)) == {float} and not math.isnan(sum(values))
+    return is_plain and min(values) >= -MAX_MAGNITUDE and max(values) <= MAX_MAGNITUDE
 
 
 def not_after(index: int, before: float) -> EditError:

@@ -20,7 +20,7 @@ from msgspec.structs import replace
 
 from .fields import Field, fields_of
 from .model import Curve, Document, Point, Vector, vectors_of
-from .steps import moved_points
+from .steps import known_curves, moved_points
 from .ties import holds
 from .value import Value
 
@@ -36,10 +36,14 @@ def plain(document: Document, before: Document | None = None) -> Document:
     """
     if before is not None and _has_plain_points_elsewhere(document, before):
         return document
-    known = {id(curve) for curve in before.curves} if before is not None else set()
+    known, by_points = known_curves(before)
     places = before.curves if before is not None else ()
     curves = tuple(
-        curve if id(curve) in known else _plain_values(curve, places[place] if place < len(places) else None)
+        curve
+        if id(curve) in known
+        else _plain_values(
+            curve, by_points.get(id(curve.points), places[place] if place < len(places) else None)
+        )
         for place, curve in enumerate(document.curves)
     )
     document = _plain_values(document, before)

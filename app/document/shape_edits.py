@@ -76,6 +76,7 @@ def contained(
     EditError
         If nothing would be left there to go to.
     """
+    chosen = frozenset(chosen)
     there = [curve for place, curve in enumerate(curves) if container.holds(curve) and place not in chosen]
     nodes = whole_nodes(curves, chosen, layers)
     if not there and any(node.name in (container.shape, *container.groups) for node in _holders(nodes)):

@@ -21,6 +21,7 @@ _besides_place = attrgetter(*(name for name in Point.__struct_fields__ if name n
 _Step: TypeAlias = tuple[Document | None, Document | None, list[int] | None]
 
 _last: _Step = (None, None, None)
+_last_moved: tuple[Document | None, Document | None, list[Point] | None] = (None, None, None)
 
 
 def reshaped(before: Document, after: Document) -> list[int] | None:
@@ -43,6 +44,12 @@ def _reshaped(before: Document, after: Document) -> list[int] | None:
     places = list(compress(range(len(new)), map(is_not, new, old)))
     were, are = ([curves[place] for place in places] for curves in (old, new))
     return places if _all_differ_in_points(were, are) else None
+
+
+def known_curves(before: Document | None) -> tuple[set[int], dict[int, Curve]]:
+    """Return which curves there are, by identity, and one that has them by the identity of its points."""
+    curves = before.curves if before is not None else ()
+    return set(map(id, curves)), dict(zip(map(id, map(_points, curves)), curves, strict=True))
 
 
 def changed_besides_points(before: Sequence[Curve], after: Sequence[Curve]) -> list[int]:
@@ -73,7 +80,18 @@ def have_only_moved(before: Iterable[Point], after: Iterable[Point]) -> bool:
 
 
 def moved_points(before: Document, after: Document) -> list[Point] | None:
-    """Return the points of `after` that are elsewhere; None where more than places is another thing."""
+    """Return the points of `after` that are elsewhere; None where more than places is another thing.
+
+    The last answer is kept, as that of `reshaped`.
+    """
+    global _last_moved  # noqa: PLW0603
+    step = _last_moved
+    if step[0] is not before or step[1] is not after:
+        step = _last_moved = (before, after, _moved_points(before, after))
+    return step[2]
+
+
+def _moved_points(before: Document, after: Document) -> list[Point] | None:
     places = reshaped(before, after)
     if places is None:
         return None

@@ -7,9 +7,10 @@ motion of all points carries the whole curve along, and one of some of them chan
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from decimal import Decimal
 from enum import Enum
+from operator import attrgetter
 from typing import Self
 
 import msgspec
@@ -18,12 +19,16 @@ from msgspec.structs import replace
 from .decimals import decimal_product as decimal_product  # noqa: PLC0414 - most have them from here
 from .decimals import decimal_sum as decimal_sum  # noqa: PLC0414
 from .derivatives import VECTORS
-from .edits import EditError, placed, with_each_changed, with_each_shifted, with_points_elsewhere
+from .edits import EditError, with_all_changed, with_all_shifted, with_points_elsewhere
 from .limits import checked_vector
-from .model import Document, Point, Vector
+from .model import Document, Point, Vector, vectors_of
+from .placing import all_placed
 from .point_group import PointGroup
 from .ties import tied
 from .words import NamedEnum
+
+_x, _y = attrgetter("x"), attrgetter("y")
+_VECTOR_NAMES = tuple(name for _, name in VECTORS)
 
 
 class Affine(msgspec.Struct, frozen=True):
@@ -50,6 +55,16 @@ class Affine(msgspec.Struct, frozen=True):
         """Return where the map puts a point."""
         way = (p[0] - self.centre[0], p[1] - self.centre[1])
         return self._applied((p[0] + self.shift[0], p[1] + self.shift[1]), way)
+
+    def columns(self, points: Iterable[Point]) -> tuple[list[float], list[float]]:
+        """Return where the map puts points, as `point` each, their x and their y."""
+        xx, xy, yx, yy = map(float, (self.xx, self.xy, self.yx, self.yy))
+        x0, y0, dx, dy = map(float, (*self.centre, *self.shift))
+        places = [(each.x, each.y) for each in points]
+        return (
+            [x + dx + xx * (x - x0) + xy * (y - y0) for x, y in places],
+            [y + dy + yx * (x - x0) + yy * (y - y0) for x, y in places],
+        )
 
     def vector(self, v: Vector) -> Vector:
         """Return what the map makes of a derivative."""
@@ -124,16 +139,23 @@ def skewing(axis: int, degrees: float, centre: Vector) -> Affine:
 
 def transform_points(document: Document, curve: int, indices: Collection[int], by: Affine) -> Document:
     """Map the points at `indices` and the handles set there."""
-    return with_each_changed(document, curve, indices, lambda point: _mapped(point, by))
+    return with_all_changed(document, curve, indices, lambda points: _mapped(points, by))
 
 
-def _mapped(point: Point, by: Affine) -> Point:
+def _mapped(points: Sequence[Point], by: Affine) -> list[Point]:
+    placed_there = all_placed(points, *by.columns(points))
+    if not any(map(any, map(vectors_of, points))):
+        return placed_there
+    return [_with_vectors_mapped(point, by) for point in placed_there]
+
+
+def _with_vectors_mapped(point: Point, by: Affine) -> Point:
     vectors = {
         name: checked_vector(by.vector(vector), "a derivative")
-        for _, name in VECTORS
-        if (vector := getattr(point, name)) is not None
+        for name, vector in zip(_VECTOR_NAMES, vectors_of(point), strict=True)
+        if vector is not None
     }
-    mapped = replace(placed(point, by.point(point.position)), **vectors)
+    mapped = replace(point, **vectors) if vectors else point
     if mapped.tied and mapped.velocity and mapped.velocity_after:
         # Parallel they are still, but for roundings, which many transforms would add up.
         return tied(mapped, mapped.velocity, mapped.velocity_after)
@@ -143,17 +165,20 @@ def _mapped(point: Point, by: Affine) -> Point:
 def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
     across, up = map(_decimal_step, by)
-    return with_each_shifted(
-        document, curve, indices, lambda point: placed(point, (across(point.x), up(point.y)))
+    return with_all_shifted(
+        document,
+        curve,
+        indices,
+        lambda points: all_placed(points, across(list(map(_x, points))), up(list(map(_y, points)))),
     )
 
 
-def _decimal_step(by: float) -> Callable[[float], float]:
+def _decimal_step(by: float) -> Callable[[list[float]], list[float]]:
     """Return what adds `by` as `decimal_sum` does, to many numbers; mostly it is none along one axis."""
     if not by:
-        return float
+        return lambda values: values
     step = Decimal(repr(by))
-    return lambda value: float(Decimal(repr(value)) + step)
+    return lambda values: [float(Decimal(repr(value)) + step) for value in values]
 
 
 def clean_step(least: float) -> float:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from itertools import chain, repeat
 from operator import attrgetter, is_
 
 from ..document.derivatives import VECTORS
-from ..document.model import MAX_MAGNITUDE, Curve, Document, ParametrizationKind, Point
+from ..document.limits import are_within
+from ..document.model import Curve, Document, ParametrizationKind, Point
 from ..document.shapes import shape_problem
-from ..document.steps import moved_points
+from ..document.steps import known_curves, moved_points
 from ..document.ties import holds
 from .field_check import check_fields
 from .format_error import FormatError
@@ -36,12 +36,12 @@ def validate_changes(before: Document | None, after: Document) -> None:
     """Raise FormatError, as `validate` does, for what in `after` is not the same object as in `before`."""
     if before is not None and (moved := moved_points(before, after)) is not None and _are_within(moved):
         return
-    known = {id(curve) for curve in before.curves} if before is not None else set()
+    known, by_points = known_curves(before)
     same_places = before is not None and len(before.curves) == len(after.curves)
     old = before.curves if before is not None and same_places else repeat(None, len(after.curves))
     for index, (curve, was) in enumerate(zip(after.curves, old, strict=True)):
         if id(curve) not in known:
-            _validate_curve(curve, f"curves[{index}]", was)
+            _validate_curve(curve, f"curves[{index}]", by_points.get(id(curve.points), was))
     check_fields(after, before=before)
 
 
@@ -109,12 +109,12 @@ def _all_within(points: tuple[Point, ...]) -> bool:
 
     Where it is not so, somebody must look which is not.
     """
-    return all(map(_are_plain, _columns(points)))
+    return all(map(are_within, _columns(points)))
 
 
 def _are_within(points: Sequence[Point]) -> bool:
     """Whether points may be at their places."""
-    return all(map(_are_plain, _places(points)))
+    return all(map(are_within, _places(points)))
 
 
 def _places(points: Sequence[Point]) -> Iterator[list[float]]:
@@ -128,11 +128,3 @@ def _columns(points: Sequence[Point]) -> Iterator[list[float]]:
     for _, name in VECTORS:
         # A vector of two numbers is true, whatever they are.
         yield list(chain.from_iterable(filter(None, map(attrgetter(name), points))))
-
-
-def _are_plain(values: list[float]) -> bool:
-    if not values:
-        return True
-    # A sum is NaN if anything is, while min and max may pass it over.
-    are_floats = set(map(type, values)) == {float} and not math.isnan(sum(values))
-    return are_floats and min(values) >= -MAX_MAGNITUDE and max(values) <= MAX_MAGNITUDE

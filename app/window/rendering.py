@@ -91,6 +91,10 @@ class Rendering(QObject):
         self._render_commands()
 
     def _render_others(self) -> None:
+        """Draw all curves but the edited one, at the end of a step: it may choose others more than once."""
+        self._session.telling.then(self._draw_others)
+
+    def _draw_others(self) -> None:
         session, selected = self._session, self._session.selected
         active = session.active_index if selected.is_editing else None
         self._canvas.drawing.render_others(session.views, active, selected.chosen, selected.edited)
@@ -99,7 +103,7 @@ class Rendering(QObject):
         # What was said was about the curves that were selected before.
         self._context.status_line.clear_message()
         self._render_others()
-        self._canvas.hover_again()
+        self._session.telling.then(self._canvas.hover_again)
         self._render_commands()
 
     def _render_commands(self) -> None:

@@ -171,7 +171,7 @@ def test_many_curves_are_painted_in_steps(editor, large, qtbot):
     editor.session.open(large)
     canvas.camera.show_box((-1, 41), (-1, 26))
     qtbot.waitUntil(lambda: COUNT - 1 in steps)
-    assert 400 in steps
+    assert {200, 400} <= {*steps}
     picture = canvas.grab().toImage()
     place = canvas.to_pixel(9.4, 11.7) * picture.devicePixelRatio()  # the last curve's crest
     around = [picture.pixelColor(place.x(), place.y() + step).lightness() for step in range(-3, 4)]

@@ -139,9 +139,10 @@ class PasteCommands:
         document, framing = arrival.document, self._context.central.canvas.framing
         name = named(document, places)
         session.expect(arrival.views)
-        if not session.change(f"Paste {name}", lambda _: document, active=places.start):
-            return
-        session.selected.choose(places)
+        with session.telling:
+            if not session.change(f"Paste {name}", lambda _: document, active=places.start):
+                return
+            session.selected.choose(places)
         if not framing.shows_curves(places):
             self._context.actions["fitView"].trigger()
         is_one = name_of(document, places) is not None

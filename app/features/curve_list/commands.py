@@ -118,20 +118,19 @@ class CurveListCommands:
         document = session.document
         added = add_copies(document, order)
         active = order.index(session.active_index) if session.active_index in order else -1
-        if not session.change(
-            f"Duplicate {named(document, order)}",
-            lambda _: added.document,
-            active=added.places[active],
-        ):
+        with session.telling:
+            if not session.change(
+                f"Duplicate {named(document, order)}", lambda _: added.document, active=added.places[active]
+            ):
+                return
+            if is_edited := len(order) == 1 and session.selected.is_editing:
+                session.selected.set_points(range(len(session.active_curve.points)))
+            else:
+                session.selected.set_curves(added.places)
+        if is_edited:
+            copy = session.active_curve.name
+            session.say(f"“{copy}” lies on the original; all its points are selected, drag one to move it.")
             return
-        if len(order) == 1 and session.selected.is_editing:
-            copy = session.active_curve
-            session.selected.set_points(range(len(copy.points)))
-            session.say(
-                f"“{copy.name}” lies on the original; all its points are selected, drag one to move it."
-            )
-            return
-        session.selected.set_curves(added.places)
         name = name_of(session.document, added.places)
         if name is not None:
             session.say(f"“{name}” lies on the original and is chosen; a drag moves it.")

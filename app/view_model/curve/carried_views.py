@@ -157,10 +157,7 @@ class _Moves:
                 [root.points for root in roots],
             )
         )
-        self._vectors = [
-            np.concatenate(each).reshape(len(self.new), -1, 2)
-            for each in ([old.arrays.given for old in olds], [each.given for each in arrays])
-        ]
+        self._vectors = _given([old.arrays.given for old in olds], [each.given for each in arrays])
         self._before = np.array([old.carry.matrix if old.carry else _SAME for old in olds])
         self._tolerances = np.array([line[1] for root in roots if (line := root.whole_line)])
         self._asks = np.array([curve.parametrization.kind.asks_where_points_are for curve in curves])
@@ -216,9 +213,8 @@ class _Moves:
             & (off <= _OFF * close)
             & (tolerance <= _FINEST * diagonal)
             & (~self._asks | _keeps_angles(linear))
-            & self._vectors_follow()
         )
-        return found
+        return found & self._vectors_follow() if found.any() else found
 
     def _shortest(self) -> FloatArray:
         """Return the shortest way from a point of each curve to its next, (k,); around a closed one, too."""
@@ -232,7 +228,9 @@ class _Moves:
     def _vectors_follow(self) -> BoolArray:
         """Whether the derivatives that are set were mapped with the points."""
         old, new = self._vectors
-        mapped = np.einsum("mij,mkj->mki", self.spans.each(self._by), old)
+        if not old.shape[1]:
+            return np.ones(len(self._by), dtype=np.bool_)
+        mapped = _times(self.spans.each(self._by)[:, None], old)
         same = (np.isnan(old) == np.isnan(new)).all(axis=(1, 2))
         off = np.nan_to_num(np.abs(mapped - new)).max(axis=(1, 2))
         size = np.nan_to_num(np.abs(new)).max(axis=(1, 2))
@@ -242,9 +240,18 @@ class _Moves:
         return found
 
 
+def _given(curves: Sequence[FloatArray], others: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
+    """Return the derivatives of points, (m, k, 2) each, without those that none has, here and there."""
+    here, there = (np.concatenate(each) for each in (curves, others))
+    here, there = (each.reshape(len(here), -1, 2) for each in (here, there))
+    is_used = ~(np.isnan(here[..., 0]) & np.isnan(there[..., 0])).all(axis=0)
+    return here[:, is_used], there[:, is_used]
+
+
 def _times(matrices: FloatArray, ways: FloatArray) -> FloatArray:
-    """Return matrices (m, 2, 2) times ways (m, 2)."""
-    found: FloatArray = np.einsum("mij,mj->mi", matrices, ways)
+    """Return matrices (…, 2, 2) times ways (…, 2)."""
+    # Not by einsum, nor by matmul: they take several times as long for matrices as small as these.
+    found: FloatArray = matrices[..., 0] * ways[..., :1] + matrices[..., 1] * ways[..., 1:]
     return found
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate, chain, compress
-from operator import is_not
+from operator import attrgetter, is_not
 from typing import Any
 
 import msgspec
@@ -16,6 +16,8 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 from ...document.derivatives import DERIVATIVES
 from ...document.model import Point, Vector, vectors_of
 from ...document.steps import have_only_moved
+
+_x, _y = attrgetter("x"), attrgetter("y")
 
 _NONE = (np.nan, np.nan)
 
@@ -73,7 +75,7 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
 def arrays_of_all(points: Sequence[tuple[Point, ...]], previous: Sequence[PointArrays]) -> list[PointArrays]:
     """Return the arrays of points of many curves, each of as many as before, made all at once."""
     kept = [have_only_moved(old.points, new) for new, old in zip(points, previous, strict=True)]
-    places = np.array([(point.x, point.y) for each in points for point in each], dtype=float)
+    places = _positions([*chain.from_iterable(points)])
     places.setflags(write=False)
     positions = _parts(places, points)
     others = [each for each, is_kept in zip(points, kept, strict=True) if not is_kept]
@@ -116,7 +118,7 @@ def rows_changed(points: Sequence[Point], before: Sequence[Point]) -> list[int]:
 def _columns(
     points: Sequence[Point],
 ) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray, BoolArray, FloatArray]:
-    positions = np.array([(point.x, point.y) for point in points], dtype=float).reshape(-1, 2)
+    positions = _positions(points)
     times = np.array([np.nan if point.t is None else point.t for point in points], dtype=float)
     corners = np.array([point.corner for point in points], dtype=bool)
     ties = np.array([point.tied for point in points], dtype=bool)
@@ -127,6 +129,13 @@ def _columns(
         # Views of one curve after the other share what did not change.
         column.setflags(write=False)
     return positions, times, corners, ties, evens, given
+
+
+def _positions(points: Sequence[Point]) -> FloatArray:
+    places = np.empty((len(points), 2))
+    for axis, value in enumerate((_x, _y)):
+        places[:, axis] = np.fromiter(map(value, points), dtype=float, count=len(points))
+    return places
 
 
 def _given(point: Point) -> list[Vector]:
