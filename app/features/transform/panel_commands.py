@@ -49,6 +49,8 @@ class TransformPanelCommands(QObject):
         # The selection as it was when it was made, and the angle that it had then.
         self._anchor: Anchor | None = None
         self._angle_then = 0.0
+        # As it was shown last.
+        self._last: Anchor | None = None
         self._forms_then: dict[int, Formed] = {}
         self._dock = context.docks["transformDock"]
         self._is_seen = False
@@ -156,7 +158,11 @@ class TransformPanelCommands(QObject):
         return found
 
     def _angle(self) -> float:
-        now = self._target.anchored()
+        now, last = self._target.anchored(), self._last
+        self._last = now
+        if self._anchor is not None and last is not None and last.has_same_points(now):
+            # Copies are turned as what they are of, and by what they are turned from then on.
+            self._anchor = self._anchor.handed_to(now)
         turned = turned_since(self._anchor, now) if self._anchor is not None else None
         if turned is None:
             angles = {form.angle for form in self._formed().values()}

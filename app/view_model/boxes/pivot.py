@@ -49,6 +49,10 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         """Whether the points are where they were, or are copies at the same places."""
         return self.points.shape == now.points.shape and np.array_equal(self.points, now.points)
 
+    def handed_to(self, copies: Anchor) -> Anchor:
+        """Return what copies, which lie where this lies now, were at that moment."""
+        return replace(self, group=copies.group, curves=copies.curves, count=copies.count)
+
     def group_in(self, curves: Sequence[Curve]) -> PointGroup | None:
         """Return the group where it is now; None where a curve of it is gone.
 
