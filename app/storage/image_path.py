@@ -15,6 +15,8 @@ from ..document.model import Document
 
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
 """Endings of the files that are pictures to trace."""
+PICTURES = " ".join(f"*{suffix}" for suffix in PICTURE_SUFFIXES)
+"""They, for a dialog that asks for a file."""
 
 
 def resolved(document: Document, folder: str) -> Document:

@@ -58,7 +58,7 @@ class Drops:
         takers: Collection[object],
     ) -> None:
         self._context = context
-        self._import, self._trace = hooks(takers, "import_files"), hooks(takers, "trace")
+        self._import = hooks(takers, "import_files")
         self._holds, self._paste = hooks(takers, "holds_drawing"), hooks(takers, "paste_dropped")
         self.open_window: OpenWindow | None = None
 
@@ -89,12 +89,8 @@ class Drops:
 
     def _add(self, files: Given, left: list[str]) -> None:
         """Import and trace what was given, and say what was `left` out, and why."""
-        for trace in self._trace:
-            for path in files.pictures[:1]:
-                trace(path)
-        if len(files.pictures) > 1:
-            names = _listed(files.pictures[1:])
-            left.append(f"{names} not traced: a document has one picture to trace.")
+        if others := self._context.files.trace(files.pictures):
+            left.append(others)
         if files.elsewhere:
             left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")
         for import_files in self._import:

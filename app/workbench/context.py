@@ -79,7 +79,7 @@ def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., objec
     what a document has beside its curves, whenever more than points of the edited one has changed.
     ``set_theme(theme)`` takes colours, ``close()`` ends what has to end before the window goes, ``escape()``
     steps back where nothing else takes the key, and returns whether no other one shall.
-    ``import_files(paths)`` and ``trace(path)`` take what was dropped, ``paste_dropped(data, place)`` what is
-    no file and of which ``holds_drawing(data)`` says yes.
+    ``import_files(paths)`` takes what was dropped, ``paste_dropped(data, place)`` what is no file and of
+    which ``holds_drawing(data)`` says yes.
     """
     return [getattr(each, name) for each in command_sets if hasattr(each, name)]

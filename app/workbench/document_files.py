@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -69,6 +69,8 @@ class DocumentFiles:
         """Does work beside the window; without it every document is opened at once."""
         self.open_foreign: Callable[[Path], object] | None = None
         """Opens a file of another format as a new document."""
+        self.trace: Callable[[Sequence[Path]], str] = lambda _paths: ""
+        """Puts the first of these pictures behind the curves; returns what it says of the others."""
         self.save_back: Callable[[bool], bool] | None = None
         """Saves to the file of another format that the document was opened from; returns whether it is saved.
 

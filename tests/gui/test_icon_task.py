@@ -10,10 +10,11 @@ from extents import sampled_bounds
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QToolButton
+from PySide6.QtWidgets import QDialog, QMessageBox, QToolButton
 
 from app.exchange.svg.reader import read_svg
 from app.features.import_export.commands import ImportCommands
+from app.workbench.document_files import DocumentFiles
 
 ICON = Path(__file__).parents[1] / "data" / "svg" / "lucide_leaf.svg"
 
@@ -25,8 +26,11 @@ the button in the dialog; Ctrl+C; Ctrl+V in the other window.
 """
 
 
+OTHER = '<svg xmlns="http://www.w3.org/2000/svg" width="48" height="48"><path d="M1 1H40V40Z"/></svg>'
+
+
 @pytest.mark.usefixtures("drawings_read_here")
-def test_an_icon_is_recoloured_aligned_and_copied(editor):
+def test_an_icon_is_recoloured_aligned_and_pasted_into_another_svg(editor, tmp_path, monkeypatch):
     editor.session.new()
     editor.settle()
     editor.show_dock("styleDock")
@@ -61,6 +65,27 @@ def test_an_icon_is_recoloured_aligned_and_copied(editor):
     editor.wait_for_work()
     steps += ["Ctrl+C", "Ctrl+V there"]
     assert len(steps) <= IN_INKSCAPE
+    check_copied()
+    monkeypatch.setattr(DocumentFiles, "_ask_about_changes", lambda _: QMessageBox.StandardButton.Discard)
+    path = tmp_path / "other.svg"
+    path.write_text(OTHER, encoding="utf-8")
+    editor.window.context.files.open(path)
+    editor.wait_for_work()
+    QTest.keyClick(editor.window.findChild(QDialog, "importDrawingDialog"), Qt.Key.Key_Return)
+    editor.settle()
+    editor.window.activateWindow()
+    assert QTest.qWaitForWindowActive(editor.window)
+    editor.window.canvas.setFocus()
+    for letter in (Qt.Key.Key_V, Qt.Key.Key_S):
+        editor.key(letter, Qt.KeyboardModifier.ControlModifier)
+        editor.wait_for_work()
+    saved = read_svg(path.read_bytes()).document
+    assert [curve.style.stroke for curve in saved.curves] == ["none", *["#d55e00"] * 4]
+    assert '<path d="M1 1H40V40Z"/>' in path.read_text(encoding="utf-8")
+
+
+def check_copied():
+    """The four curves are on the clipboard, in their new colour."""
     data = QGuiApplication.clipboard().mimeData()
     copied = read_svg(bytes(data.data("image/svg+xml").data())).document
     assert [(curve.style.stroke, curve.style.width) for curve in copied.curves] == [("#d55e00", 2.0)] * 4

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QMimeData, QPoint, QPointF, QRect, QSize, Qt, QUrl
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage, QPainter
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QLabel, QToolButton
+from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QLabel, QToolButton
 
 from app.appearance.theme import ThemeMode, theme_of
 from app.canvas import image_file
@@ -530,6 +530,25 @@ def test_a_new_picture_lies_at_short_numbers(editor, tmp_path, box):
         assert float(f"{value:.6g}") == value
     x_min, y_min, x_max, y_max = editor.window.canvas.pixel_map.box
     assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2), abs=1.01 * editor.pixel)
+
+
+def test_import_takes_a_picture_to_trace_which_lies_on_the_page(editor, tmp_path, monkeypatch):
+    editor.trigger("newDrawing")
+    chosen = [str(picture(tmp_path / name, 60, 40)) for name in ("a.png", "b.PNG")]
+    filters = []
+    monkeypatch.setattr(
+        QFileDialog, "getOpenFileNames", lambda *words: (filters.append(words[3]), (chosen, ""))[1]
+    )
+    editor.key(Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
+    editor.settle()
+    assert "*.png" in filters[0].split(";;")[0]
+    image, page = image_of(editor), editor.session.document.page
+    assert image.path == chosen[0]
+    assert editor.message == "b.PNG was not traced: a document has one picture to trace."
+    # As wide as the page and in its middle; a letter of it was drawn beyond the page.
+    assert (image.width, image.height) == pytest.approx((page.width, page.width * 40 / 60))
+    assert middle(image) == pytest.approx((page.width / 2, page.height / 2), abs=1.01 * editor.pixel)
+    assert editor.window.store.state.tool.name == "add"
 
 
 # Curves on a picture

@@ -1,18 +1,15 @@
-"""A serif R, both of its contours drawn with the pen and filled, by keys and clicks alone."""
+"""A serif R, both of its contours drawn with the pen over a picture and filled, by keys and clicks alone."""
 
 from __future__ import annotations
 
 import pytest
 from hands import Hands
-from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtWidgets import QFileDialog, QToolButton
 
 from app.document.lines import is_line
-from app.document.model import Document, make_curve
 from app.document.style import NO_PAINT
-from app.families import HERMITE
 from app.features.import_export.export_commands import ExportCommands
 from app.view_model.points.point_kinds import CORNER, POINT_KINDS, kinds_of
 
@@ -38,18 +35,23 @@ INNER = (
     ((17, 37), (14, 37), CURVE), ((10, 37), None, LINE),
 )  # fmt: skip
 
-IN_INKSCAPE = 1 + (len(OUTER) + 1) + (len(INNER) + 1) + 5
-"""Keys and clicks by the manual of Inkscape 1.3, one with modifiers counted as one.
+IN_INKSCAPE = 4 + (len(OUTER) + 1) + (len(INNER) + 1) + 3
+"""Keys and clicks as counted in Inkscape 1.2.2, a key with modifiers as one; the file dialog is the same.
 
-B; a click or a drag for each node and one to close, of both contours; S, Ctrl+A, Ctrl+K, a click on the
-black of the palette, Shift+click on its cross.
+Ctrl+I, Enter in the questions about the picture, 3 to see it whole, B; a click or a drag for each node and
+one to close, of both contours, which that pen fills with black and does not stroke; S, Shift+click on the
+outer contour, Ctrl+K.
 """
 
 
 @pytest.fixture
-def sheet(editor):
-    """An empty document in millimetres, of Hermite curves, the Style panel never opened."""
-    editor.session.commit(replace(Document((make_curve((), family=HERMITE),)), unit="mm"), "Begin")
+def sheet(editor, tmp_path, monkeypatch):
+    """A new drawing, and a picture that the next file dialog chooses."""
+    picture = QImage(60, 80, QImage.Format.Format_RGB32)
+    picture.fill(QColor("white"))
+    assert picture.save(str(tmp_path / "R.png"))
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: ([str(tmp_path / "R.png")], ""))
+    editor.trigger("newDrawing")
     editor.window.context.store.change(grid=False)
     editor.window.canvas.camera.show_box((-10, 45), (-5, 45))
     editor.window.canvas.setFocus()
@@ -68,13 +70,15 @@ def trace(hands, contour):
 
 def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sheet, tmp_path):
     hands = Hands(sheet)
-    hands.press(Key.Key_P)
+    hands.press(Key.Key_I, CTRL)
+    assert sheet.session.document.image is not None
+    # Nothing snaps to the page.
+    hands.press(Key.Key_Percent)
     trace(hands, OUTER)
     trace(hands, INNER)
     assert [len(curve.points) for curve in sheet.session.document.curves] == [len(OUTER), len(INNER)]
     hands.press(Key.Key_A, CTRL | SHIFT)
     hands.press(Key.Key_K, CTRL | ALT)
-    hands.press(Key.Key_F, CTRL | SHIFT)
     hands.click_on(QToolButton, "fillPaint_Ink")
     hands.click_on(QToolButton, "strokePaint_None")
     assert hands.count <= IN_INKSCAPE

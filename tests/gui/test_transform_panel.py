@@ -375,6 +375,24 @@ def test_the_angle_is_that_since_the_selection_and_goes_back_to_zero(leaf):
     assert field(leaf, "Angle").text() == "0", "another selection"
 
 
+def test_a_copy_has_the_angle_of_what_it_is_of_and_what_it_is_turned_by(leaf):
+    leaf.window.canvas.setFocus()
+    leaf.key(Key.Key_Escape)
+    assert leaf.session.selected.curves == {0}
+    for shown, amount in ((45, "45"), (75, "30")):
+        leaf.key(Key.Key_D, CTRL)
+        leaf.settle()
+        leaf.key(Key.Key_R)
+        # Digit by digit: each is seen.
+        leaf.type_amount(amount)
+        leaf.key(Key.Key_Return)
+        leaf.settle()
+        assert number_in(leaf, "Angle") == pytest.approx(shown)
+    enter(leaf, "Angle", "0")
+    assert points(leaf) - points(leaf)[0] == pytest.approx(np.array(POINTS), abs=EXACT)
+    assert len(leaf.session.document.curves) == 4
+
+
 def test_quarter_turns_have_buttons_and_keys(leaf):
     x, y = printed_bounds(leaf).mean(axis=0)
     click(leaf, "rotateRightButton")

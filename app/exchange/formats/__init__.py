@@ -278,11 +278,14 @@ def is_document(data: bytes) -> bool:
     return beginning.lstrip().startswith(b"{") and _DOCUMENT_MARK.search(beginning) is not None
 
 
-def file_filters() -> str:
-    """Return the kinds of files that are read, for the dialog that asks for one."""
-    everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
+def file_filters(pictures: str = "") -> str:
+    """Return the kinds of files that are read, for the dialog that asks for one; pictures by patterns."""
+    read = " ".join(each.patterns for each in FORMATS.read)
     kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
-    return ";;".join([everything, *kinds, "All files (*)"])
+    if pictures:
+        everything = f"Curves, tables and pictures ({read} {pictures})"
+        return ";;".join([everything, *kinds, f"Pictures to trace ({pictures})", "All files (*)"])
+    return ";;".join([f"Curves and tables ({read})", *kinds, "All files (*)"])
 
 
 def can_write_back(path: Path) -> bool:

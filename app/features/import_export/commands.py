@@ -31,6 +31,7 @@ from ...exchange.formats import (
 from ...session.next_style import Marked
 from ...storage.files import read
 from ...storage.foreign import Foreign
+from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from .. import import_export
@@ -70,11 +71,16 @@ class ImportCommands:
 
     @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
     def _ask_and_import(self) -> None:
-        """Take in curves from SVG, DXF, a table or another document."""
-        folder = str(self._preferences.last_folder)
-        names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, file_filters())
-        if names and not self._work.refuse_second():
-            self.import_files([Path(name) for name in names])
+        """Take in curves from SVG, DXF, a table or another document, and a picture to trace."""
+        folder, kinds = str(self._preferences.last_folder), file_filters(PICTURES)
+        names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, kinds)
+        paths = [Path(name) for name in names]
+        pictures = [path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES]
+        if others := self._context.files.trace(pictures):
+            self._context.central.message_bar.warn(others)
+        drawings = [path for path in paths if path not in pictures]
+        if drawings and not self._work.refuse_second():
+            self.import_files(drawings)
 
     def import_files(self, paths: Iterable[Path], opened: Path | None = None) -> None:
         """Import these one after the other, each when the one before has been answered.

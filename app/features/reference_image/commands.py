@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import ceil, log10
 from pathlib import Path
 
@@ -15,7 +16,9 @@ from ...actions.strips import IMAGE_BUTTONS
 from ...canvas.image_file import ImageFileError, read_image
 from ...document.image_edits import set_image, set_image_file, set_image_opacity
 from ...document.model import ReferenceImage
+from ...document.words import listed
 from ...state.window_state import WindowState
+from ...storage.image_path import PICTURES
 from ...tools.move_image import MOVE_IMAGE
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -24,7 +27,7 @@ from ...workbench.form_edits import FormEdits
 from ...workbench.slider_gesture import SliderGesture
 from .panel import STEPS, ImagePanel
 
-_PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
+_PICTURES = f"Pictures ({PICTURES});;All files (*)"
 _MISSING = "The reference image is not shown. {}"
 _SHARE = 0.8
 """Part of the canvas that a new picture fills."""
@@ -56,6 +59,7 @@ class ImageCommands:
         self._dock = context.docks["imageDock"]
         # Another document may name the same file, which may have changed meanwhile.
         context.session.opened.connect(self._reset_file)
+        context.files.trace = self.trace_first
         context.store.changed.connect(self._show_state)
         self._show_dock(False)
 
@@ -130,14 +134,24 @@ class ImageCommands:
         if path is not None:
             self.trace(path)
 
+    def trace_first(self, paths: Sequence[Path]) -> str:
+        """Trace the first of these pictures; return what became of the others."""
+        for path in paths[:1]:
+            self.trace(path)
+        others = [path.name for path in paths[1:]]
+        return f"{listed(others)} not traced: a document has one picture to trace." if others else ""
+
     def trace(self, path: Path) -> None:
-        """Put a picture behind the curves, in the middle of what is visible, or say why not."""
+        """Put a picture behind the curves, on the page in sight, or in the middle of what is visible.
+
+        Or say why not.
+        """
         name = str(path.absolute())
         pixels = self._read(name)
         if pixels is None:
             return
-        x_min, y_min, x_max, y_max = self._context.central.canvas.pixel_map.box
-        scale = _SHARE * min((x_max - x_min) / pixels.width(), (y_max - y_min) / pixels.height())
+        x_min, y_min, x_max, y_max, share = self._room()
+        scale = share * min((x_max - x_min) / pixels.width(), (y_max - y_min) / pixels.height())
         width, height = pixels.width() * scale, pixels.height() * scale
         x, y = (x_min + x_max - width) / 2, (y_min + y_max - height) / 2
         # As many decimals as make a difference on the screen: 0, not −4.4e−16.
@@ -147,6 +161,17 @@ class ImageCommands:
         if self._session.change("Add image", lambda document: set_image(document, image)):
             self._dock.raise_()
             self._session.say("File › Move Image drags and scales the image; the panel fades it.")
+
+    def _room(self) -> tuple[float, float, float, float, float]:
+        """Return the box that a new picture is put into, and the part of it that is filled."""
+        x_min, y_min, x_max, y_max = self._context.central.canvas.pixel_map.box
+        page = self._session.document.page
+        if page is not None:
+            right, top = page.x + page.width, page.y + page.height
+            if max(page.x, x_min) < min(right, x_max) and max(page.y, y_min) < min(top, y_max):
+                # What is scanned from a page lies on it.
+                return page.x, page.y, right, top, 1.0
+        return x_min, y_min, x_max, y_max, _SHARE
 
     @switch(
         "moves_image",

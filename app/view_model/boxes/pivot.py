@@ -49,6 +49,10 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         """Whether the points are where they were, or are copies at the same places."""
         return self.points.shape == now.points.shape and np.array_equal(self.points, now.points)
 
+    def handed_to(self, copies: Anchor) -> Anchor:
+        """Return what copies, which lie where this lies now, were at that moment."""
+        return replace(self, group=copies.group, curves=copies.curves, count=copies.count)
+
     def group_in(self, curves: Sequence[Curve]) -> PointGroup | None:
         """Return the group where it is now; None where a curve of it is gone.
 
@@ -128,11 +132,17 @@ class Turning:
 
     def __init__(self, anchor: Anchor, degrees: float) -> None:
         self.anchor, self._then, self._last = anchor, degrees, degrees
+        # The group as it was when it was asked for last.
+        self._before = anchor
         # Of a mirror image what is added to the rotation after one sideways.
         self._more: float | None = None
 
     def at(self, now: Anchor) -> float | None:
         """Return the angle now, from −180 to 180; None where the group is another one."""
+        if self._before.has_same_points(now):
+            # Copies are turned as what they are of, and by what they are turned from then on.
+            self.anchor = self.anchor.handed_to(now)
+        self._before = now
         by = self.anchor.since(now)
         if by is None:
             return None
