@@ -84,7 +84,8 @@ class Tree:
         # What a layer says goes for all in it.
         unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
-        tag, runs = _as_form(shape) or ("path", f' d="{path_data(shape)}"')
+        tag, runs = _as_form(shape) or ("path", "")
+        runs += f' d="{path_data(shape)}"' if tag == "path" else ""
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
         element = f"<{tag}{self._called(first.shape or first.name)}{runs}{style}{cut}{unseen}{locked}/>"
         self._write(self.clips.around(element, clips[1:]))
@@ -145,7 +146,7 @@ class Tree:
 
 
 def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
-    """Return the tag and the attributes of a shape that SVG has an element for; None for a path."""
+    """Return the tag and the attributes of a form, of a path without its course; None of what is no form."""
     outline, *others = shape
     found = element_of(outline.form)
     if found is None or others:

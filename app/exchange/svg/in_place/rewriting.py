@@ -256,7 +256,7 @@ class _Round:
             elif len(wanted) > 1 or found[0].is_used or not can_be_redrawn(node):
                 return False
             else:
-                redraw(node, wanted[0], inverse_of(matrix))
+                redraw(self._source, node, wanted[0], inverse_of(matrix))
         return all(
             self._show_as(node, *pair, by, way, is_alone=len(wanted) == 1)
             for pair in zip(found, wanted, strict=True)
