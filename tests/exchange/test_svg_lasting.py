@@ -9,6 +9,7 @@ from msgspec.structs import astuple, replace
 from app.document.form_edits import formed_anew
 from app.document.forms import Ellipse, Star
 from app.document.model import Document, Page, make_curve
+from app.document.text import Text, TextAlign
 from app.document.transforms import Affine, rotation, transform_points
 from app.exchange.formats.pictures import read
 from app.exchange.svg.in_place.rewriting import rewritten
@@ -130,3 +131,160 @@ def test_in_its_file_a_star_stays_one_and_a_new_one_is_one():
     assert b's:sides="5"' not in written
     assert b's:sides="6"' in written
     assert view_of(read(written, None).document.curves[0]).curve is not None
+
+
+# Kinds of points
+
+# Corner, smooth and symmetric, each where nobody would take it for that: handles on one line or equally long.
+KINDS = "M 10 50 C 10 40 20 30 30 30 C 40 30 50 40 50 50 C 50 60 60 70 70 70 C 80 70 90 60 90 50"
+
+
+def kinds(curve):
+    return [(point.corner, point.tied, point.even) for point in curve.points]
+
+
+def path(letters, data=KINDS):
+    types = f' s:nodetypes="{letters}"' if letters else ""
+    return f'{HEAD}<path id="p" d="{data}" fill="none" stroke="#000"{types}/></svg>\n'.encode()
+
+
+FREE, TIED, ONE = (True, False, False), (True, True, False), (False, False, False)
+
+
+@pytest.mark.parametrize(
+    ("letters", "found"),
+    [
+        ("", [ONE, ONE, ONE]),
+        ("ccccc", [FREE, FREE, FREE]),
+        ("cszcc", [TIED, ONE, FREE]),
+        # Not so many, or no letters of these.
+        ("cccc", [ONE, ONE, ONE]),
+        ("c" * 7, [ONE, ONE, ONE]),
+        ("xéx?x", [ONE, ONE, ONE]),
+    ],
+)
+def test_points_are_what_inkscape_notes_and_the_document_says(letters, found):
+    data = path(letters)
+    document = read(data, None).document
+    assert kinds(document.curves[0])[1:-1] == found
+    assert rewritten(data, document, document).data == data
+    # Written anew, it says so where nobody would know, and it comes back so.
+    again = svg_of(document).data
+    assert (b"nodetypes" in again) == (found != [ONE, ONE, ONE])
+    assert kinds(read(again, None).document.curves[0]) == kinds(document.curves[0])
+
+
+def test_a_corner_is_no_smooth_point_whatever_is_noted():
+    bent = KINDS.replace("C 40 30", "C 30 40")
+    assert kinds(read(path("cssss", bent), None).document.curves[0])[1] == FREE
+
+
+def test_even_handles_and_closed_paths_of_several_outlines_keep_their_kinds():
+    closed = "M 50 20 C 66 20 80 34 80 50 C 80 66 66 80 50 80 C 34 80 20 66 20 50 C 20 34 34 20 50 20 Z"
+    two = f"{closed} M 5 5 L 15 5 L 10 15 Z"
+    document = read(path("csczccccc", two), None).document
+    assert kinds(document.curves[0]) == [FREE, TIED, FREE, ONE]
+    first = document.curves[0]
+    even = replace(first.points[1], even=True)
+    other = document.with_curve(0, replace(first, points=(first.points[0], even, *first.points[2:])))
+    # The course is as it was: its letters alone are others.
+    written = rewritten(path("csczccccc", two), other, document).data
+    assert written == path("czczccccc", two)
+    assert b'nodetypes="czczccccc"' in svg_of(other).data
+
+
+def test_a_kind_that_was_changed_is_noted_in_a_file_that_notes_none():
+    document = read(path(""), None).document
+    curve = document.curves[0]
+    free = tuple(point.as_corner() if at == 1 else point for at, point in enumerate(curve.points))
+    written = rewritten(path(""), document.with_curve(0, replace(curve, points=free)), document).data
+    assert written == path("").replace(b"/></svg>", b' s:nodetypes="cczzc"/></svg>')
+    assert kinds(read(written, None).document.curves[0])[1:-1] == [FREE, ONE, ONE]
+
+
+# Data of our own
+
+TEXT = Text(
+    "Ä \u2028 “x”\nI", "Some Font", 3.0, 4.0, 5.0, begins=True, line_spacing=1.5, align=TextAlign.RIGHT
+)
+LETTER = ("M 10 10 L 60 10 L 60 40 C 60 60 40 60 10 40 Z", "M 20 15 L 30 15 L 20 25 Z")
+
+
+@pytest.fixture(scope="module")
+def letter():
+    """A letter of two outlines, which is no clone's original."""
+    data = f'{HEAD}<path id="p" d="{" ".join(LETTER)}"/></svg>'.encode()
+    document = read(data, None).document
+    first, second = document.curves
+    known = replace(first, text=TEXT), replace(second, text=replace(TEXT, begins=False))
+    return replace(document, curves=known)
+
+
+def texts(data):
+    return [curve.text for curve in read(data, None).document.curves]
+
+
+def test_a_letter_knows_what_it_was_written_as(letter):
+    data = svg_of(letter).data
+    assert texts(data) == [curve.text for curve in letter.curves]
+    assert data.count(b"data-curvebench=") == 1
+    # Other programs move, turn and stretch it, and write few digits; a clone is no letter of the text.
+    turned = data.replace(b' d="', b' transform="matrix(2 .5 -1 -3 7 8)" d="')
+    assert texts(turned) == texts(data)
+    assert turned.count(b"L 60 10") == 1
+    assert texts(turned.replace(b"L 60 10", b"L 59.995 10.005")) == texts(data)
+    used = data.replace(b"</svg>", b'<use href="#p" x="9"/></svg>')
+    assert texts(used) == [*texts(data), None, None]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("L 60 10", "L 66 10"),
+        ("L 60 10", ""),
+        ("M 20 15 L 30 15 L 20 25 L 20 15 Z", ""),
+        ("Some Font", "Some\\u0007Font"),
+        ("Some Font", "F" * 300),
+        ("Ä", "Ä" * 301),
+        ('"size":5.0', '"size":0.0'),
+        ('"size":5.0', '"size":1e999'),
+        ('"size":5.0', '"size":"5"'),
+        ('"x":3.0', '"x":NaN'),
+        ('"x":3.0', '"x":1e13'),
+        ('"align":"right"', '"align":"up"'),
+        ('"seal"', '"deal"'),
+        ('{"text"', '{{"text"'),
+        ('{"text"', '{"text":' + "[" * 2000 + ',"text"'),
+        ("Ä", "\\ud800"),
+        ("Ä", "x" * 20_000),
+    ],
+)
+def test_what_does_not_fit_or_is_nothing_that_a_document_holds_is_no_text(letter, old, new):
+    found = svg_of(letter).data.decode().replace("&quot;", "'").replace("\\u00c4", "Ä")
+    found = " ".join(found.replace("'", "\x00").split()).replace("\x00", '"')
+    start = found.index('data-curvebench="') + len('data-curvebench="')
+    end = found.index('}" ', start) + 1
+    changed = found.replace(old, new, 1)
+    assert changed != found
+    grown = len(changed) - len(found) if found.index(old) < end else 0
+    words, rest = changed[start : end + grown], changed[end + grown :]
+    assert words.endswith("}")
+    quoted = words.replace('"', "&quot;")
+    data = f"{changed[:start]}{quoted}{rest}".encode()
+    assert not any(texts(data))
+
+
+def test_in_a_file_of_others_a_letter_is_noted_and_one_that_is_none_any_more_is_not(letter):
+    data = f'{HEAD}<path id="p" d="{" ".join(LETTER)}"/></svg>'.encode()
+    begun = read(data, None).document
+    written = rewritten(data, letter, begun).data
+    assert texts(written) == [curve.text for curve in letter.curves]
+    document = read(written, None).document
+    assert rewritten(written, document, document).data == written
+    # Bent by hand it is one still, and the file says so of the shape that it is now.
+    points = document.curves[1].points
+    bent = replace(document.curves[1], points=(replace(points[0], x=18.0), *points[1:]))
+    again = rewritten(written, document.with_curve(1, bent), document).data
+    assert texts(again) == texts(written)
+    curves = tuple(replace(curve, text=None) for curve in document.curves)
+    assert rewritten(written, replace(document, curves=curves), document).data == data

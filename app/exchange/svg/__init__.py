@@ -16,6 +16,7 @@
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
   ``copied``: as Inkscape does.
 - ``in_place``: files with the changes of a document in them, and everything else as it was.
+- ``own_data``: what we know of a shape, beside its element.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 

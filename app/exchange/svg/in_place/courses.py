@@ -14,7 +14,7 @@ from ..form_elements import FORMS, element_of, mapped
 from ..matrices import combined, moved, transform_of
 from ..numbers import number
 from ..shapes import SHAPES
-from ..tree import path_data
+from ..tree import node_types, path_data
 from .found import Found, Wanted
 from .source import Node, Source
 
@@ -30,7 +30,7 @@ _ALONG = {
 _OF_COURSES = ("points", "x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2", "y2")
 _OF_PROGRAMS = (
     *("type", "cx", "cy", "rx", "ry", "start", "end", "open", "arc-type", "sides", "r1", "r2", "arg1"),
-    *("arg2", "expansion", "revolution", "radius", "argument", "t0", "nodetypes", "flatsided", "rounded"),
+    *("arg2", "expansion", "revolution", "radius", "argument", "t0", "flatsided", "rounded"),
     *("randomized", "path-effect", "original-d", "original", "connector-curvature"),
 )
 """What programs note of a shape that is more to them than a path: it would not be true any more."""
@@ -152,7 +152,8 @@ def redraw(source: Source, node: Node, wanted: Wanted, inverse: FloatArray) -> N
     for name in node.names:
         prefix, _, own = name.rpartition(":")
         gone = _OF_PROGRAMS if prefix else ("d", *_OF_COURSES) if tag != "path" else _OF_COURSES
-        if own in gone and name not in texts and not prefix.startswith("xml"):
+        is_kinds = own == "nodetypes" and bool(attributes)
+        if (own in gone or is_kinds) and name not in texts and not prefix.startswith("xml"):
             node.drop(name)
     node.rename(tag)
     if tag == "path":
@@ -162,11 +163,22 @@ def redraw(source: Source, node: Node, wanted: Wanted, inverse: FloatArray) -> N
             for each in wanted.outlines
         ]
         texts["d"] = " ".join(path_data(outlines).split())
+    if not attributes:
+        note_kinds(source, node, wanted)
     if matrix is not None:
         texts["transform"] = _transform(combined(transform_of(node.get("transform") or ""), matrix))
     for name, text in texts.items():
         if node.get(name) != text:
             node.set(name, text)
+
+
+def note_kinds(source: Source, node: Node, wanted: Wanted) -> None:
+    """Have a path say of what kinds its points are, where it did so before or nobody would know."""
+    name = next((each for each in node.names if each.endswith(":nodetypes")), "")
+    if words := node_types(wanted.outlines, always=bool(name)):
+        node.set(name or source.sodipodi("nodetypes"), words)
+    elif name:
+        node.drop(name)
 
 
 def _form_for(
