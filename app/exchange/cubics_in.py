@@ -27,6 +27,7 @@ from ..document.model import (
 )
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
+from ..document.text import Text
 from ..families import HERMITE
 from ..view_model.shapes.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.shapes.cubics import points_of_cubics
@@ -160,6 +161,10 @@ class ImportedPath:
         Largest distance from what the file describes.
     form
         What it is drawn as, wherever it lies; None for what is no more than a path.
+    text
+        As in `Curve`.
+    letters
+        Of what kind its points are meant to be; see ``node_types``.
     """
 
     name: str
@@ -168,6 +173,8 @@ class ImportedPath:
     closed: bool
     deviation: float = 0.0
     form: AnyForm | None = None
+    text: Text | None = None
+    letters: str = ""
 
 
 @dataclass(frozen=True)
@@ -254,6 +261,7 @@ def _made(
         visible=look.visible,
         locked=look.locked,
         form=path.form if isinstance(path, ImportedPath) else None,
+        text=path.text if isinstance(path, ImportedPath) else None,
     )
 
 
@@ -268,7 +276,9 @@ def _check_numbers(path: ImportedPath) -> None:
 def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     """Return a path as a curve, and how far the points of smooth joints moved it."""
     try:
-        found = points_of_cubics(pieces, closed=path.closed, most_turned=WRITTEN_BY_PROGRAMS)
+        found = points_of_cubics(
+            pieces, closed=path.closed, most_turned=WRITTEN_BY_PROGRAMS, letters=path.letters
+        )
     except EditError:
         raise ExchangeError(f"“{path.name}” has pieces of too different lengths.") from None
     return _made(path, Parametrization(ParametrizationKind.MANUAL), found.points), found.moved

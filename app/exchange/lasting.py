@@ -5,11 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..document.forms import Star
-from ..document.model import Document
+from ..document.model import Curve, Document
 from ..document.words import count_of, enumerated
 from ..storage.reasons import shown
+from ..view_model.shapes.formed import formed
 from .cubics_in import FAMILY
 from .formats import FORMATS, format_of
+from .svg.form_elements import element_of
 
 
 def words_about_loss(document: Document, path: Path) -> str:
@@ -23,17 +25,23 @@ def words_about_loss(document: Document, path: Path) -> str:
 
 def words_about_plain(document: Document, path: Path) -> str:
     """Return, as a sentence, what is no more than paths in a file of another format; empty of nothing."""
-    curves = document.curves
+    curves, is_svg = document.curves, format_of(path, FORMATS.written).rewrite is not None
     kinds = {
         "clones": any(curve.clone is not None for curve in curves),
-        "texts": any(curve.text is not None for curve in curves),
-        "stars": any(isinstance(curve.form, Star) for curve in curves),
+        "texts": not is_svg and any(curve.text is not None for curve in curves),
+        "skewed stars" if is_svg else "stars": any(_is_plain_star(curve, is_svg=is_svg) for curve in curves),
     }
     found = [kind for kind, is_there in kinds.items() if is_there]
     if not found:
         return ""
     name = shown(path.name)
     return f"In {name} {enumerated(found)} are plain paths; a Curvebench document keeps what they are."
+
+
+def _is_plain_star(curve: Curve, *, is_svg: bool) -> bool:
+    """Whether a curve is a star here, and none in a file."""
+    now = formed(curve)
+    return now is not None and isinstance(now.form, Star) and not (is_svg and element_of(now))
 
 
 def _other_curves(document: Document) -> list[str]:

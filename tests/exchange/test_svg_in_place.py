@@ -93,8 +93,8 @@ EDITS = {
     "a path is moved": (
         lambda d: moved(d, [WAVE], (5, 2.5)),
         [
-            *('-d="m 20,60 c 5,-10 15,-10 20,0"', '-id="wave"', '-sodipodi:nodetypes="cc" />'),
-            *('+d="M 25 57.5 C 30 47.5 40 47.5 45 57.5"', '+id="wave" />'),
+            '-d="m 20,60 c 5,-10 15,-10 20,0"',
+            '+d="M 25 57.5 C 30 47.5 40 47.5 45 57.5"',
         ],
     ),
     "a rect with a gradient is moved": (

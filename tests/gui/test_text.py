@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QToolButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QLineEdit, QToolButton
 
 from app.document.edits import move_points
 from app.document.lines import is_line
@@ -396,6 +396,65 @@ def test_a_file_tells_of_a_text_and_copies_are_texts_of_their_own(drawing, tmp_p
     press(drawing, Qt.Key.Key_Return)
     assert [curve.name for curve in letters(drawing)] == ["I", "V", "V"]
     assert [curve.groups for curve in letters(drawing)] == [(), ("VV",), ("VV",)]
+
+
+def save_as(editor, monkeypatch, path):
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    editor.trigger("saveDocumentAs")
+    editor.wait_for_work()
+    return editor.message
+
+
+def open_drawing(editor, path):
+    editor.session.new()
+    editor.window.context.files.open(path)
+    editor.wait_for_work()
+    editor.settle()
+
+
+def edit_text(editor):
+    """Edit the text again; return what its field begins with, and what it remarks."""
+    names = [curve.name for curve in editor.session.document.curves]
+    editor.session.selected.choose(range(names.index("I (1)" if "I (1)" in names else "I"), len(names)))
+    editor.trigger("editText")
+    shown = field(editor)
+    remark = shown.findChild(QLabel, "textRemark")
+    return shown.text, shown.face.family, shown.setting, "" if remark.isHidden() else remark.text()
+
+
+@pytest.mark.usefixtures("drawings_read_here")
+def test_a_text_is_edited_again_from_an_svg_saved_as_and_in_place(drawing, tmp_path, monkeypatch):
+    """Its letters came back as paths, and a typo in a logo stayed one."""
+    path = tmp_path / "logo.svg"
+    begin(drawing)
+    write(drawing, "IV")
+    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    write(drawing, "I")
+    type_per_cent(drawing, "textLetterSpacing", "25")
+    QTest.mouseClick(field(drawing).findChild(QToolButton, "textAlign_centre"), Qt.MouseButton.LeftButton)
+    field(drawing).words.setFocus()
+    press(drawing, Qt.Key.Key_Return)
+    assert "plain" not in save_as(drawing, monkeypatch, path)
+    open_drawing(drawing, path)
+    assert edit_text(drawing) == ("IV\nI", FAMILY, (0.25, 1.0, TextAlign.CENTRE), "")
+    # In place: other words, and the file says so.
+    field(drawing).words.selectAll()
+    write(drawing, "II")
+    press(drawing, Qt.Key.Key_Return)
+    drawing.trigger("saveDocument")
+    drawing.wait_for_work()
+    assert path.read_bytes().count(b"data-curvebench=") == 2
+    open_drawing(drawing, path)
+    assert edit_text(drawing) == ("II", FAMILY, (0.25, 1.0, TextAlign.CENTRE), "")
+    press(drawing, Qt.Key.Key_Escape)
+    # A letter that another program has made another shape is none; the other one is.
+    found = path.read_text(encoding="utf-8")
+    place = found.index(" d=", found.index("data-curvebench=")) + 4
+    end = found.index('"', place)
+    path.write_text(f"{found[:place]}M 0 0 L 9 0 L 2 7 L 5 5 Z{found[end:]}", encoding="utf-8")
+    open_drawing(drawing, path)
+    texts = [curve.text and curve.text.words for curve in drawing.session.document.curves]
+    assert texts == [None, None, "II"]
 
 
 def type_per_cent(editor, name, text):

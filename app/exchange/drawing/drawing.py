@@ -25,6 +25,7 @@ from ...view_model.curve.refusals import in_words
 from ...view_model.shapes.cubics import RELATIVE_TOLERANCE
 from ...view_model.shapes.formed import formed
 from ..errors import ExchangeError
+from ..node_types import letters_of
 from .extents import extent_of
 from .frames import LARGEST, MARGIN, Frame, frame_around, frame_of, frame_with
 from .kept_drawn import placed, words_about_missing
@@ -326,4 +327,6 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.visible,
         curve.locked,
         formed(curve),
+        curve.text,
+        letters_of(curve, path.control_points),
     )

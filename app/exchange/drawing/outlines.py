@@ -13,6 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.marker import MarkerKind
 from ...document.style import PLAIN_STYLE, Style
+from ...document.text import Text
 from ...view_model.geometry.markers import Ends, ends_of_pieces, markers_of
 from ...view_model.shapes.formed import Formed
 
@@ -38,6 +39,10 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     form
         What it is of the form that it was drawn as; None where it is none, or lies elsewhere.
+    text
+        As in `Curve`.
+    letters
+        Of what kind each point is; see ``node_types``. None where pieces do not end at points.
     """
 
     name: str
@@ -51,6 +56,8 @@ class Outline(msgspec.Struct, frozen=True):
     visible: bool = True
     locked: bool = False
     form: Formed | None = None
+    text: Text | None = None
+    letters: str = ""
 
     @property
     def colour(self) -> str:

@@ -3,7 +3,7 @@
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
   ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``marker_elements``,
   ``numbers``: styles and numbers as text.
-  ``form_elements``: rectangles and ellipses as such.
+  ``form_elements``: rectangles and ellipses as such.  ``inkscape_forms``: stars, as Inkscape notes them.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
@@ -16,6 +16,7 @@
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
   ``copied``: as Inkscape does.
 - ``in_place``: files with the changes of a document in them, and everything else as it was.
+- ``own_data``: what we know of a shape, beside its element.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 

@@ -1,4 +1,4 @@
-"""Forms as the elements that SVG has for them: rectangles, circles, ellipses."""
+"""Forms as the elements that SVG has for them, rectangles, circles, ellipses, or as Inkscape notes them."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...document.form import Form
-from ...document.forms import AnyForm, Ellipse, Rectangle
+from ...document.forms import AnyForm, Ellipse, Rectangle, Star
 from ...document.model import MAX_MAGNITUDE
 from ...document.transforms import Affine
 from ...view_model.shapes.formed import Formed, settled
+from .inkscape_forms import star_attributes
 from .numbers import number
 
 Element = tuple[str, Mapping[str, float]]
@@ -58,7 +59,7 @@ def _round(form: Ellipse) -> Element:
 
 
 _ELEMENTS: Mapping[type[Form], Callable[..., Element]] = {Rectangle: _rect, Ellipse: _round}
-"""What each kind goes out as; others are paths."""
+"""What each kind goes out as that SVG has an element for."""
 
 
 FORMS = ("rect", "circle", "ellipse")
@@ -76,12 +77,15 @@ def mapped(now: Formed | None, matrix: FloatArray) -> Formed | None:
 
 
 def element_of(formed: Formed | None) -> tuple[str, dict[str, str], FloatArray | None] | None:
-    """Return the tag, the attributes and the transform of a form; None where it has to be a path.
+    """Return the tag, the attributes and the transform of a form; None where it is no more than a path.
 
-    That is where it is skewed, since a line drawn around it would be, too.
+    That is where it is skewed, since a line drawn around it would be, too. What Inkscape alone knows is a
+    path to SVG, and its course is still to be said.
     """
-    if formed is None or type(formed.form) not in _ELEMENTS or (matrix := _rigid(formed.by)) is None:
+    if formed is None or (matrix := _rigid(formed.by)) is None:
         return None
+    if isinstance(formed.form, Star):
+        return "path", star_attributes(formed), None
     tag, numbers = _ELEMENTS[type(formed.form)](formed.form)
     is_turned = not np.array_equal(matrix, np.eye(2, 3))
     return tag, {name: number(value) for name, value in numbers.items()}, matrix if is_turned else None

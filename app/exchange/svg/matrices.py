@@ -129,3 +129,8 @@ def fitted_box(box: Box, place: Box, ratio: str) -> FloatArray:
     x = place[0] + (place[2] - across * box[2]) * x_share - across * box[0]
     y = place[1] + (place[3] - down * box[3]) * y_share - down * box[1]
     return np.array([[across, 0.0, x], [0.0, down, y]])
+
+
+def moving(x: float, y: float) -> FloatArray:
+    """Return the matrix that moves everything so far."""
+    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])

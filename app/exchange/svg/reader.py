@@ -21,6 +21,8 @@ from ...document.shapes import tidy_shapes
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
 from ..missed import Missed
+from ..node_types import parted
+from . import own_data
 from .cascade import Cascade
 from .clips import Clips
 from .flaw import Flaw
@@ -38,17 +40,19 @@ from .matrices import (
     largest_scale,
     mean_scale,
     moved,
+    moving,
     transform_of,
 )
-from .names import GROUP_MODE, INSENSITIVE, name_of, shown_name
+from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, name_of, shown_name
 from .our_own import OurOwn
+from .own_data import NOTHING
 from .paint import Paints, share_of
 from .path_data import Subpath
 from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
 from .state import State, Window
-from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
+from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
 MAX_PATHS = 10_000
 
@@ -247,7 +251,7 @@ class SvgReader:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             state = self._in_view_box(element, element, state, (x, y))
         for child in element:
-            if tag_of(child) not in _ONLY_WHEN_USED and _speaks_to_us(child):
+            if tag_of(child) not in _ONLY_WHEN_USED and speaks_to_us(child):
                 yield from self._drawn(child, state, depth + 1)
                 if tag == "switch":
                     break
@@ -262,11 +266,11 @@ class SvgReader:
         )
         box = box_of(element.get("viewBox", ""))
         if width is None or height is None or width <= 0 or height <= 0:
-            return replace(state, matrix=combined(state.matrix, _moving(*corner)))
+            return replace(state, matrix=combined(state.matrix, moving(*corner)))
         place: Box = (*corner, width, height)
         windows = (*state.windows, Window(place, state.matrix))
         if box is None:
-            matrix = combined(state.matrix, _moving(*corner))
+            matrix = combined(state.matrix, moving(*corner))
             return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
         fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
         matrix = combined(state.matrix, fit)
@@ -289,7 +293,7 @@ class SvgReader:
             entered = self._entered(target, self._cascade.of(target), state)
             yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
         else:
-            state = replace(state, matrix=combined(state.matrix, _moving(x, y)))
+            state = replace(state, matrix=combined(state.matrix, moving(x, y)))
             yield from self._drawn(target, state, depth + 1)
 
     def _shape(
@@ -315,21 +319,27 @@ class SvgReader:
         name = state.clone or name_of(element) or f"{tag.capitalize()} {self._number[element]}"
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
-        look = self._look(element, state, scale, [each.controls for each in drawn], keeps_width=keeps_width)
+        controls = [each.controls for each in drawn]
+        own = own_data.read(element.get(own_data.ATTRIBUTE), controls) if state.anchor is None else NOTHING
+        look = self._look(element, state, scale, controls, keeps_width=keeps_width)
         look = replace(look, shape=name) if len(drawn) > 1 else look
-        clips = self._clips.of_shape(declared, state, [each.controls for each in drawn], look.style)
+        clips = self._clips.of_shape(declared, state, controls, look.style)
         look = replace(look, style=msgspec.structs.replace(look.style, clips=clips)) if clips else look
-        for index, subpath in enumerate(drawn, start=1):
+        sizes = [(len(each.controls), each.closed) for each in drawn]
+        letters = parted(element.get(NODE_TYPES, ""), sizes)
+        for index, subpath in enumerate(drawn):
             self._found += 1
             if self._found > MAX_PATHS:
                 raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
             path = ImportedPath(
-                name if len(drawn) == 1 else f"{name} ({index})",
+                name if len(drawn) == 1 else f"{name} ({index + 1})",
                 look,
                 moved(subpath.controls, state.matrix),
                 subpath.closed,
                 subpath.deviation * stretch,
                 subpath.form,
+                own.text_of(index),
+                letters[index],
             )
             yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale)
 
@@ -388,15 +398,3 @@ def _has_length(subpath: Subpath) -> bool:
     """Whether a subpath is more than a point."""
     controls = subpath.controls
     return bool((controls != subpath.start).any())
-
-
-def _speaks_to_us(element: ET.Element) -> bool:
-    """Whether an element of a `switch` is for everybody, or for those who read English."""
-    language = element.get("systemLanguage", "en")
-    return not element.get("requiredExtensions") and any(
-        each.strip().startswith("en") for each in language.split(",")
-    )
-
-
-def _moving(x: float, y: float) -> FloatArray:
-    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])

@@ -8,6 +8,7 @@ from dataclasses import replace
 from ..errors import ExchangeError
 from .basic_shapes import LENGTHS, polyline, shape_of_lengths
 from .form_elements import form_of_lengths
+from .inkscape_forms import as_forms
 from .lengths import Viewport, length
 from .path_data import Subpath, read_path_data
 from .xml_tree import tag_of
@@ -32,7 +33,7 @@ def subpaths_of(element: ET.Element, viewport: Viewport, tolerance: float | None
     """
     tag = tag_of(element)
     if tag == "path":
-        return read_path_data(element.get("d", ""), tolerance)
+        return as_forms(element, read_path_data(element.get("d", ""), tolerance))
     if tag not in LENGTHS:
         return polyline(element.get("points", ""), closed=tag == "polygon")
     lengths = [length_of(element, name, viewport) for name in LENGTHS[tag]]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 
 import numpy as np
@@ -14,6 +14,8 @@ from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline, with_markers_seen
 from ..drawing.styles import PictureStyle
 from ..naming import Names
+from ..node_types import guessed, joined
+from . import own_data
 from .clip_elements import ClipElements
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
@@ -84,9 +86,12 @@ class Tree:
         # What a layer says goes for all in it.
         unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
-        tag, runs = _as_form(shape) or ("path", f' d="{path_data(shape)}"')
+        tag, runs = _as_form(shape) or ("path", "")
+        if tag == "path":
+            runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
-        element = f"<{tag}{self._called(first.shape or first.name)}{runs}{style}{cut}{unseen}{locked}/>"
+        runs = f"{self._called(first.shape or first.name)}{_own_data_of(shape)}{runs}"
+        element = f"<{tag}{runs}{style}{cut}{unseen}{locked}/>"
         self._write(self.clips.around(element, clips[1:]))
 
     def close(self) -> None:
@@ -145,7 +150,7 @@ class Tree:
 
 
 def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
-    """Return the tag and the attributes of a shape that SVG has an element for; None for a path."""
+    """Return the tag and the attributes of a form, of a path without its course; None of what is no form."""
     outline, *others = shape
     found = element_of(outline.form)
     if found is None or others:
@@ -156,6 +161,27 @@ def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
         return None
     turned = {} if matrix is None else {"transform": matrix_text(matrix)}
     return tag, "".join(f' {name}="{value}"' for name, value in {**attributes, **turned}.items())
+
+
+def _node_types_of(shape: tuple[Outline, ...]) -> str:
+    """Return of what kinds the points are, as an attribute; nothing where one would take them for these."""
+    words = node_types(shape)
+    return f' sodipodi:nodetypes="{words}"' if words else ""
+
+
+def node_types(shape: Sequence[Outline], *, always: bool = False) -> str:
+    """Return the letters of a path; none where one would take its points for these, unless `always`."""
+    words = joined([(each.letters, each.closed) for each in shape])
+    if not words or always:
+        return words
+    taken = [(guessed(each.control_points, closed=each.closed), each.closed) for each in shape]
+    return words if joined(taken) != words else ""
+
+
+def _own_data_of(shape: tuple[Outline, ...]) -> str:
+    """Return what we know of a shape beside what SVG says, as an attribute; nothing where that is all."""
+    words = own_data.words_of(own_data.of_shape(shape), [each.control_points for each in shape])
+    return f' {own_data.ATTRIBUTE}="{quoted(words)}"' if words else ""
 
 
 class _LayerState:

@@ -48,6 +48,14 @@ def reference_of(element: ET.Element) -> str:
     return (element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or "").strip()
 
 
+def speaks_to_us(element: ET.Element) -> bool:
+    """Whether an element of a `switch` is for everybody, or for those who read English."""
+    language = element.get("systemLanguage", "en")
+    return not element.get("requiredExtensions") and any(
+        each.strip().startswith("en") for each in language.split(",")
+    )
+
+
 def _tree(data: bytes, *, may_have_doctype: bool = True) -> ET.Element:
     parser = _Parser(_CountingBuilder(), may_have_doctype)
     try:

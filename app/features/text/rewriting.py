@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from difflib import SequenceMatcher
-from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -14,13 +13,14 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.curve_tree import group_around
-from ...document.model import Curve, Document, Point, Vector
+from ...document.model import Curve, Document
 from ...document.shape_edits import names_of
 from ...document.text import Text
 from ...document.texts import text_around
 from ...document.transforms import IDENTITY, Affine, transform_points
 from ...exchange.naming import Names
 from ...qt.glyphs import Face, Outlines, outlines_of
+from ...view_model.shapes.formed import pieces_of
 from .letters import lettered, name_of_text
 
 _NEAR = 1e-6
@@ -78,15 +78,11 @@ def written_at(document: Document, curve: int) -> Written | None:
 
 
 def _marks(curve: Curve) -> FloatArray:
-    """Return the points of a curve, and those to which the velocities set there lead, (n, 2)."""
-    return np.array(list(chain.from_iterable(map(_of_point, curve.points)))).reshape(-1, 2)
-
-
-def _of_point(point: Point) -> Iterator[Vector]:
-    yield point.position
-    for velocity in (point.velocity, point.velocity_after):
-        if velocity is not None:
-            yield (point.x + velocity[0], point.y + velocity[1])
+    """Return the points of a curve with the ends of their handles, (n, 2)."""
+    # Not the velocities: the file of another program may take a joint for another kind.
+    pieces = pieces_of(curve)
+    places = [point.position for point in curve.points] if pieces is None else pieces[:, :3]
+    return np.array(places).reshape(-1, 2)
 
 
 def _map_between(made: Sequence[FloatArray], found: Sequence[FloatArray]) -> tuple[FloatArray, bool]:

@@ -15,8 +15,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from msgspec.structs import replace
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import BoolArray, FloatArray
 
 from ...document.model import Point, Vector
 from ...document.ties import tied
@@ -39,6 +40,9 @@ fills a thousand.
 _ALIKE = 0.01
 """Share by which handles differ in length that are meant to be equally long."""
 
+CORNER, TIED, EVEN = "csz"
+"""Letters by which programs say what a point is meant to be: free, smooth, or symmetric as well."""
+
 _FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
 
 
@@ -50,7 +54,10 @@ class Joints:
     smooth
         For each piece, whether the joint at its end is smooth.
     tied
-        Whether the velocities there are tied: not of smooth joints whose handles are equally long.
+        Whether the velocities there are tied: not of smooth joints whose handles are equally long, unless
+        they need not be so.
+    even
+        Whether tied handles are to be equally long.
     steps
         For each piece its length in t.
     moved
@@ -65,6 +72,7 @@ class Joints:
         tolerance: float,
         closed: bool,
         most_turned: float,
+        letters: str = "",
     ) -> None:
         count = len(lengths)
         self._most_turned = most_turned
@@ -73,8 +81,9 @@ class Joints:
         self.smooth = [False] * count
         self.steps = lengths.copy()
         after = np.roll(leaving, -1, axis=0)
+        self._letters = np.array([*(letters[1:] + letters[:1])[:count]] if letters else [""] * count)
         apart = self._apart(arriving, after)
-        candidates = apart <= tolerance
+        candidates = (apart <= tolerance) & (self._letters != CORNER)
         if not closed:
             candidates[-1] = False
         # A closed path is followed from one of its corners, so that no corner is made where it begins.
@@ -94,6 +103,8 @@ class Joints:
         self.tied = self._tied(arriving, after, tolerance / SMOOTH)
         if not closed:
             self.tied[-1] = False
+        alike = are_alike(np.hypot(*arriving.T), np.hypot(*after.T))
+        self.even = list(self.tied & alike & (self._letters == EVEN))
 
     def _tied(self, arriving: FloatArray, leaving: FloatArray, size: float) -> list[bool]:
         """Return which joints have handles on one line, of different lengths or beside a straight piece."""
@@ -105,9 +116,10 @@ class Joints:
         # Behind and ahead of each joint.
         straight = np.abs(arriving - np.roll(leaving, 1, axis=0)).max(axis=1) <= SMOOTH * size
         beside_line = straight | np.roll(straight, -1)
-        are_alike = (np.abs(a - b) <= _ALIKE * np.maximum(a, b)) & ~beside_line
+        is_one = are_alike(a, b) & ~beside_line & (self._letters != TIED)
         is_smooth = np.array(self.smooth)
-        found = np.where(is_smooth, goes_on & ~are_alike, goes_on & (way <= _TURNED * size))
+        goes_on &= self._letters != CORNER
+        found = np.where(is_smooth, goes_on & ~is_one, goes_on & (way <= _TURNED * size))
         self.moved = max(self.moved, float(way[found & ~is_smooth].max(initial=0.0)))
         ties: list[bool] = found.tolist()
         return ties
@@ -137,6 +149,11 @@ class Joints:
         return change <= self._tolerance
 
 
+def are_alike(one: FloatArray, other: FloatArray) -> BoolArray:
+    """Return of which handles the two lengths are meant to be the same."""
+    return np.asarray(np.abs(one - other) <= _ALIKE * np.maximum(one, other))
+
+
 def points_of(
     pieces: FloatArray,
     leaving: FloatArray,
@@ -157,7 +174,8 @@ def points_of(
             points.append(Point(x, y, at[0], start[0]))
         elif joints.tied[i - 1]:
             before, after = (through, through) if joints.smooth[i - 1] else (end[i - 1], start[i])
-            points.append(tied(Point(x, y, at[i]), before, after, (steps[i - 1], steps[i])))
+            point = tied(Point(x, y, at[i]), before, after, (steps[i - 1], steps[i]))
+            points.append(replace(point, even=True) if joints.even[i - 1] else point)
         elif joints.smooth[i - 1]:
             points.append(Point(x, y, at[i], through))
         else:

@@ -33,7 +33,9 @@ class CubicPoints(msgspec.Struct, frozen=True):
     moved: float
 
 
-def points_of_cubics(pieces: FloatArray, *, closed: bool, most_turned: float = EXACT) -> CubicPoints:
+def points_of_cubics(
+    pieces: FloatArray, *, closed: bool, most_turned: float = EXACT, letters: str = ""
+) -> CubicPoints:
     """Return the points of pieces (k, 4, 2), each of some length and beginning where the one before ends.
 
     Parameters
@@ -42,6 +44,8 @@ def points_of_cubics(pieces: FloatArray, *, closed: bool, most_turned: float = E
         Whether the last piece ends where the first begins, on purpose.
     most_turned
         Angle by which a handle is turned where it nearly goes on from the one before.
+    letters
+        One of `cubic_joints` for each point, which is such a one where it can be; others say nothing.
 
     Raises
     ------
@@ -50,9 +54,11 @@ def points_of_cubics(pieces: FloatArray, *, closed: bool, most_turned: float = E
     """
     if closed and len(pieces) == 1:
         pieces = _halves(pieces[0])
+    if len(letters) != len(pieces) + (not closed):
+        letters = ""
     leaving, arriving = 3 * (pieces[:, 1] - pieces[:, 0]), 3 * (pieces[:, 3] - pieces[:, 2])
     size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
-    joints = Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, closed, most_turned)
+    joints = Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, closed, most_turned, letters)
     t = np.append(0.0, np.cumsum(joints.steps))
     t /= t[-1]
     if not (np.diff(t) > 0).all():

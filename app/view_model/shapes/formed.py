@@ -64,7 +64,7 @@ class Formed(msgspec.Struct, frozen=True):
 
 @lru_cache(maxsize=4096)
 def _found(curve: Curve) -> Formed | None:
-    form, pieces = curve.form, _pieces(curve)
+    form, pieces = curve.form, pieces_of(curve)
     if form is None or pieces is None:
         return None
     made = np.array(form.pieces)
@@ -113,7 +113,7 @@ def _clean(value: float, largest: float) -> float:
     return plain if abs(plain - value) <= _NOISE * largest else value
 
 
-def _pieces(curve: Curve) -> FloatArray | None:
+def pieces_of(curve: Curve) -> FloatArray | None:
     """Return the control points of a closed cubic curve, (k, 4, 2); None of any other."""
     if curve.family is not HERMITE or not curve.is_closed:
         return None

@@ -14,9 +14,9 @@ from ..form_elements import FORMS, element_of, mapped
 from ..matrices import combined, moved, transform_of
 from ..numbers import number
 from ..shapes import SHAPES
-from ..tree import path_data
+from ..tree import node_types, path_data
 from .found import Found, Wanted
-from .source import Node
+from .source import Node, Source
 
 _ALONG = {
     "rect": (("x",), ("y",)),
@@ -30,7 +30,7 @@ _ALONG = {
 _OF_COURSES = ("points", "x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2", "y2")
 _OF_PROGRAMS = (
     *("type", "cx", "cy", "rx", "ry", "start", "end", "open", "arc-type", "sides", "r1", "r2", "arg1"),
-    *("arg2", "expansion", "revolution", "radius", "argument", "t0", "nodetypes", "flatsided", "rounded"),
+    *("arg2", "expansion", "revolution", "radius", "argument", "t0", "flatsided", "rounded"),
     *("randomized", "path-effect", "original-d", "original", "connector-curvature"),
 )
 """What programs note of a shape that is more to them than a path: it would not be true any more."""
@@ -142,54 +142,58 @@ def _short(value: float) -> str:
     return number(0.0 if abs(plain) < 1e-12 else plain)
 
 
-def redraw(node: Node, wanted: Wanted, inverse: FloatArray) -> None:
-    """Make an element run so, as a path or as what it is in SVG.
+def redraw(source: Source, node: Node, wanted: Wanted, inverse: FloatArray) -> None:
+    """Make an element run so, as a path or as what it is in SVG or to Inkscape.
 
     Its map to the plane of the file is undone by a matrix.
     """
-    if _redrawn_as_form(node, wanted, inverse):
-        return
-    upside_down = np.array([1.0, -1.0])
-    outlines = [
-        replace(each, control_points=moved(each.control_points, inverse) * upside_down)
-        for each in wanted.outlines
-    ]
+    tag, attributes, matrix = _form_for(node, wanted, inverse) or ("path", {}, None)
+    texts = {source.prefixed(name): text for name, text in attributes.items()}
     for name in node.names:
         prefix, _, own = name.rpartition(":")
-        gone = _OF_PROGRAMS if prefix else _OF_COURSES
-        if own in gone and not prefix.startswith("xml"):
-            node.drop(name)
-    node.rename("path")
-    node.set("d", " ".join(path_data(outlines).split()))
-
-
-def _redrawn_as_form(node: Node, wanted: Wanted, inverse: FloatArray) -> bool:
-    """Make an element the rectangle, circle or ellipse that a shape is; return whether it is one.
-
-    What is none in the file stays a path.
-    """
-    if (
-        not (node.tag in FORMS or node.get("d") == NEW_COURSE)
-        or len(wanted.outlines) > 1
-        or wanted.style.is_placed
-    ):
-        return False
-    if any(node.get(each) is not None for each in _HANGING[:3]):
-        return False
-    found = element_of(mapped(wanted.outlines[0].form, inverse))
-    if found is None:
-        return False
-    tag, numbers, matrix = found
-    for name in ("d", *_OF_COURSES):
-        if name not in numbers:
+        gone = _OF_PROGRAMS if prefix else ("d", *_OF_COURSES) if tag != "path" else _OF_COURSES
+        is_kinds = own == "nodetypes" and bool(attributes)
+        if (own in gone or is_kinds) and name not in texts and not prefix.startswith("xml"):
             node.drop(name)
     node.rename(tag)
-    for name, text in numbers.items():
+    if tag == "path":
+        upside_down = np.array([1.0, -1.0])
+        outlines = [
+            replace(each, control_points=moved(each.control_points, inverse) * upside_down)
+            for each in wanted.outlines
+        ]
+        texts["d"] = " ".join(path_data(outlines).split())
+    if not attributes:
+        note_kinds(source, node, wanted)
+    if matrix is not None:
+        texts["transform"] = _transform(combined(transform_of(node.get("transform") or ""), matrix))
+    for name, text in texts.items():
         if node.get(name) != text:
             node.set(name, text)
-    if matrix is not None:
-        node.set("transform", _transform(combined(transform_of(node.get("transform") or ""), matrix)))
-    return True
+
+
+def note_kinds(source: Source, node: Node, wanted: Wanted) -> None:
+    """Have a path say of what kinds its points are, where it did so before or nobody would know."""
+    name = next((each for each in node.names if each.endswith(":nodetypes")), "")
+    if words := node_types(wanted.outlines, always=bool(name)):
+        node.set(name or source.sodipodi("nodetypes"), words)
+    elif name:
+        node.drop(name)
+
+
+def _form_for(
+    node: Node, wanted: Wanted, inverse: FloatArray
+) -> tuple[str, dict[str, str], FloatArray | None] | None:
+    """Return what an element becomes that shows a form; None for no more than a path.
+
+    What is none in the file stays one.
+    """
+    is_form = node.tag in FORMS or any(name.rpartition(":")[1:] == (":", "type") for name in node.names)
+    if not (is_form or node.get("d") == NEW_COURSE) or len(wanted.outlines) > 1 or wanted.style.is_placed:
+        return None
+    if any(node.get(each) is not None for each in _HANGING[:3]):
+        return None
+    return element_of(mapped(wanted.outlines[0].form, inverse))
 
 
 def can_be_redrawn(node: Node) -> bool:

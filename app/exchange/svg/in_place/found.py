@@ -21,6 +21,7 @@ from ....view_model.curve.curve_view import view_of
 from ...cubics_in import imported
 from ...drawing.outlines import Outline
 from ...errors import ExchangeError
+from ...node_types import guessed
 from ..groups import Drawn, Group, Settled, is_seen, settled, with_line
 from ..guides import guides_of
 from ..reader import SvgReader
@@ -65,6 +66,11 @@ class Wanted:
     def locked(self) -> bool:
         """Whether it is locked."""
         return self.outlines[0].locked
+
+    @property
+    def letters(self) -> list[str]:
+        """Of what kinds the points of each outline are."""
+        return [each.letters for each in self.outlines]
 
     @property
     def pieces(self) -> list[FloatArray]:
@@ -133,6 +139,14 @@ class Found:
     def pieces(self) -> list[FloatArray]:
         """The pieces of each path as they stand in the file, (k, 4, 2)."""
         return [each.path.pieces for each in self.drawn]
+
+    @property
+    def letters(self) -> list[str]:
+        """Of what kinds the points of each path come in."""
+        return [
+            guessed(each.path.pieces, closed=each.path.closed, letters=each.path.letters)
+            for each in self.drawn
+        ]
 
     @cached_property
     def smooth_pieces(self) -> list[FloatArray]:

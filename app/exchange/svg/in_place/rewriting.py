@@ -26,10 +26,20 @@ from ...errors import ExchangeError
 from ...formats import Written
 from ...naming import Names
 from ...rescaled import in_unit
+from .. import own_data
 from ..matrices import combined, is_uneven, mean_scale, moved
 from ..our_own import OurOwn
 from ..sheet import Sheet
-from .courses import can_be_redrawn, inverse_of, is_plain_path, motion_of, move, move_whole, redraw
+from .courses import (
+    can_be_redrawn,
+    inverse_of,
+    is_plain_path,
+    motion_of,
+    move,
+    move_whole,
+    note_kinds,
+    redraw,
+)
 from .empty_layers import arrange_empty_layers, has_empty_layers, set_empty_layers
 from .found import Found, Reading, Wanted, runs_as
 from .kept import KeptPlan, blocks_of
@@ -248,15 +258,21 @@ class _Round:
         if len(found) != len(wanted):
             return False
         by, matrix = np.eye(2, 3), found[0].drawn[0].state.matrix
-        if not all(runs_as(*pair, self._job.room) for pair in zip(found, wanted, strict=True)):
+        is_own = len(wanted) == 1 and not found[0].is_used
+        if all(runs_as(*pair, self._job.room) for pair in zip(found, wanted, strict=True)):
+            if is_own and node.tag == "path" and found[0].letters != wanted[0].letters:
+                note_kinds(self._source, node, wanted[0])
+        else:
             motion = self._motion(node, found, wanted, way)
             if motion is not None:
                 by = motion
                 move(node, found[0], by)
-            elif len(wanted) > 1 or found[0].is_used or not can_be_redrawn(node):
+            elif not is_own or not can_be_redrawn(node):
                 return False
             else:
-                redraw(node, wanted[0], inverse_of(matrix))
+                redraw(self._source, node, wanted[0], inverse_of(matrix))
+        if is_own:
+            _note_own_data(node, wanted[0])
         return all(
             self._show_as(node, *pair, by, way, is_alone=len(wanted) == 1)
             for pair in zip(found, wanted, strict=True)
@@ -342,6 +358,17 @@ def _by_node(reading: Reading) -> dict[Node, list[Found]]:
         found.setdefault(shape.node, []).append(shape)
     seen = set(reading.seen)
     return {node: [each for each in shapes if each in seen] or shapes for node, shapes in found.items()}
+
+
+def _note_own_data(node: Node, wanted: Wanted) -> None:
+    """Have an element say what we know of a shape beside what SVG says; as it is where it does."""
+    data = own_data.of_shape(wanted.outlines)
+    if own_data.read(node.get(own_data.ATTRIBUTE), wanted.pieces) == data:
+        return
+    if words := own_data.words_of(data, wanted.pieces):
+        node.set(own_data.ATTRIBUTE, words)
+    else:
+        node.drop(own_data.ATTRIBUTE)
 
 
 def _pair(point: FloatArray) -> Vector:

@@ -18,6 +18,8 @@ _TOKEN = re.compile(
 _ATTRIBUTE = re.compile(r"""(\s+)([^\s=]+)(\s*=\s*)("[^"]*"|'[^']*')""")
 _ENCODING = re.compile(rb"""<\?xml[^>]*?encoding\s*=\s*["']([\w.-]+)""")
 _ENTITY = re.compile(r"&(?:#(\d+)|#x([0-9A-Fa-f]+)|(\w+));")
+_SPACES = {"inkscape": INKSCAPE_SPACE, "sodipodi": SODIPODI_SPACE}
+"""The name spaces of what only Inkscape takes note of, by their usual prefixes."""
 _ENTITIES = {"lt": "<", "gt": ">", "amp": "&", "quot": '"', "apos": "'"}
 
 
@@ -204,6 +206,11 @@ class Source:
         prefix = self._prefix_of(space)
         return f"{prefix}:{name}" if prefix else name
 
+    def prefixed(self, name: str) -> str:
+        """Return a name with the usual prefix of a name space, or without any, as it is in this file."""
+        prefix, _, own = name.rpartition(":")
+        return self.named(_SPACES[prefix], own) if prefix else name
+
     def inkscape(self, name: str) -> str:
         """Return the name of an attribute of Inkscape's."""
         return self.named(INKSCAPE_SPACE, name)
@@ -216,7 +223,7 @@ class Source:
         for name in self.root.names:
             if name.startswith("xmlns:") and self.root.get(name) == space:
                 return name.removeprefix("xmlns:")
-        prefix = "inkscape" if space == INKSCAPE_SPACE else "sodipodi"
+        prefix = next(usual for usual, each in _SPACES.items() if each == space)
         self.root.set(f"xmlns:{prefix}", space)
         return prefix
 
