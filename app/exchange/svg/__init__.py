@@ -6,6 +6,7 @@
   ``form_elements``: rectangles and ellipses as such.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
+  ``clones``: what a `use` is a clone of.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``kept_things``: what is shown, and only moved.  ``kept_texts``, ``kept_pictures``: of either kind.
   ``kept_elements``: written again.

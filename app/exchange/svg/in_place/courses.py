@@ -12,6 +12,7 @@ from curvecore.arrays import FloatArray
 from ..basic_shapes import LENGTHS
 from ..form_elements import FORMS, element_of, mapped
 from ..matrices import combined, moved, transform_of
+from ..matrices import inverse_of as inverse_of  # noqa: PLC0414 - most have it from here
 from ..numbers import number
 from ..shapes import SHAPES
 from ..tree import path_data
@@ -41,18 +42,6 @@ NEW_COURSE = "M0 0L1 1"
 _HANGING = ("clip-path", "mask", "filter", "transform")
 _DIGITS = 10
 _EVEN = 1e-9
-
-
-def inverse_of(matrix: FloatArray) -> FloatArray:
-    """Return the matrix (2, 3) that undoes another.
-
-    Raises
-    ------
-    np.linalg.LinAlgError
-        If there is none.
-    """
-    linear = np.linalg.inv(matrix[:, :2])
-    return np.hstack([linear, -(linear @ matrix[:, 2:])])
 
 
 def motion(before: Sequence[FloatArray], after: Sequence[FloatArray], room: float) -> FloatArray | None:

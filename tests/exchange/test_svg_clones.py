@@ -1,0 +1,80 @@
+"""Clones of SVG files are clones here, and go back as such."""
+
+import pytest
+from msgspec.structs import replace
+
+from app.document.clones import original_of, settled
+from app.document.edits import move_points
+from app.document.several_curves import mapped, whole_curves
+from app.document.transforms import scaling
+from app.exchange.corner import from_lower_left
+from app.exchange.svg.reader import read_svg
+
+CLONES = b"""<?xml version="1.0" encoding="UTF-8"?>
+<svg width="200mm" height="150mm" viewBox="0 0 200 150" xmlns="http://www.w3.org/2000/svg"
+   xmlns:xlink="http://www.w3.org/1999/xlink"
+   xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">
+  <defs><path id="hidden" d="M0 0C2 5 4 5 6 0" style="fill:none;stroke:#00aa00;stroke-width:1"/></defs>
+  <g id="layer1" inkscape:groupmode="layer" inkscape:label="One" transform="translate(3,2)">
+    <path id="leaf" d="M10 10C20 0 30 0 40 10C45 15 30 30 20 20Z"
+       style="fill:#ff8800;stroke:#000000;stroke-width:1"/>
+    <use xlink:href="#leaf" id="moved" x="0" y="0" width="100%" height="100%" transform="translate(50,10)"/>
+    <use xlink:href="#leaf" id="turned" x="0" y="0" transform="matrix(0,1.5,-1.5,0,100,60)"/>
+    <use xlink:href="#turned" id="nested" transform="translate(20,10)"/>
+    <g id="pair">
+      <rect id="box" x="20" y="60" width="20" height="10" rx="2" style="fill:#0000ff"/>
+      <circle id="disc" cx="50" cy="65" r="5" style="fill:none;stroke:#ff0000;stroke-width:0.5"/>
+    </g>
+    <use href="#pair" id="both" transform="translate(0,30)"/>
+    <use xlink:href="#hidden" id="first" x="100" y="100"/>
+    <use xlink:href="#hidden" id="second" x="120" y="100"/>
+  </g>
+</svg>
+"""
+LEAF, MOVED, TURNED, NESTED, BOX, DISC, BOX_2, DISC_2, FIRST, SECOND = range(10)
+
+
+@pytest.fixture(scope="module")
+def document():
+    """The file as it is opened, whose page stands on the origin."""
+    return from_lower_left(read_svg(CLONES).document)
+
+
+def changed(document, edit):
+    return settled(edit(document), document, document)
+
+
+def test_what_a_use_shows_comes_in_as_clones(document):
+    originals = [original_of(document, place) for place in range(len(document.curves))]
+    assert originals == [-1, LEAF, LEAF, TURNED, -1, -1, BOX, DISC, -1, FIRST]
+    # Nothing of it is another one for that.
+    assert settled(document, document, replace(document, curves=())) == document
+    plain = read_svg(CLONES.replace(b"<use", b"<none")).document
+    assert [curve.name for curve in plain.curves] == ["leaf", "box", "disc"]
+
+
+@pytest.mark.parametrize(
+    ("edited", "follow"),
+    [(LEAF, {MOVED, TURNED, NESTED}), (TURNED, {NESTED}), (DISC, {DISC_2}), (FIRST, {SECOND})],
+)
+def test_they_follow_what_they_are_clones_of(document, edited, follow):
+    after = changed(document, lambda d: move_points(d, edited, [0], (1.0, 2.0)))
+    others = {place for place, curve in enumerate(after.curves) if curve != document.curves[place]}
+    assert others == {edited, *follow}
+    if edited == LEAF:
+        was, now = (each.curves[TURNED].points[0] for each in (document, after))
+        # Turned by a quarter and enlarged, y up.
+        assert (now.x - was.x, now.y - was.y) == pytest.approx((3.0, -1.5))
+
+
+def test_one_that_is_enlarged_goes_on_to_look_like_its_original(document):
+    style = replace(document.curves[LEAF].style, width=2.0, fill="#112233")
+    after = changed(document, lambda d: d.with_curve(LEAF, replace(d.curves[LEAF], style=style)))
+    assert [after.curves[place].style.fill for place in (MOVED, TURNED, NESTED)] == ["#112233"] * 3
+    assert [after.curves[place].style.width for place in (MOVED, TURNED)] == pytest.approx([2.0, 3.0])
+
+
+@pytest.mark.parametrize("place", [MOVED, NESTED, BOX_2, DISC_2])
+def test_stretched_it_stays_one(document, place):
+    after = changed(document, lambda d: mapped(d, whole_curves(d, [place]), scaling(2.0, 0.5, (1.0, 1.0))))
+    assert after.curves[place].clone is not None
