@@ -25,7 +25,6 @@ def words_about_plain(document: Document, path: Path) -> str:
     """Return, as a sentence, what is no more than paths in a file of another format; empty of nothing."""
     curves = document.curves
     kinds = {
-        "clones": any(curve.clone is not None for curve in curves),
         "texts": any(curve.text is not None for curve in curves),
         "stars": any(isinstance(curve.form, Star) for curve in curves),
     }

@@ -1,5 +1,7 @@
 """Clones of SVG files are clones here, and go back as such."""
 
+import re
+
 import pytest
 from msgspec.structs import replace
 
@@ -8,7 +10,9 @@ from app.document.edits import move_points
 from app.document.several_curves import mapped, whole_curves
 from app.document.transforms import scaling
 from app.exchange.corner import from_lower_left
+from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
 
 CLONES = b"""<?xml version="1.0" encoding="UTF-8"?>
 <svg width="200mm" height="150mm" viewBox="0 0 200 150" xmlns="http://www.w3.org/2000/svg"
@@ -78,3 +82,74 @@ def test_one_that_is_enlarged_goes_on_to_look_like_its_original(document):
 def test_stretched_it_stays_one(document, place):
     after = changed(document, lambda d: mapped(d, whole_curves(d, [place]), scaling(2.0, 0.5, (1.0, 1.0))))
     assert after.curves[place].clone is not None
+
+
+# Written anew
+
+
+def uses(text):
+    """What each `use` is called, shows and is moved by."""
+    pattern = r'<use id="(\w+)"(?: inkscape:label="\w+")? xlink:href="#(\w+)" transform="([^"]+)"'
+    return [match.groups() for match in re.finditer(pattern, text)]
+
+
+def sites(curve):
+    return [number for point in curve.points for number in (*point.position, *point.velocity)]
+
+
+def written(document):
+    return svg_of(document, Options(unit="mm"))
+
+
+def test_a_clone_is_written_as_a_use_and_is_a_clone_again(document):
+    result = written(document)
+    assert uses(result.text) == [
+        ("moved", "leaf", "translate(50 10)"),
+        ("turned", "leaf", "matrix(0 1.5 -1.5 0 106 57.5)"),
+        ("nested", "turned", "translate(20 10)"),
+        ("box_2", "box", "translate(0 30)"),
+        ("disc_2", "disc", "translate(0 30)"),
+        ("second", "first", "translate(20 0)"),
+    ]
+    assert result.changes == ()
+    again = from_lower_left(read_svg(result.text.encode()).document)
+    for place, (now, was) in enumerate(zip(again.curves, document.curves, strict=True)):
+        assert (now.name, now.groups) == (was.name, was.groups)
+        assert sites(now) == pytest.approx(sites(was))
+        assert original_of(again, place) == original_of(document, place)
+
+
+def styled(d, place, **fields):
+    return d.with_curve(place, replace(d.curves[place], style=replace(d.curves[place].style, **fields)))
+
+
+@pytest.mark.parametrize(
+    ("edit", "path"),
+    [
+        (lambda d: styled(d, MOVED, fill="#112233"), "moved"),
+        (lambda d: styled(d, TURNED, width=1.0), "turned"),
+        (lambda d: mapped(d, whole_curves(d, [NESTED]), scaling(2.0, 0.5, (1.0, 1.0))), "nested"),
+        (lambda d: d.with_curve(DISC, replace(d.curves[DISC], visible=False)), "disc"),
+    ],
+)
+def test_one_that_looks_otherwise_is_a_path_and_that_is_said(document, edit, path):
+    result = written(changed(document, edit))
+    assert path not in [name.removesuffix("_2") for name, _, _ in uses(result.text)]
+    assert len(uses(result.text)) == 5
+    assert result.changes == (
+        f"The clone “{path}” became a path, because it looks otherwise than its original.",
+    )
+    # Without a line nothing shows that it was stretched.
+    stretched = changed(document, lambda d: mapped(d, whole_curves(d, [BOX_2]), scaling(2.0, 0.5, (1, 1))))
+    assert len(uses(written(stretched).text)) == 6
+
+
+def test_the_original_may_lie_in_front_and_be_hidden_with_its_layer(document):
+    behind = replace(document, curves=(*document.curves[1:], document.curves[0]))
+    text = written(behind).text
+    assert text.index('xlink:href="#leaf"') < text.index('id="leaf"')
+    hidden = replace(document.curves[LEAF], groups=("Two",), visible=False)
+    away = replace(behind, curves=(*document.curves[1:], hidden), layers=("One", "Two"))
+    again = read_svg(written(away).text.encode()).document
+    assert len(uses(written(away).text)) == 6
+    assert [curve.name for curve in again.curves if not curve.visible] == ["leaf"]

@@ -363,6 +363,8 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.visible,
         curve.locked,
         formed(curve),
+        curve.identity,
+        curve.clone,
     )
 
 

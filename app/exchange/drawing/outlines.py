@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from ...document.clone import Clone
 from ...document.marker import MarkerKind
 from ...document.style import PLAIN_STYLE, Style
 from ...view_model.geometry.markers import Ends, ends_of_pieces, markers_of
@@ -38,6 +39,8 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     form
         What it is of the form that it was drawn as; None where it is none, or lies elsewhere.
+    identity, clone
+        As in `Curve`.
     """
 
     name: str
@@ -51,6 +54,8 @@ class Outline(msgspec.Struct, frozen=True):
     visible: bool = True
     locked: bool = False
     form: Formed | None = None
+    identity: str = ""
+    clone: Clone | None = None
 
     @property
     def colour(self) -> str:

@@ -3,7 +3,7 @@
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
   ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``marker_elements``,
   ``numbers``: styles and numbers as text.
-  ``form_elements``: rectangles and ellipses as such.
+  ``form_elements``: rectangles and ellipses as such.  ``use_elements``: clones as such.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
   ``clones``: what a `use` is a clone of.
