@@ -20,21 +20,19 @@ _ROUNDING = 1e-14
 def linked(drawn: Sequence[Drawn], key: str) -> list[Drawn]:
     """Return paths that know what they are clones of; identities begin with `key`.
 
-    What is only drawn where it is used is the original itself where it is used first.
+    What is drawn only where it is used, as a symbol, has no original: none of its places moves the others.
     """
     known: dict[Hashable, int] = {}
     for place, each in enumerate(drawn):
         known.setdefault((each.state.inside, each.source), place)
-    first: dict[Hashable, int] = {}
     found: dict[int, tuple[int, FloatArray]] = {}
     for place, each in enumerate(drawn):
         uses = each.state.inside
         if not uses or each.source is None:
             continue
         ways = (known.get((uses[cut:], each.source)) for cut in range(1, len(uses) + 1))
-        used = first.setdefault((uses[1:], each.source), place)
-        original = next((way for way in ways if way is not None), used)
-        if original != place and (by := _map(drawn[original], each)) is not None:
+        original = next((way for way in ways if way is not None), None)
+        if original is not None and (by := _map(drawn[original], each)) is not None:
             found[place] = original, by
     paths = [each.path for each in drawn]
     for place, (original, by) in found.items():

@@ -102,6 +102,11 @@ def moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
         return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 
 
+def shifting(x: float, y: float) -> FloatArray:
+    """Return the matrix that shifts."""
+    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
+
+
 def largest_scale(matrix: FloatArray) -> float:
     """Return by how much a matrix stretches at most."""
     return float(np.linalg.norm(matrix[:, :2], 2))

@@ -40,6 +40,7 @@ from .matrices import (
     largest_scale,
     mean_scale,
     moved,
+    shifting,
     transform_of,
 )
 from .names import GROUP_MODE, INSENSITIVE, name_of, shown_name
@@ -50,7 +51,7 @@ from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
 from .state import State, Window
-from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, tag_of
+from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
 MAX_PATHS = 10_000
 
@@ -253,7 +254,7 @@ class SvgReader:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             state = self._in_view_box(element, element, state, (x, y))
         for child in element:
-            if tag_of(child) not in _ONLY_WHEN_USED and _speaks_to_us(child):
+            if tag_of(child) not in _ONLY_WHEN_USED and speaks_to_us(child):
                 yield from self._drawn(child, state, depth + 1)
                 if tag == "switch":
                     break
@@ -268,11 +269,11 @@ class SvgReader:
         )
         box = box_of(element.get("viewBox", ""))
         if width is None or height is None or width <= 0 or height <= 0:
-            return replace(state, matrix=combined(state.matrix, _moving(*corner)))
+            return replace(state, matrix=combined(state.matrix, shifting(*corner)))
         place: Box = (*corner, width, height)
         windows = (*state.windows, Window(place, state.matrix))
         if box is None:
-            matrix = combined(state.matrix, _moving(*corner))
+            matrix = combined(state.matrix, shifting(*corner))
             return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
         fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
         matrix = combined(state.matrix, fit)
@@ -295,7 +296,7 @@ class SvgReader:
             entered = self._entered(target, self._cascade.of(target), state)
             yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
         else:
-            state = replace(state, matrix=combined(state.matrix, _moving(x, y)))
+            state = replace(state, matrix=combined(state.matrix, shifting(x, y)))
             yield from self._drawn(target, state, depth + 1)
 
     def _shape(
@@ -394,15 +395,3 @@ def _has_length(subpath: Subpath) -> bool:
     """Whether a subpath is more than a point."""
     controls = subpath.controls
     return bool((controls != subpath.start).any())
-
-
-def _speaks_to_us(element: ET.Element) -> bool:
-    """Whether an element of a `switch` is for everybody, or for those who read English."""
-    language = element.get("systemLanguage", "en")
-    return not element.get("requiredExtensions") and any(
-        each.strip().startswith("en") for each in language.split(",")
-    )
-
-
-def _moving(x: float, y: float) -> FloatArray:
-    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])

@@ -19,7 +19,7 @@ from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .guides import guide_elements
 from .kept_elements import kept_elements
-from .names import INKSCAPE_SPACE, SODIPODI_SPACE
+from .names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 from .numbers import number
 from .our_own import CLOSE, EXACT, MARK, PAGE
 from .style_attributes import dash_style
@@ -29,7 +29,7 @@ NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
 
 _ROUNDING = 1e-9
-_LINKS = 'xmlns:xlink="http://www.w3.org/1999/xlink"'
+_LINKS = f'xmlns:xlink="{XLINK_SPACE}"'
 _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
 

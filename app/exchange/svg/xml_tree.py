@@ -65,6 +65,14 @@ def _tree(data: bytes, *, may_have_doctype: bool = True) -> ET.Element:
     return root
 
 
+def speaks_to_us(element: ET.Element) -> bool:
+    """Whether an element of a `switch` is for everybody, or for those who read English."""
+    language = element.get("systemLanguage", "en")
+    return not element.get("requiredExtensions") and any(
+        each.strip().startswith("en") for each in language.split(",")
+    )
+
+
 class _PlainDoctype(Exception):  # noqa: N818 - found, not wrong
     """There is a DOCTYPE with nothing in it; `end` is the place of its “>”."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ..names import INKSCAPE_SPACE, SODIPODI_SPACE
+from ..names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 from ..tree import quoted
 
 _TOKEN = re.compile(
@@ -18,6 +18,7 @@ _TOKEN = re.compile(
 _ATTRIBUTE = re.compile(r"""(\s+)([^\s=]+)(\s*=\s*)("[^"]*"|'[^']*')""")
 _ENCODING = re.compile(rb"""<\?xml[^>]*?encoding\s*=\s*["']([\w.-]+)""")
 _ENTITY = re.compile(r"&(?:#(\d+)|#x([0-9A-Fa-f]+)|(\w+));")
+_PREFIXES = {INKSCAPE_SPACE: "inkscape", SODIPODI_SPACE: "sodipodi", XLINK_SPACE: "xlink"}
 _ENTITIES = {"lt": "<", "gt": ">", "amp": "&", "quot": '"', "apos": "'"}
 
 
@@ -212,11 +213,15 @@ class Source:
         """Return the name of an attribute of Sodipodi's."""
         return self.named(SODIPODI_SPACE, name)
 
+    def xlink(self, name: str) -> str:
+        """Return the name of an attribute of links."""
+        return self.named(XLINK_SPACE, name)
+
     def _prefix_of(self, space: str) -> str:
         for name in self.root.names:
             if name.startswith("xmlns:") and self.root.get(name) == space:
                 return name.removeprefix("xmlns:")
-        prefix = "inkscape" if space == INKSCAPE_SPACE else "sodipodi"
+        prefix = _PREFIXES[space]
         self.root.set(f"xmlns:{prefix}", space)
         return prefix
 
