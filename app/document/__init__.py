@@ -26,7 +26,8 @@
 - ``guide``: the lines to draw along, and where they meet.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.
-- ``clone``, ``clones``: curves that run as others do, mapped.
+- ``clone``, ``clones``: curves that run as others do, mapped.  ``clone_maps``, ``clone_styles``: how they
+  are, and look.  ``clone_links``: those that come into a document together.
 - ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``form_edits``: curves made of
   such.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.

@@ -2,33 +2,23 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from operator import attrgetter
 
 from msgspec.structs import replace
 
 from .clone import Clone
-from .derivatives import VECTORS
+from .clone_maps import RULES, clone_by, is_image, map_between, map_of, mapped_points, rules_of, runs_as
+from .clone_styles import style_followed
 from .edits import EditError
-from .model import Curve, Document, Point, Vector
+from .model import Curve, Document
 from .several_curves import Added, add_copies, named
 from .shapes import with_values
 from .steps import reshaped
-from .transforms import Affine, transform_points
+from .transforms import Affine
 from .words import names_of
 
-_RULES = (
-    *("family", "parametrization", "velocity_rule", "acceleration_rule", "jerk_rule"),
-    *("closed", "settings", "form"),
-)
-"""What of a curve beside its points says how it runs, which a clone has as its original does."""
-
-_OFF = 1e-9
-"""Share of its size by which a clone may be off a map of its original: roundings."""
-
 _clone = attrgetter("clone")
-_rules = attrgetter(*_RULES)
 _known: tuple[tuple[Curve, ...], bool] = ((), False)
 
 
@@ -169,16 +159,16 @@ class _Following:
             return curve
         original, (was, originals) = self._following(found, (*within, clone.of)), known
         before = originals.get(clone.of)
-        if before is None or _is_same_course(original, before) or _rules(curve) != _rules(was):
+        if before is None or _is_same_course(original, before) or rules_of(curve) != rules_of(was):
             return curve
         try:
-            points = _mapped_points(original, map_of(clone))
+            points = mapped_points(original, map_of(clone))
         except EditError:
             # Beyond all limits: it stays, and is a clone no more.
             return curve
-        values = {name: getattr(original, name) for name in _RULES}
-        if not before.style.is_placed and curve.style == before.style and not original.style.is_placed:
-            values["style"] = original.style
+        values = {name: getattr(original, name) for name in RULES}
+        if original.style is not before.style:
+            values["style"] = style_followed(curve.style, before.style, original.style, map_of(clone))
         if len(points) == len(before.points) == len(curve.points):
             # Where the person put it, and the same object, as long as its original is.
             trios = zip(points, original.points, before.points, curve.points, strict=True)
@@ -191,13 +181,13 @@ class _Following:
         if clone is None:
             return curve
         original = self._now.get(clone.of)
-        if original is None or original is curve or _rules(original) != _rules(curve):
+        if original is None or original is curve or rules_of(original) != rules_of(curve):
             return replace(curve, clone=None)
         by: Affine | None = map_of(clone)
-        if not _runs_as(original, curve.points, map_of(clone)):
+        if not runs_as(original, curve.points, map_of(clone)):
             by = map_between(original, curve.points)
             clone = clone if by is None else clone_by(clone.of, by)
-        if by is None or not _is_image(original, by):
+        if by is None or not is_image(original, by):
             return replace(curve, clone=None)
         return curve if clone == curve.clone else replace(curve, clone=clone)
 
@@ -218,122 +208,5 @@ def _by_identity(curves: Sequence[Curve], before: Mapping[str, Curve] | None = N
 
 def _is_same_course(one: Curve, other: Curve) -> bool:
     return one is other or (
-        one.points is other.points and _rules(one) == _rules(other) and one.style is other.style
+        one.points is other.points and rules_of(one) == rules_of(other) and one.style is other.style
     )
-
-
-# Maps
-
-
-def map_of(clone: Clone) -> Affine:
-    """Return the map of a clone."""
-    return Affine(clone.xx, clone.xy, clone.yx, clone.yy, (0.0, 0.0), clone.shift)
-
-
-def clone_by(of: str, by: Affine) -> Clone:
-    """Return the clone by a map."""
-    x, y = by.point((0.0, 0.0))
-    return Clone(of, by.xx, by.xy, by.yx, by.yy, x, y)
-
-
-def _mapped_points(original: Curve, by: Affine) -> tuple[Point, ...]:
-    """Return the points that an original has where it is mapped as by hand."""
-    return transform_points(Document((original,)), 0, range(len(original.points)), by).curves[0].points
-
-
-def _is_image(original: Curve, by: Affine) -> bool:
-    """Whether the curve through mapped points is the mapped curve.
-
-    What is estimated, or spaced by distances, is so under some maps only; handles are taken along by all.
-    """
-    x, y = by.xx + 1.0, by.yy + 1.0
-    if not (by.xx or by.xy or by.yx or by.yy) and original.family.is_built_in:
-        return True
-    if _is_all_given(original):
-        return original.family.is_built_in
-    most = max(abs(each) for each in (x, y, by.xy, by.yx))
-    is_even = any(math.dist((x, by.xy), (sign * y, -sign * by.yx)) <= _OFF * most for sign in (1.0, -1.0))
-    asks = original.parametrization.kind.asks_where_points_are
-    return (
-        original.family.is_built_in
-        and all(rule.is_linear for rule in original.rules)
-        and (is_even or not asks)
-    )
-
-
-def _is_all_given(curve: Curve) -> bool:
-    """Whether the person set all derivatives that the curve has, of each joint on both sides."""
-    joints = curve.points if curve.is_closed else curve.points[1:-1]
-    if not all(point.corner for point in joints):
-        return False
-    for order in range(1, curve.family.derivatives + 1):
-        sides = [side for point in curve.points for side in point.explicit_sides(order)]
-        if None in (sides if curve.is_closed else sides[1:-1]):
-            return False
-    return curve.family.derivatives > 0
-
-
-def _sites(points: Sequence[Point]) -> Iterator[Vector]:
-    """Yield the places of points, and where the derivatives that are set there lead."""
-    for point in points:
-        yield point.position
-        for _, name in VECTORS:
-            if (vector := getattr(point, name)) is not None:
-                yield point.x + vector[0], point.y + vector[1]
-
-
-def _runs_as(original: Curve, points: Sequence[Point], by: Affine) -> bool:
-    """Whether a map takes an original to other points, but for roundings."""
-    try:
-        mapped = _mapped_points(original, by)
-    except EditError:
-        return False
-    pairs = list(zip(mapped, points, strict=False))
-    if len(mapped) != len(points) or any(_kind(one) != _kind(other) for one, other in pairs):
-        return False
-    here, there = list(_sites(mapped)), list(_sites(points))
-    room = _OFF * max((abs(value) for place in (*here, *there) for value in place), default=0.0)
-    return all(math.dist(a, b) <= room for a, b in zip(here, there, strict=True))
-
-
-def _kind(point: Point) -> tuple[object, ...]:
-    vectors = (getattr(point, name) is not None for _, name in VECTORS)
-    return (point.corner, point.tied, point.even, point.t, *vectors)
-
-
-def map_between(original: Curve, points: Sequence[Point]) -> Affine | None:
-    """Return the affine map that takes an original to other points; None where there is none."""
-    here, there = ([point.position for point in each] for each in (original.points, points))
-    if len(here) != len(there) or not here:
-        return None
-    return next((by for by in _guesses(here, there) if _runs_as(original, points, by)), None)
-
-
-def _guesses(here: Sequence[Vector], there: Sequence[Vector]) -> Iterator[Affine]:
-    """Yield maps that take some places where they should be: a shift, a similarity, any other."""
-    start, to = here[0], there[0]
-    shift = (to[0] - start[0], to[1] - start[1])
-    yield Affine(0.0, 0.0, 0.0, 0.0, start, shift)
-    far = max(range(len(here)), key=lambda at: math.dist(start, here[at]))
-    a, c = _way(start, here[far]), _way(to, there[far])
-    length = a[0] ** 2 + a[1] ** 2
-    if not length:
-        return
-    cos, sin = (a[0] * c[0] + a[1] * c[1]) / length, (a[0] * c[1] - a[1] * c[0]) / length
-    yield Affine(cos - 1.0, -sin, sin, cos - 1.0, start, shift)
-    off = max(range(len(here)), key=lambda at: abs(_cross(a, _way(start, here[at]))))
-    b, d = _way(start, here[off]), _way(to, there[off])
-    size = _cross(a, b)
-    if abs(size) <= _OFF * length:
-        return
-    xx, xy = (c[0] * b[1] - d[0] * a[1]) / size, (d[0] * a[0] - c[0] * b[0]) / size
-    yx, yy = (c[1] * b[1] - d[1] * a[1]) / size, (d[1] * a[0] - c[1] * b[0]) / size
-    yield Affine(xx - 1.0, xy, yx, yy - 1.0, start, shift)
-
-
-def _way(start: Vector, end: Vector) -> Vector:
-    return end[0] - start[0], end[1] - start[1]
-
-
-def _cross(a: Vector, b: Vector) -> float:
-    return a[0] * b[1] - a[1] * b[0]

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
+from .clone_links import with_own_links
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import move_points
@@ -213,7 +214,7 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
 
     Each stays in the group of its original, in front of the last that is copied there. Copies of whole shapes
     and groups are shapes and groups of their own; those of a part of a shape are in front of it, and not in
-    it.
+    it. A clone that is copied with its original follows the copy.
     """
     copied = dict[Container, tuple[int, list[int]]]()
     for node in whole_nodes(document.curves, curves, document.layers):
@@ -222,11 +223,16 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
             around, at = around.around, shape_of(document, node.places.start).stop
         _, before = copied.get(around, (at, []))
         copied[around] = (at, [*before, *node.places])
+    chosen = [place for _, originals in copied.values() for place in originals]
+    own = with_own_links([document.curves[place] for place in chosen], document.curves)
+    linked = list(document.curves)
+    for place, curve in zip(chosen, own, strict=True):
+        linked[place] = curve
     new, places = document, dict[int, int]()
     for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
         at = place + len(places)
         new = add_curves(
-            new, list(contained(document.curves, originals, around, document.layers).values()), at, around
+            new, list(contained(linked, originals, around, document.layers).values()), at, around
         )
         places |= zip(originals, range(at, at + len(originals)), strict=True)
     return Added(new, tuple(places[curve] for curve in sorted(places)))
@@ -239,6 +245,7 @@ def add_curves(
 
     Of the shapes and groups that they are in, that which they come into keeps its name.
     """
+    curves = with_own_links(curves, document.curves)
     own = with_own_names(renamed(curves, {curve.name for curve in document.curves}), document, container)
     return replace(document, curves=(*document.curves[:at], *own, *document.curves[at:]))
 
@@ -253,7 +260,8 @@ def add_imported(document: Document, new: Document, layer: str = "") -> tuple[Do
     is_begun = not is_blank(document)
     base = document if is_begun else without(document, 0)
     place, container = front_of(base, layer)
-    own = within(with_own_names(new.curves, base), container)
+    curves = with_own_links(new.curves, base.curves)
+    own = within(with_own_names(curves, base), container)
     image = document.image or new.image
     document = replace(base, curves=(*base.curves[:place], *own, *base.curves[place:]), image=image)
     if is_begun:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from ..document.clone_maps import clone_shifted
 from ..document.edits import EditError
 from ..document.model import Document, Guide, Page, Vector
 from ..document.several_curves import stepped, whole_curves
@@ -23,7 +24,8 @@ def shifted(document: Document, by: Vector) -> Document:
     except EditError:
         return document
     curves = tuple(
-        replace(new, locked=old.locked) for new, old in zip(moved.curves, document.curves, strict=True)
+        replace(new, locked=old.locked, clone=new.clone and clone_shifted(new.clone, by))
+        for new, old in zip(moved.curves, document.curves, strict=True)
     )
     page, image = (
         each and replace(each, x=decimal_sum(each.x, by[0]), y=decimal_sum(each.y, by[1]))

@@ -13,6 +13,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ..document.clone import Clone
+from ..document.clone_links import linked_up
 from ..document.forms import AnyForm
 from ..document.kept_edits import with_kept_if
 from ..document.limits import EditError
@@ -95,7 +97,7 @@ class Imported:
         document, curves = self.document, tuple(compress(self.document.curves, taken))
         gone = _groups_of(document.curves) - _groups_of(curves)
         document = msgspec.structs.replace(document, curves=curves)
-        document = with_kept_if(document, gone.isdisjoint)
+        document = with_kept_if(linked_up(document), gone.isdisjoint)
         return replace(self, document=tidy_shapes(document))
 
     def called(self, names: Sequence[str]) -> Imported:
@@ -165,6 +167,8 @@ class ImportedPath:
         As in `Curve`.
     letters
         Of what kind its points are meant to be; see ``node_types``.
+    identity, clone
+        As in `Curve`.
     """
 
     name: str
@@ -175,6 +179,8 @@ class ImportedPath:
     form: AnyForm | None = None
     text: Text | None = None
     letters: str = ""
+    identity: str = ""
+    clone: Clone | None = None
 
 
 @dataclass(frozen=True)
@@ -226,7 +232,7 @@ def imported(
     if not curves:
         sentences = (*(each.sentence for each in missed), *remarks)
         raise ExchangeError(" ".join(["There is no curve in the file.", *sentences]))
-    return Imported(tidy_shapes(Document(tuple(curves))), deviation, remarks, missed)
+    return Imported(tidy_shapes(linked_up(Document(tuple(curves)))), deviation, remarks, missed)
 
 
 def _groups_of(curves: Iterable[Curve]) -> set[str]:
@@ -248,7 +254,9 @@ def _through(path: PointsAlone) -> Curve:
 def _made(
     path: ImportedPath | PointsAlone, parametrization: Parametrization, points: tuple[Point, ...]
 ) -> Curve:
-    look = path.look
+    look, form, identity, clone = path.look, None, "", None
+    if isinstance(path, ImportedPath):
+        form, identity, clone = path.form, path.identity, path.clone
     return Curve(
         path.name,
         FAMILY,
@@ -260,8 +268,10 @@ def _made(
         groups=look.groups,
         visible=look.visible,
         locked=look.locked,
-        form=path.form if isinstance(path, ImportedPath) else None,
+        form=form,
         text=path.text if isinstance(path, ImportedPath) else None,
+        identity=identity,
+        clone=clone,
     )
 
 

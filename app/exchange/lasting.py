@@ -27,7 +27,7 @@ def words_about_plain(document: Document, path: Path) -> str:
     """Return, as a sentence, what is no more than paths in a file of another format; empty of nothing."""
     curves, is_svg = document.curves, format_of(path, FORMATS.written).rewrite is not None
     kinds = {
-        "clones": any(curve.clone is not None for curve in curves),
+        "clones": not is_svg and any(curve.clone is not None for curve in curves),
         "texts": not is_svg and any(curve.text is not None for curve in curves),
         "skewed stars" if is_svg else "stars": any(_is_plain_star(curve, is_svg=is_svg) for curve in curves),
     }

@@ -23,13 +23,10 @@ class Change(msgspec.Struct, frozen=True):
         Whether the document is another one.
     refusal
         Why it is not, as the status line has it; empty where the change was none.
-    told
-        What it did to other curves, which the status line tells; for who says more.
     """
 
     is_done: bool
     refusal: str = ""
-    told: str = ""
 
     def __bool__(self) -> bool:
         return self.is_done

@@ -236,8 +236,8 @@ class Session(SessionSignals):
         self.history.push(before, after, text, run)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
         if told := words_about_unlinked(before.document, document):
-            self.telling.then(partial(self.say, told))
-        return Change(is_done=True, told=told)
+            self.telling.then(partial(self.say_besides, told))
+        return Change(is_done=True)
 
     def _with_clones(
         self, document: Document, follow: Callable[[Document, Document, Document], Document]

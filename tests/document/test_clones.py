@@ -8,11 +8,12 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import clones
-from app.document.clones import add_clones, followed, map_of, settled, unlinked
+from app.document.clone_maps import map_of
+from app.document.clones import add_clones, followed, original_of, settled, unlinked
 from app.document.curve_edits import remove_curve, reverse_curve
 from app.document.edits import delete_points, insert_points, move_points, set_family
 from app.document.model import Document, Point, make_curve
-from app.document.several_curves import add_copies, mapped, stepped, whole_curves
+from app.document.several_curves import add_copies, add_imported, mapped, stepped, whole_curves
 from app.document.transforms import rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.curve.curve_view import view_of
@@ -125,7 +126,7 @@ def test_a_curve_of_its_own_it_is_when_it_runs_otherwise_or_its_original_goes(pa
     assert clones.words_about_unlinked(pair, after) == "“Leaf copy” is no clone any more."
 
 
-def test_copies_of_clones_are_clones_and_copies_of_originals_are_not_the_original(pair):
+def test_copies_of_clones_follow_the_copy_of_their_original_where_there_is_one(pair):
     after = changed(pair, lambda d: add_copies(d, [0, 1]).document)
     assert [curve.name for curve in after.curves] == [
         "Leaf",
@@ -134,9 +135,18 @@ def test_copies_of_clones_are_clones_and_copies_of_originals_are_not_the_origina
         "Leaf copy 3",
         "Other",
     ]
-    assert [bool(curve.identity) for curve in after.curves] == [True, False, False, False, False]
-    moved = changed(after, lambda d: move_points(d, 0, [1], (1.0, 0.0)))
-    assert [new != old for new, old in zip(moved.curves, after.curves, strict=True)] == [1, 1, 0, 1, 0]
+    assert [bool(curve.identity) for curve in after.curves] == [True, False, True, False, False]
+    for edited, follows in ((0, [1, 1, 0, 0, 0]), (2, [0, 0, 1, 1, 0])):
+        moved = changed(after, lambda d, place=edited: move_points(d, place, [1], (1.0, 0.0)))
+        assert [new != old for new, old in zip(moved.curves, after.curves, strict=True)] == follows
+    alone = changed(pair, lambda d: add_copies(d, [1]).document)
+    moved = changed(alone, lambda d: move_points(d, 0, [1], (1.0, 0.0)))
+    assert [new != old for new, old in zip(moved.curves, alone.curves, strict=True)] == [1, 1, 1, 0]
+    # Once more, and from a file: there is such an identity there.
+    more = changed(after, lambda d: add_imported(d, pair)[0])
+    identities = [curve.identity for curve in more.curves if curve.identity]
+    assert len(set(identities)) == len(identities) == 3
+    assert [original_of(more, place) for place in (1, 3, 6)] == [0, 2, 5]
 
 
 def test_a_clone_of_a_clone_follows_both(pair):

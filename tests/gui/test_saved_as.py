@@ -6,6 +6,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog
 
+from app.document.several_curves import mapped, whole_curves
+from app.document.transforms import skewing
 from app.exchange.svg.reader import read_svg
 from app.storage.files import load
 from app.workbench.file_names import SAVED_KINDS, title_of
@@ -79,17 +81,24 @@ def test_a_document_saved_as_svg_is_one_and_stands_for_it_from_then_on(editor, s
 
 
 def test_what_an_svg_has_as_plain_paths_is_told(editor, save_as):
-    """It said “exact”, and the clone followed no more when the file was opened again."""
+    """A clone is one there; it once followed no more when the file was opened again, which was “exact”."""
     editor.key(Qt.Key.Key_V)
     editor.key(Qt.Key.Key_D, Qt.KeyboardModifier.AltModifier)
     save_as("a.svg")
-    assert editor.message.startswith("In a.svg clones are plain paths")
+    assert "plain" not in editor.message + editor.status
+    path = editor.session.files.foreign.path
+    assert [curve.clone is not None for curve in read_svg(path.read_bytes()).document.curves] == [False, True]
     editor.trigger("starTool")
     editor.drag((150, 200), (180, 200))
     editor.trigger("saveDocument")
     editor.wait_for_work()
-    # A star is one there, too.
-    assert "In a.svg clones are plain paths" in editor.status
+    assert "plain" not in editor.status, "a star is one there, too"
+    star = whole_curves(editor.session.document, [len(editor.session.document.curves) - 1])
+    slanted = skewing(0, 20, (150, 200))
+    editor.session.change("Skew", lambda document: mapped(document, star, slanted))
+    editor.trigger("saveDocument")
+    editor.wait_for_work()
+    assert "In a.svg skewed stars are plain paths" in editor.status
     editor.trigger("undo")
     editor.trigger("undo")
     editor.trigger("saveDocument")

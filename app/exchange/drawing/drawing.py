@@ -329,4 +329,6 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         formed(curve),
         curve.text,
         letters_of(curve, path.control_points),
+        curve.identity,
+        curve.clone,
     )

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from ...document.clone import Clone
 from ...document.marker import MarkerKind
 from ...document.style import PLAIN_STYLE, Style
 from ...document.text import Text
@@ -43,6 +44,8 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     letters
         Of what kind each point is; see ``node_types``. None where pieces do not end at points.
+    identity, clone
+        As in `Curve`.
     """
 
     name: str
@@ -58,6 +61,8 @@ class Outline(msgspec.Struct, frozen=True):
     form: Formed | None = None
     text: Text | None = None
     letters: str = ""
+    identity: str = ""
+    clone: Clone | None = None
 
     @property
     def colour(self) -> str:

@@ -45,7 +45,7 @@ class Written:
     pixels
         Width and height of a picture in pixels; None of everything else.
     changes
-        What of a file that was kept is something else now, in sentences.
+        What is something else in the file, or what of one that was kept is so now, in sentences.
     """
 
     content: str | bytes

@@ -4,8 +4,10 @@
   ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``marker_elements``,
   ``numbers``: styles and numbers as text.
   ``form_elements``: rectangles and ellipses as such.  ``inkscape_forms``: stars, as Inkscape notes them.
+  ``use_elements``: clones as such.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
+  ``clones``: what a `use` is a clone of.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``kept_things``: what is shown, and only moved.  ``kept_texts``, ``kept_pictures``: of either kind.
   ``kept_elements``: written again.

@@ -68,6 +68,8 @@ class Drawn:
         That of its element.
     scale
         By how much its stroke is enlarged.
+    source
+        The element of its own that it is of, however often that is shown, and which path of it.
     """
 
     path: ImportedPath
@@ -76,6 +78,7 @@ class Drawn:
     anchor: Anchor
     state: State
     scale: float = 1.0
+    source: tuple[ET.Element, int] | None = None
 
 
 def is_seen(drawn: Drawn) -> bool:

@@ -84,10 +84,27 @@ def combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
     return result
 
 
+def inverse_of(matrix: FloatArray) -> FloatArray:
+    """Return the matrix (2, 3) that undoes another.
+
+    Raises
+    ------
+    np.linalg.LinAlgError
+        If there is none.
+    """
+    linear = np.linalg.inv(matrix[:, :2])
+    return np.hstack([linear, -(linear @ matrix[:, 2:])])
+
+
 def moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
     """Return points (…, 2) where a matrix puts them."""
     with np.errstate(all="ignore"):
         return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
+
+
+def shifting(x: float, y: float) -> FloatArray:
+    """Return the matrix that shifts."""
+    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
 
 
 def largest_scale(matrix: FloatArray) -> float:
@@ -129,8 +146,3 @@ def fitted_box(box: Box, place: Box, ratio: str) -> FloatArray:
     x = place[0] + (place[2] - across * box[2]) * x_share - across * box[0]
     y = place[1] + (place[3] - down * box[3]) * y_share - down * box[1]
     return np.array([[across, 0.0, x], [0.0, down, y]])
-
-
-def moving(x: float, y: float) -> FloatArray:
-    """Return the matrix that moves everything so far."""
-    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])

@@ -9,6 +9,7 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from zlib import crc32
 
 import msgspec
 import numpy as np
@@ -25,6 +26,7 @@ from ..node_types import parted
 from . import own_data
 from .cascade import Cascade
 from .clips import Clips
+from .clones import linked
 from .flaw import Flaw
 from .gradients import Ground
 from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
@@ -40,7 +42,7 @@ from .matrices import (
     largest_scale,
     mean_scale,
     moved,
-    moving,
+    shifting,
     transform_of,
 )
 from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, name_of, shown_name
@@ -98,7 +100,8 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = SvgReader(root, tolerance, is_in_groups=is_in_groups)
-    drawn, guides = reader.all_paths(), reader.guides()
+    # Those of one file are no others' when something of both comes into one document.
+    drawn, guides = reader.all_paths(f"{crc32(data):08x}-"), reader.guides()
     found = imported(drawn.paths, missed=tuple(reader.missed))
     sheet = reader.sheet
     document = msgspec.structs.replace(
@@ -149,15 +152,18 @@ class SvgReader:
         self.kept_texts: tuple[KeptText, ...] = ()
         self.kept_pictures: tuple[KeptPicture, ...] = ()
 
-    def all_paths(self) -> Settled:
-        """Return the paths of the file; of those that nobody painted only where there are no others."""
+    def all_paths(self, key: str = "") -> Settled:
+        """Return the paths of the file; of those that nobody painted only where there are no others.
+
+        The identities of what clones follow begin with `key`.
+        """
         drawn = self.drawn()
         seen = [each for each in drawn if is_seen(each)]
         instead = "left out" if seen else "it comes in as a line"
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        told = settled(seen or [with_line(each) for each in drawn], self.layers)
+        told = settled(linked(seen or [with_line(each) for each in drawn], key), self.layers)
         self.kept_texts, self.kept_pictures = self._kept.placed(drawn, told.names)
         return told
 
@@ -266,11 +272,11 @@ class SvgReader:
         )
         box = box_of(element.get("viewBox", ""))
         if width is None or height is None or width <= 0 or height <= 0:
-            return replace(state, matrix=combined(state.matrix, moving(*corner)))
+            return replace(state, matrix=combined(state.matrix, shifting(*corner)))
         place: Box = (*corner, width, height)
         windows = (*state.windows, Window(place, state.matrix))
         if box is None:
-            matrix = combined(state.matrix, moving(*corner))
+            matrix = combined(state.matrix, shifting(*corner))
             return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
         fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
         matrix = combined(state.matrix, fit)
@@ -282,18 +288,18 @@ class SvgReader:
         if not reference.startswith("#") or target is None:
             self._miss(element, Flaw("what it uses is not in the file", "left out"))
             return
-        if reference in state.inside or depth > MAX_DEPTH:
+        if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):
             raise self._broken(element, f"it uses itself by way of “{reference[:40]}”.")
         x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
         # Of several within each other the outermost is what a person sees as the clone.
         name = state.clone or name_of(element) or f"Clone of {name_of(target)}"
-        state = replace(state, inside=(*state.inside, reference), clone=name)
+        state = replace(state, inside=(*state.inside, element), clone=name)
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (x, y))
             entered = self._entered(target, self._cascade.of(target), state)
             yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
         else:
-            state = replace(state, matrix=combined(state.matrix, moving(x, y)))
+            state = replace(state, matrix=combined(state.matrix, shifting(x, y)))
             yield from self._drawn(target, state, depth + 1)
 
     def _shape(
@@ -341,7 +347,7 @@ class SvgReader:
                 own.text_of(index),
                 letters[index],
             )
-            yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale)
+            yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, index))
 
     def _look(
         self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -56,7 +57,7 @@ class State:
     viewport
         What percentages are parts of.
     inside
-        The elements that are being used.
+        The `use` elements that show it, each by way of the next.
     groups
         Those around it, the outermost first.
     windows
@@ -74,7 +75,7 @@ class State:
     matrix: FloatArray
     viewport: Viewport
     properties: Properties = field(default_factory=Properties)
-    inside: tuple[str, ...] = ()
+    inside: tuple[ET.Element, ...] = ()
     groups: tuple[Group, ...] = ()
     windows: tuple[Window, ...] = ()
     clips: tuple[Clip, ...] = ()

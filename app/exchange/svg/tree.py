@@ -23,6 +23,7 @@ from .marker_elements import MarkerElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
+from .use_elements import use_attributes, used, words_about_paths
 
 # XML 1.0 has no way at all to write these.
 _NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
@@ -36,6 +37,8 @@ class Tree:
 
     Attributes
     ----------
+    uses
+        The shapes that are shown by others.
     lines
         What was written so far.
     clips
@@ -48,17 +51,20 @@ class Tree:
         self,
         style: PictureStyle,
         drawing: Drawing,
-        outlines: Iterable[Outline],
+        shapes: Sequence[tuple[Outline, ...]],
     ) -> None:
-        self._style, self._usual_width = style, drawing.usual_width
+        self._style, self._usual_width, self._shapes = style, drawing.usual_width, shapes
         self._layers = {name: _LayerState() for name in drawing.layers}
         self._empty = [each for each in drawing.empty_layers if each.name in self._layers]
         for each in self._empty:
             self._layers[each.name] = _LayerState(is_hidden=not each.visible, is_locked=each.locked)
-        for outline in outlines:
+        for outline in (each for shape in shapes for each in shape):
             for name in self._layers_of(outline):
                 self._layers[name].add(outline)
+        unseen = (place for place, shape in enumerate(shapes) if self._is_unseen(shape[0]))
+        self.uses = used(shapes, drawing.usual_width, unseen)
         self._open: tuple[str, ...] = ()
+        self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
         self.clips, self._markers = ClipElements(self._ids), MarkerElements(self._ids)
@@ -70,10 +76,30 @@ class Tree:
         found = [*self._gradients.lines, *self.clips.lines, *self._markers.lines]
         return ["  <defs>", *found, "  </defs>"] if found else []
 
-    def add(self, shape: tuple[Outline, ...]) -> None:
-        """Write the outlines of a shape as one path."""
-        first = shape[0]
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What is to be said of clones."""
+        told = words_about_paths(self._shapes, self.uses)
+        return (told,) if told else ()
+
+    def add(self, place: int) -> None:
+        """Write the outlines of a shape as one path, or as what shows another one."""
+        first = self._shapes[place][0]
         self._go_into(first.groups)
+        # What a layer says goes for all in it.
+        unseen = ' display="none"' if self._is_unseen(first) else ""
+        around = [self._layers[name] for name in self._layers_of(first)]
+        locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
+        called, end = self._called(place), f"{unseen}{locked}/>"
+        if place in self.uses:
+            original, by = self.uses[place]
+            self._write(f"<use{called}{use_attributes(self._id_of(original), by)}{end}")
+        else:
+            self._write(self._drawn(self._shapes[place], called, end))
+
+    def _drawn(self, shape: tuple[Outline, ...], called: str, end: str) -> str:
+        """Return the element that draws a shape."""
+        first = shape[0]
         style = style_attributes(
             with_markers_seen(first.style, shape),
             self._style,
@@ -82,17 +108,18 @@ class Tree:
             self._markers,
         )
         clips = first.style.clips
-        around = [self._layers[name] for name in self._layers_of(first)]
-        # What a layer says goes for all in it.
-        unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
-        locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
         tag, runs = _as_form(shape) or ("path", "")
         if tag == "path":
             runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
-        runs = f"{self._called(first.shape or first.name)}{_own_data_of(shape)}{runs}"
-        element = f"<{tag}{runs}{style}{cut}{unseen}{locked}/>"
-        self._write(self.clips.around(element, clips[1:]))
+        runs = f"{called}{_own_data_of(shape)}{runs}"
+        return self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
+
+    def _is_unseen(self, outline: Outline) -> bool:
+        """Whether a shape itself is hidden, and not a layer around it."""
+        return not outline.visible and not any(
+            self._layers[name].is_hidden for name in self._layers_of(outline)
+        )
 
     def close(self) -> None:
         """Close all groups."""
@@ -110,7 +137,7 @@ class Tree:
         for name in groups[common:]:
             if name in self._layers:
                 self._add_empty(self._open[-1] if self._open else "", before=name)
-            self._write(f"<g{self._called(name)}>" if name not in self._layers else self._layer(name))
+            self._write(self._layer(name) if name in self._layers else f"<g{self._group(name)}>")
             self._open = (*self._open, name)
 
     def _add_empty(self, outer: str, before: str = "") -> None:
@@ -143,10 +170,26 @@ class Tree:
     def _write(self, element: str) -> None:
         self.lines.append("  " * (len(self._open) + 1) + element)
 
-    def _called(self, name: str) -> str:
-        """Return a name as an id of its own and, where that is another word, as Inkscape's label."""
-        own = self._ids.different(stem(name, "curve"))
-        return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
+    def _group(self, name: str) -> str:
+        return _named(name, self._ids.different(stem(name, "curve")))
+
+    def _called(self, place: int) -> str:
+        return _named(_name_of(self._shapes[place]), self._id_of(place))
+
+    def _id_of(self, place: int) -> str:
+        """Return the id of a shape, which others that show it may ask for first."""
+        if place not in self._own_ids:
+            self._own_ids[place] = self._ids.different(stem(_name_of(self._shapes[place]), "curve"))
+        return self._own_ids[place]
+
+
+def _name_of(shape: tuple[Outline, ...]) -> str:
+    return shape[0].shape or shape[0].name
+
+
+def _named(name: str, own: str) -> str:
+    """Return an id and, where the name is another word, that as Inkscape's label."""
+    return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
 
 
 def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:

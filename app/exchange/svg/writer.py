@@ -20,7 +20,7 @@ from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .guides import guide_elements
 from .kept_elements import kept_elements
-from .names import INKSCAPE_SPACE, SODIPODI_SPACE
+from .names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 from .numbers import number
 from .our_own import CLOSE, EXACT, MARK, PAGE
 from .style_attributes import dash_style
@@ -30,6 +30,7 @@ NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
 
 _ROUNDING = 1e-9
+_LINKS = f'xmlns:xlink="{XLINK_SPACE}"'
 _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
 
@@ -42,8 +43,8 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many
     cubics as the tolerance takes; the largest deviation stands in a comment and in the metadata. The curves
     of a shape are one path, in their groups and with its style; hidden ones are there, and not displayed.
-    Layers and guides are Inkscape's. Points are discs in a group of their own. Without a width and a unit
-    the longer side is `NOMINAL_SIDE`.
+    Layers and guides are Inkscape's. A clone is a `use` of its original wherever that looks as it does.
+    Points are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
     All curves may lie `in_group`, one without a name.
 
     Raises
@@ -57,17 +58,18 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     if options.from_corner and not drawing.has_page:
         by = (-float(number(drawing.frame.left)), -float(number(drawing.frame.top)))
         drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
+    curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
     text = svg_text(
         drawing,
+        curves,
         style=style,
         points=options.points,
         width=options.width,
         unit=options.unit,
         in_group=in_group,
         tells_exactness=options.tells_exactness,
-        report=part(options.report, 0.7, 1.0),
     )
-    return Written(text, drawing.deviation, drawing.remarks)
+    return Written(text, drawing.deviation, drawing.remarks, changes=curves.words)
 
 
 def picture_of(
@@ -101,6 +103,7 @@ def nominal_width(drawing: Drawing, width: float | None) -> float:
 
 def svg_text(
     drawing: Drawing,
+    curves: Tree,
     *,
     style: PictureStyle,
     points: bool,
@@ -108,12 +111,14 @@ def svg_text(
     unit: str = "",
     in_group: bool = False,
     tells_exactness: bool = True,
-    report: Report = silent,
 ) -> str:
-    """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
+    """Return a drawing, whose curves are written, as SVG.
+
+    It has the nominal `width` in CSS pixels, or is at true size in a unit.
+    """
     frame = drawing.frame
     wide, high = _size_attributes(drawing, width, unit)
-    curves = _curves(drawing, style, report)
+    spaces = f"{_SPACES} {_LINKS}" if curves.uses else _SPACES
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
     behind, front = (kept_elements(drawing, curves.clips, behind=each) for each in (True, False))
@@ -122,7 +127,7 @@ def svg_text(
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {note} -->" if note else f"<!-- Curvebench {__version__} -->",
-        f'<svg{name} xmlns="http://www.w3.org/2000/svg" {_SPACES} '
+        f'<svg{name} xmlns="http://www.w3.org/2000/svg" {spaces} '
         f'width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
         f"  <metadata>{escaped(' '.join([mark, *drawing.remarks]))}</metadata>",
@@ -168,9 +173,9 @@ def _paper(frame: Frame, colour: str) -> str:
 
 def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> Tree:
     shapes = drawing.all_shapes
-    tree = Tree(style, drawing, [each for shape in shapes for each in shape])
-    for shape in told(shapes, report, "Writing"):
-        tree.add(shape)
+    tree = Tree(style, drawing, shapes)
+    for place in told(range(len(shapes)), report, "Writing"):
+        tree.add(place)
     tree.close()
     return tree
 

@@ -53,8 +53,8 @@ class HighlightCommands:
             raise EditError(_NO_POINT)
         what = highlighted(self._context).changeable(session.document)
         words = what.told(session.document)
-        if (change := remove(session, what, "Delete")) and not what.points.parts:
-            session.say(f"Deleted {words}. {change.told}".rstrip())
+        if remove(session, what, "Delete") and not what.points.parts:
+            session.say(f"Deleted {words}.")
 
     def _edits_points_alone(self) -> bool:
         """Whether the arrow edits the points of a curve on a page, none of them being selected."""

@@ -12,6 +12,7 @@ from curvecore.arrays import FloatArray
 from ..basic_shapes import LENGTHS
 from ..form_elements import FORMS, element_of, mapped
 from ..matrices import combined, moved, transform_of
+from ..matrices import inverse_of as inverse_of  # noqa: PLC0414 - most have it from here
 from ..numbers import number
 from ..shapes import SHAPES
 from ..tree import node_types, path_data
@@ -43,20 +44,13 @@ _DIGITS = 10
 _EVEN = 1e-9
 
 
-def inverse_of(matrix: FloatArray) -> FloatArray:
-    """Return the matrix (2, 3) that undoes another.
+def motion(
+    before: Sequence[FloatArray], after: Sequence[FloatArray], room: float, *, turns_lines: bool = False
+) -> FloatArray | None:
+    """Return the affine map (2, 3) from some pieces to others; None where there is none.
 
-    Raises
-    ------
-    np.linalg.LinAlgError
-        If there is none.
+    Straight lines are turned and scaled where that is asked for: nothing says what is done across them.
     """
-    linear = np.linalg.inv(matrix[:, :2])
-    return np.hstack([linear, -(linear @ matrix[:, 2:])])
-
-
-def motion(before: Sequence[FloatArray], after: Sequence[FloatArray], room: float) -> FloatArray | None:
-    """Return the affine map (2, 3) from some pieces to others; None where there is none."""
     if [len(each) for each in before] != [len(each) for each in after] or not before:
         return None
     here, there = (np.concatenate(each).reshape(-1, 2) for each in (before, after))
@@ -65,11 +59,21 @@ def motion(before: Sequence[FloatArray], after: Sequence[FloatArray], room: floa
         return np.column_stack([np.eye(2), shift])
     middle = here.mean(axis=0)
     solved, _, rank, _ = np.linalg.lstsq(here - middle, there - there.mean(axis=0), rcond=1e-9)
-    if rank < 2:
+    if rank == 2:
+        linear = solved.T
+    elif turns_lines and rank == 1:
+        linear = _turn(here - middle, there - there.mean(axis=0))
+    else:
         return None
-    linear = solved.T
     result = np.column_stack([linear, there.mean(axis=0) - linear @ middle])
     return result if (np.abs(moved(here, result) - there) <= room).all() else None
+
+
+def _turn(here: FloatArray, there: FloatArray) -> FloatArray:
+    """Return the turn and scaling about the origin that takes places on a line to others, if one does."""
+    one, other = here @ (1.0, 1.0j), there @ (1.0, 1.0j)
+    by = np.vdot(one, other) / np.vdot(one, one)
+    return np.array([[by.real, -by.imag], [by.imag, by.real]])
 
 
 def motion_of(found: Sequence[Found], wanted: Sequence[Wanted], room: float) -> FloatArray | None:
@@ -77,10 +81,12 @@ def motion_of(found: Sequence[Found], wanted: Sequence[Wanted], room: float) -> 
     if [each.closed for each in found] != [each.closed for each in wanted]:
         return None
     after = [piece for each in wanted for piece in each.pieces]
-    as_written = motion([piece for each in found for piece in each.pieces], after, room)
+    turns = bool(found) and found[0].is_used
+    as_written = motion([piece for each in found for piece in each.pieces], after, room, turns_lines=turns)
     if as_written is not None:
         return as_written
-    return motion([piece for each in found for piece in each.smooth_pieces], after, room)
+    smooth = [piece for each in found for piece in each.smooth_pieces]
+    return motion(smooth, after, room, turns_lines=turns)
 
 
 def is_plain_path(node: Node, found: Found) -> bool:

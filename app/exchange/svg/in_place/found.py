@@ -73,6 +73,12 @@ class Wanted:
         return [each.letters for each in self.outlines]
 
     @property
+    def clone_of(self) -> str:
+        """The identity of what it is a clone of; empty for none."""
+        clone = self.outlines[0].clone
+        return clone.of if clone is not None else ""
+
+    @property
     def pieces(self) -> list[FloatArray]:
         """The pieces of each outline, (k, 4, 2)."""
         return [each.control_points for each in self.outlines]

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from ....document.words import names_of
 from ..names import name_of
 from .courses import motion_of
 from .found import Found, Wanted
 from .looks import Looks
-from .plan import Plan
+from .plan import Plan, Planner
 
 
 def lost_clones(
     plan: Plan,
-    pairs: Mapping[int, int],
+    planner: Planner,
     seen: Sequence[Found],
     wanted: Sequence[Wanted],
     room: float,
@@ -23,15 +23,22 @@ def lost_clones(
 ) -> tuple[str, ...]:
     """Return which clones a plan leaves as paths, in a sentence for each reason.
 
-    `pairs` has for each shape of the document the place of the one that was `seen` in the file.
+    Not those that a person unlinked.
     """
     names: defaultdict[str, dict[str, None]] = defaultdict(dict)
     told = set()
     for entry in plan.entries:
-        if entry.number is not None or (origin := pairs.get(entry.shapes[0])) is None:
+        place = entry.shapes[0]
+        if entry.number is not None or entry.of is not None:
             continue
-        found, now = seen[origin], wanted[entry.shapes[0]]
-        if found.is_used and found.node not in told:
+        now, origin = wanted[place], planner.pairs.get(place)
+        if origin is None:
+            if now.clone_of:
+                names["it looks otherwise than its original"][f"“{now.name}”"] = None
+            continue
+        found = seen[origin]
+        is_meant = place in planner.unlinked and motion_of([found], [now], room) is not None
+        if found.is_used and found.node not in told and not is_meant:
             told.add(found.node)
             name = name_of(found.drawn[0].anchor.element) or found.name
             names[_reason(found, now, room, looks)][f"“{name}”"] = None

@@ -25,10 +25,13 @@ class Origins(NamedTuple):
         For each that is one of the file, by its place, the place of that.
     taken
         The places of all of the file that came in.
+    begun
+        For each that the document began with, by its place, the place where it was.
     """
 
     pairs: Mapping[int, int]
     taken: Collection[int]
+    begun: Mapping[int, int]
 
 
 def origins(
@@ -39,11 +42,11 @@ def origins(
     Names hold within a document: a file numbers what has none anew each time that it is read.
     """
     if begun is None:
-        return Origins(matched(wanted, found, reach), range(len(found)))
+        return Origins(matched(wanted, found, reach), range(len(found)), {})
     came_in = matched(begun, found, reach, by_course=True)
     first = matched(wanted, begun, reach)
     pairs = {place: came_in[before] for place, before in first.items() if before in came_in}
-    return Origins(pairs, set(came_in.values()))
+    return Origins(pairs, set(came_in.values()), first)
 
 
 def matched(

@@ -62,6 +62,8 @@ class Entry:
         Id of a new one; empty for one of the name.
     name
         What a new one is called; empty for one that is not called anything new.
+    of
+        The place in the document of what a new one, a clone, is to show; None for a path.
     """
 
     shapes: tuple[int, ...]
@@ -69,6 +71,12 @@ class Entry:
     number: int | None = None
     identity: str = ""
     name: str = ""
+    of: int | None = None
+
+    @property
+    def key(self) -> int | None:
+        """What it is known by where it is to be put there otherwise; None of what cannot be."""
+        return -1 - self.shapes[0] if self.of is not None else self.number
 
 
 class Placing:
@@ -100,6 +108,7 @@ class Placing:
         self.owners = {*self._kept, *(self._all[each] for each in dissolved)}
         self._remove([self._all[each] for each in removed])
         self.nodes = [self._shape(each) for each in entries]
+        self._refer(entries)
         self._arrange(source.root, list(zip(entries, self.nodes, strict=True)), 0)
 
     # Elements
@@ -129,12 +138,24 @@ class Placing:
         if entry.number is not None:
             node = self._all[entry.number]
         else:
-            node = self._source.new("path")
+            node = self._source.new("path" if entry.of is None else "use")
             node.set("id", self._ids.different(entry.identity or stem(entry.name, "curve")))
-            node.set("d", NEW_COURSE)
+            if entry.of is None:
+                node.set("d", NEW_COURSE)
         if entry.name and entry.name != node.get("id"):
             node.set(self._source.inkscape("label"), entry.name)
         return node
+
+    def _refer(self, entries: Sequence[Entry]) -> None:
+        """Let new clones show what they are of."""
+        shown = {entry.shapes[0]: node for entry, node in zip(entries, self.nodes, strict=True)}
+        for entry, node in zip(entries, self.nodes, strict=True):
+            if entry.of is None:
+                continue
+            original = shown[entry.of]
+            if not original.get("id"):
+                original.set("id", self._ids.different("original"))
+            node.set(self._source.xlink("href"), f"#{original.get('id')}")
 
     def _remove(self, nodes: Sequence[Node]) -> None:
         """Take elements out; one that something else refers to is only not shown any more."""

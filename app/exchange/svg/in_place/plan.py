@@ -55,6 +55,10 @@ class Planner:
         The places of the shapes of the file that came in.
     layers
         The names of the groups that are layers.
+    clones
+        The places of what shapes are clones of, by theirs.
+    unlinked
+        The places of those that are clones in the file alone.
     """
 
     def __init__(
@@ -64,8 +68,11 @@ class Planner:
         pairs: Mapping[int, int],
         taken: Collection[int],
         layers: Collection[str],
+        clones: Mapping[int, int],
+        unlinked: Collection[int],
     ) -> None:
         self._wanted, self._base, self.pairs, self._layers = wanted, base, pairs, layers
+        self._clones, self.unlinked = clones, unlinked
         self._units: defaultdict[Node, list[int]] = defaultdict(list)
         for place, shape in enumerate(base.seen):
             if place in taken:
@@ -83,6 +90,8 @@ class Planner:
             done += len(entry.shapes)
             if node is not None:
                 kept.add(node)
+        alone = {each.shapes[0] for each in entries if len(each.shapes) == 1}
+        entries = [each if each.of in alone else replace(each, of=None) for each in entries]
         removed = tuple(self._number[node] for node in self._units if node not in kept)
         groups = self._group_plan(entries)
         inside = {each for node in self._units for each in self._base.seen[self._units[node][0]].around}
@@ -94,19 +103,21 @@ class Planner:
         """Return what shows a shape, and those behind that the same element shows, and that element."""
         wanted = self._wanted[place]
         origin = self.pairs.get(place)
+        of = self._clones.get(place) if -1 - place not in anew else None
         if origin is None:
-            return Entry((place,), wanted.groups, name=wanted.name), None
+            return Entry((place,), wanted.groups, name=wanted.name, of=of), None
         found = self._base.seen[origin]
         unit, number = self._units[found.node], self._number[found.node]
         places = tuple(range(place, place + len(unit)))
         is_whole = [self.pairs.get(each) for each in places] == unit and found.node not in kept
         groups = self._outer(found, wanted)
-        if is_whole and groups is not None and number not in anew:
+        stays = number not in anew and not any(each in self.unlinked for each in places)
+        if is_whole and groups is not None and stays:
             is_renamed = wanted.name != found.name and not _is_unnamed(found.node, wanted.name)
             name = wanted.name if is_renamed and len(unit) == 1 else ""
             return Entry(places, groups, number, name=name), found.node
         identity = (found.node.get("id") or "") if len(unit) == 1 else ""
-        return Entry((place,), wanted.groups, None, identity, wanted.name), None
+        return Entry((place,), wanted.groups, None, identity, wanted.name, of), None
 
     def _outer(self, found: Found, wanted: Wanted) -> tuple[str, ...] | None:
         """Return the groups around the element of a shape; None where those within it are others now."""

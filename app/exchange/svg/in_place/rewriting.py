@@ -8,6 +8,7 @@ anew in its element, then as another one. The result is read once more, and coun
 from __future__ import annotations
 
 import logging
+from collections.abc import Mapping, Sequence
 from dataclasses import replace as replaced
 from enum import IntEnum
 
@@ -20,6 +21,7 @@ from ....document.model import Curve, Document, Vector
 from ....document.shapes import shapes
 from ....tasks.progress import Report, part, silent
 from ...corner import shifted
+from ...drawing.cloned import clones_among
 from ...drawing.drawing import Drawing, drawing_of
 from ...drawing.styles import INK
 from ...errors import ExchangeError
@@ -132,7 +134,8 @@ class _Rewriting:
         self, data: bytes, base: Reading, document: Document, drawing: Drawing, begun: Document | None
     ) -> None:
         self._data, self.base, self.document = data, base, document
-        self.wanted = [Wanted(each) for each in drawing.all_shapes]
+        shown = drawing.all_shapes
+        self.wanted = [Wanted(each) for each in shown]
         self.reach = max(float(np.abs(piece).max()) for each in self.wanted for piece in each.pieces)
         if (page := base.sheet.page) is not None:
             self.reach = max(self.reach, page.width, page.height)
@@ -141,7 +144,11 @@ class _Rewriting:
         self.layers = begun.layers if begun is not None else ()
         before = None if begun is None else self._begun(_in_file(begun, base.sheet))
         known = origins(self.wanted, before, base.seen, self.reach)
-        self._planner = Planner(self.wanted, base, known.pairs, known.taken, document.layers)
+        clones = {place: each.original for place, each in clones_among(shown).items()}
+        unlinked = self._unlinked(before or (), known.begun)
+        self._planner = Planner(
+            self.wanted, base, known.pairs, known.taken, document.layers, clones, unlinked
+        )
         before_kept = None if begun is None else blocks_of(_in_file(begun, base.sheet))
         self.kept = KeptPlan(blocks_of(document), before_kept, base, self.reach)
         self.has_rules = b"<style" in data or b":style" in data
@@ -159,23 +166,31 @@ class _Rewriting:
         rest = iter(map(Wanted, other))
         return [self.wanted[now[each]] if each in now else next(rest) for each in before]
 
+    def _unlinked(self, begun: Sequence[Wanted], origin: Mapping[int, int]) -> set[int]:
+        """Return the places of those that are clones no more, of what is there still."""
+        there = {outline.identity for each in self.wanted for outline in each.outlines}
+        return {
+            place
+            for place, before in origin.items()
+            if not self.wanted[place].clone_of and begun[before].clone_of in there - {""}
+        }
+
     def result(self, report: Report) -> Written | None:
         """Return the file; None where it cannot be kept."""
-        ways: dict[int, Way] = {}
+        ways: dict[int, Way] = {}  # by the keys of the entries
         for count in range(_ROUNDS):
             report(count / _ROUNDS, "Writing")
-            plan = self._planner.plan({number for number, way in ways.items() if way is Way.ANEW})
+            plan = self._planner.plan({key for key, way in ways.items() if way is Way.ANEW})
             source = Source(self._data)
             wrong = _Round(self, source, plan, ways).wrong
             if not wrong:
-                lost = lost_clones(
-                    plan, self._planner.pairs, self.base.seen, self.wanted, self.room, self.looks
-                )
+                lost = lost_clones(plan, self._planner, self.base.seen, self.wanted, self.room, self.looks)
                 return Written(source.data, changes=lost)
-            for number in wrong:
-                if number is None or ways.get(number) is Way.ANEW:
+            for key in wrong:
+                if key is None or ways.get(key) is Way.ANEW:
                     return None
-                ways[number] = Way(ways.get(number, Way.IN_ITS_PLACE) + 1)
+                # A new clone is one, or a path.
+                ways[key] = Way(ways.get(key, Way.IN_ITS_PLACE) + 1) if key >= 0 else Way.ANEW
         return None
 
 
@@ -190,8 +205,7 @@ class _Round:
     Attributes
     ----------
     wrong
-        The places, in the file as it was, of the elements that are not as the document has them; None for
-        what has none.
+        The keys of the entries whose elements are not as the document has them; None for what has none.
     """
 
     def __init__(self, job: _Rewriting, source: Source, plan: Plan, ways: dict[int, Way]) -> None:
@@ -228,10 +242,10 @@ class _Round:
             for entry, node in entries:
                 if depths.get(node, 0) != depth:
                     continue
-                way = Way.IN_ITS_PLACE if entry.number is None else ways.get(entry.number, Way.IN_ITS_PLACE)
+                way = ways.get(entry.key, Way.IN_ITS_PLACE) if entry.key is not None else Way.IN_ITS_PLACE
                 wanted = [self._job.wanted[each] for each in entry.shapes]
                 if not self._adapt(node, shapes.get(node, []), wanted, way):
-                    self.wrong.append(entry.number)
+                    self.wrong.append(entry.key)
             for each in self._source.adopted(self._definitions.taken()):
                 each.put_last(definitions(self._source))
 
@@ -283,7 +297,9 @@ class _Round:
         if way is not Way.IN_ITS_PLACE or (len(found) == 1 and is_plain_path(node, found[0])):
             return None
         by = motion_of(found, wanted, self._job.room)
-        return None if by is None or is_uneven(by) else by
+        # Where no line shows it, a clone may be stretched.
+        has_line = not found[0].is_used or any(each.style.has_stroke for each in wanted)
+        return None if by is None or (has_line and is_uneven(by)) else by
 
     def _show_as(
         self, node: Node, found: Found, wanted: Wanted, by: FloatArray, way: Way, *, is_alone: bool
@@ -320,7 +336,7 @@ class _Round:
         """Return what is not as the document has it; None among it where order or groups are others."""
         shapes, nodes = _by_node(reading), self._placing.nodes
         wrong: list[int | None] = [
-            entry.number
+            entry.key
             for entry, node in zip(self._plan.entries, nodes, strict=True)
             if not self._is_right(
                 node, shapes.get(node, []), [self._job.wanted[each] for each in entry.shapes]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ..names import INKSCAPE_SPACE, SODIPODI_SPACE
+from ..names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 from ..tree import quoted
 
 _TOKEN = re.compile(
@@ -18,8 +18,8 @@ _TOKEN = re.compile(
 _ATTRIBUTE = re.compile(r"""(\s+)([^\s=]+)(\s*=\s*)("[^"]*"|'[^']*')""")
 _ENCODING = re.compile(rb"""<\?xml[^>]*?encoding\s*=\s*["']([\w.-]+)""")
 _ENTITY = re.compile(r"&(?:#(\d+)|#x([0-9A-Fa-f]+)|(\w+));")
-_SPACES = {"inkscape": INKSCAPE_SPACE, "sodipodi": SODIPODI_SPACE}
-"""The name spaces of what only Inkscape takes note of, by their usual prefixes."""
+_SPACES = {"inkscape": INKSCAPE_SPACE, "sodipodi": SODIPODI_SPACE, "xlink": XLINK_SPACE}
+"""The name spaces of what only some programs take note of, by their usual prefixes."""
 _ENTITIES = {"lt": "<", "gt": ">", "amp": "&", "quot": '"', "apos": "'"}
 
 
@@ -218,6 +218,10 @@ class Source:
     def sodipodi(self, name: str) -> str:
         """Return the name of an attribute of Sodipodi's."""
         return self.named(SODIPODI_SPACE, name)
+
+    def xlink(self, name: str) -> str:
+        """Return the name of an attribute of links."""
+        return self.named(XLINK_SPACE, name)
 
     def _prefix_of(self, space: str) -> str:
         for name in self.root.names:
