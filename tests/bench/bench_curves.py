@@ -7,8 +7,9 @@ The bounds are ratios in one run: a hundred curves, one of them dragged, over th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from time import perf_counter, process_time
+from typing import TypeVar
 
 import numpy as np
 import pytest
@@ -23,6 +24,10 @@ from app.families import HERMITE
 from app.session import Session
 from app.testing import Editor
 from app.view_model.curve.curve_view import view_of
+
+ROUNDS, MOVES = 3, 300
+"""Drags of each of two that are compared, in turn, and moves of each: a frame takes about a millisecond, and
+what disturbs one is another program."""
 
 MOST = 1.7
 """Times what one curve takes that is alone, or the only one chosen."""
@@ -76,15 +81,27 @@ def times(
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
     start = QPointF(canvas.to_pixel(*editor.point(APART)))
-    found = drag(canvas.viewport(), start, paints, ["canvas"])
+    found = drag(canvas.viewport(), start, paints, ["canvas"], moves=MOVES)
     assert session.active_index == active
     editor.window.hide()
     return found
 
 
+Ran = TypeVar("Ran", Times, float)
+
+
+def calmest(*runs: Callable[[], Ran]) -> list[Ran]:
+    """Return the best of several drags of each, which take turns."""
+    rounds = [[run() for run in runs] for _ in range(ROUNDS)]
+    return [
+        min(each, key=lambda ran: ran.median if isinstance(ran, Times) else ran)
+        for each in zip(*rounds, strict=True)
+    ]
+
+
 @pytest.mark.parametrize("shown", ["curveDock", "curvesDock"])
 def test_a_hundred_curves_cost_little_more_than_one(qtbot, shown):
-    one, hundred = times(qtbot, 1, shown), times(qtbot, 100, shown)
+    one, hundred = calmest(lambda: times(qtbot, 1, shown), lambda: times(qtbot, 100, shown))
     print(f"\n1 curve: {one}   100 curves: {hundred}   {shown}")
     assert hundred.median <= MOST * one.median
 
@@ -92,14 +109,10 @@ def test_a_hundred_curves_cost_little_more_than_one(qtbot, shown):
 def test_a_hundred_styled_curves_cost_little_more_than_one(qtbot):
     """Half of them print below the one that is dragged, half over it: two pictures are kept."""
     look = Style(stroke="#d55e00", width=0.01, fill="#0072b2", fill_opacity=0.5)
-    pairs = [
-        (
-            times(qtbot, 1, "styleDock", style=look).median,
-            times(qtbot, 100, "styleDock", style=look, active=50).median,
-        )
-        for _ in range(3)
-    ]
-    one, hundred = (min(pair[side] for pair in pairs) for side in (0, 1))
+    one, hundred = calmest(
+        lambda: times(qtbot, 1, "styleDock", style=look).median,
+        lambda: times(qtbot, 100, "styleDock", style=look, active=50).median,
+    )
     print(f"\n1 styled curve: {one:.2f} ms   100: {hundred:.2f} ms")
     assert hundred <= one + STYLED_MORE
 
@@ -130,8 +143,7 @@ def whole(qtbot, count: int, style: Style, chosen: Sequence[int] = ()) -> float:
 
 def test_a_whole_curve_among_a_hundred_follows_as_quickly_as_one_alone(qtbot):
     look = Style(stroke="#d55e00", width=0.01, fill="#0072b2", fill_opacity=0.5)
-    pairs = [(whole(qtbot, 1, look), whole(qtbot, 100, look)) for _ in range(3)]
-    one, hundred = (min(pair[side] for pair in pairs) for side in (0, 1))
+    one, hundred = calmest(lambda: whole(qtbot, 1, look), lambda: whole(qtbot, 100, look))
     print(f"\n1 styled curve, moved whole: {one:.2f} ms of the processor   among 100: {hundred:.2f} ms")
     assert hundred <= one + STYLED_MORE
 
@@ -139,8 +151,7 @@ def test_a_whole_curve_among_a_hundred_follows_as_quickly_as_one_alone(qtbot):
 def test_chosen_curves_far_apart_follow_as_quickly_as_they_do_alone(qtbot):
     """All hundred were painted in every frame: ten times what it takes now."""
     look = Style(stroke="#d55e00", width=0.01, fill="#0072b2", fill_opacity=0.5)
-    pairs = [(whole(qtbot, 2, look, (0, 1)), whole(qtbot, 100, look, (10, 99))) for _ in range(3)]
-    alone, among = (min(pair[side] for pair in pairs) for side in (0, 1))
+    alone, among = calmest(lambda: whole(qtbot, 2, look, (0, 1)), lambda: whole(qtbot, 100, look, (10, 99)))
     print(
         f"\n2 styled curves, moved whole: {alone:.2f} ms of the processor   far apart of 100: {among:.2f} ms"
     )
@@ -148,13 +159,21 @@ def test_chosen_curves_far_apart_follow_as_quickly_as_they_do_alone(qtbot):
 
 
 def test_curves_that_are_chosen_cost_nothing_while_a_point_is_dragged(qtbot):
-    one, ten = times(qtbot, 100, "curvesDock"), times(qtbot, 100, "curvesDock", chosen=10)
+    one, ten = calmest(
+        lambda: times(qtbot, 100, "curvesDock"), lambda: times(qtbot, 100, "curvesDock", chosen=10)
+    )
     print(f"\n1 of 100 chosen: {one}   10 of 100 chosen: {ten}")
     assert ten.median <= MOST * one.median
 
 
 def test_thirty_chosen_curves_follow_the_pointer(qtbot):
-    alone = times(qtbot, 1, "curvesDock")
+    alone, thirty = calmest(lambda: times(qtbot, 1, "curvesDock"), lambda: thirty_together(qtbot))
+    print(f"\n30 curves of 20 points moved together: {thirty}   1 curve: {alone}")
+    assert thirty.median <= 30 * ALL_MOST * alone.median
+
+
+def thirty_together(qtbot) -> Times:
+    """Drag thirty curves, all chosen and edited."""
     session = Session()
     editor = Editor(qtbot, session, size=(1200, 900))
     session.commit(document(30), "Open")
@@ -164,9 +183,8 @@ def test_thirty_chosen_curves_follow_the_pointer(qtbot):
     canvas.painted.connect(paints.counter("canvas"))
     x, y = session.views[29].curve.evaluate(0.513)
     found = drag(canvas.viewport(), QPointF(canvas.to_pixel(float(x), float(y))), paints, ["canvas"])
-    print(f"\n30 curves of 20 points moved together: {found}   1 curve: {alone}")
     editor.window.hide()
-    assert found.median <= 30 * ALL_MOST * alone.median
+    return found
 
 
 def test_the_facts_of_a_small_curve_cost_little_more_than_the_curve():
