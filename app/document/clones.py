@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from operator import attrgetter
 
@@ -69,8 +70,13 @@ def words_about_unlinked(before: Document, after: Document) -> str:
     """Return which clones of `before` are curves of their own now, as a sentence; empty for none."""
     if not _are_clones_in(before):
         return ""
-    were = {curve.name for curve in before.curves if curve.clone is not None}
-    names = [f"“{each.name}”" for each in after.curves if each.clone is None and each.name in were]
+    # Several may have one name: what shows a group has those of what is in it.
+    were, are = (
+        Counter(each.name for each in one.curves if each.clone is not None) for one in (before, after)
+    )
+    plain = Counter(each.name for each in after.curves if each.clone is None)
+    plain.subtract(each.name for each in before.curves if each.clone is None)
+    names = [f"“{name}”" for name, fewer in (were - are).items() for _ in range(min(fewer, plain[name]))]
     if not names:
         return ""
     return f"{names_of(names)} {'is no clone' if len(names) == 1 else 'are no clones'} any more."

@@ -2,6 +2,7 @@
 
 import difflib
 import re
+from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
@@ -25,27 +26,7 @@ from app.exchange.svg.writer import svg_of
 from app.view_model.curve.curve_view import view_of
 from curvecore import cubic_path
 
-CLONES = b"""<?xml version="1.0" encoding="UTF-8"?>
-<svg width="200mm" height="150mm" viewBox="0 0 200 150" xmlns="http://www.w3.org/2000/svg"
-   xmlns:xlink="http://www.w3.org/1999/xlink"
-   xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">
-  <defs><path id="hidden" d="M0 0C2 5 4 5 6 0" style="fill:none;stroke:#00aa00;stroke-width:1"/></defs>
-  <g id="layer1" inkscape:groupmode="layer" inkscape:label="One" transform="translate(3,2)">
-    <path id="leaf" d="M10 10C20 0 30 0 40 10C45 15 30 30 20 20Z"
-       style="fill:#ff8800;stroke:#000000;stroke-width:1"/>
-    <use xlink:href="#leaf" id="moved" x="0" y="0" width="100%" height="100%" transform="translate(50,10)"/>
-    <use xlink:href="#leaf" id="turned" x="0" y="0" transform="matrix(0,1.5,-1.5,0,100,60)"/>
-    <use xlink:href="#turned" id="nested" transform="translate(20,10)"/>
-    <g id="pair">
-      <rect id="box" x="20" y="60" width="20" height="10" rx="2" style="fill:#0000ff"/>
-      <circle id="disc" cx="50" cy="65" r="5" style="fill:none;stroke:#ff0000;stroke-width:0.5"/>
-    </g>
-    <use href="#pair" id="both" transform="translate(0,30)"/>
-    <use xlink:href="#hidden" id="first" x="100" y="100"/>
-    <use xlink:href="#hidden" id="second" x="120" y="100"/>
-  </g>
-</svg>
-"""
+CLONES = (Path(__file__).parents[1] / "data" / "overwrite" / "clones.svg").read_bytes()
 LEAF, MOVED, TURNED, NESTED, BOX, DISC, BOX_2, DISC_2, FIRST, SECOND = range(10)
 
 

@@ -10,6 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
 
+from app.document.clones import original_of
 from app.document.edits import move_points, set_family, set_position
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Page, make_curve
@@ -27,6 +28,7 @@ from app.workbench.document_files import DocumentFiles
 from app.workbench.file_names import title_of
 
 SVG = Path(__file__).parents[1] / "data" / "svg"
+CTRL = Qt.KeyboardModifier.ControlModifier
 INCH = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="1in" height="1in" viewBox="0 0 4 4">'
     '<path id="a" d="M0 0L4 0L4 4Z" fill="#00ff00" stroke="#ff0000" stroke-width="1"/></svg>'
@@ -586,3 +588,42 @@ def test_closing_saves_to_the_opened_drawing_before_the_window_goes(new_editor, 
     editor.window.actions_by_name["quit"].trigger()
     assert (len(asked), closed, editor.session.files.is_modified) == (2, [1], False)
     assert path.read_text(encoding="utf-8") != INCH
+
+
+def test_clones_of_an_svg_are_followed_copied_and_written_as_such(editor, tmp_path):
+    """Copied with its original one follows the copy; and none is lost by the name that it has of another."""
+    path, session = tmp_path / "clones.svg", editor.session
+    before = (SVG.parent / "overwrite" / "clones.svg").read_text(encoding="utf-8")
+    path.write_text(before, encoding="utf-8")
+    open_as_document(editor, path)
+    editor.window.activateWindow()
+    editor.settle()
+
+    def originals():
+        document = session.document
+        return [original_of(document, place) for place in range(len(document.curves))]
+
+    for copies, expected in (
+        ([(Qt.Key.Key_D, CTRL)], [-1, 0, -1, 2, 0, 4, -1, -1, 6, 7, -1, -1]),
+        ([(Qt.Key.Key_C, CTRL), (Qt.Key.Key_V, CTRL)], [-1, 0, 0, 2, -1, -1, 4, 5, -1, -1, -1, 10]),
+    ):
+        session.selected.choose([0, 1])
+        editor.settle()
+        for key in copies:
+            editor.key(*key)
+            editor.wait_for_work()
+        assert originals() == expected
+        assert "clone" not in editor.status
+        editor.trigger("undo")
+    session.selected.choose([4, 5])
+    editor.settle()
+    editor.key(Qt.Key.Key_D, Qt.KeyboardModifier.AltModifier)
+    assert editor.status == "A clone of pair lies on it and is chosen; a drag moves it."
+    session.change("Bend", lambda document: move_points(document, 0, [0], (1.0, 1.0)))
+    overwrite(editor)
+    assert editor.status.startswith("Wrote clones.svg, exact. ")
+    text = path.read_text(encoding="utf-8")
+    assert text.count("<use") == before.count("<use") + 2
+    assert [line for line in before.splitlines() if "<use" in line and line not in text] == []
+    overwrite(editor)
+    assert editor.status == "clones.svg is like this already."
