@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterable
 from typing import Final
 
@@ -12,9 +13,9 @@ from msgspec.structs import replace
 
 from .curve_edits import with_each
 from .fields import fields_of
-from .model import Document
+from .model import Curve, Document
 from .shapes import whole_shapes
-from .style import Style
+from .style import INK, NO_PAINT, Style
 
 STYLE_WORDS: Final = {field.name: field.words for field in fields_of(Style)}
 """The fields of a style in words, as steps of the history name them: "Stroke width of Leaf"."""
@@ -27,6 +28,17 @@ def with_style(document: Document, curves: Collection[int], **fields: object) ->
         whole_shapes(document, curves),
         lambda curve: replace(curve, style=curve.style.with_fields(fields)),
     )
+
+
+def colours_of(curves: Iterable[Curve]) -> list[str]:
+    """Return the colours that curves are painted in, those of most of them first."""
+    found = Counter[str]()
+    for curve in curves:
+        style = curve.style
+        for paint, gradient in ((style.fill, style.fill_gradient), (style.stroke, style.stroke_gradient)):
+            stops = () if gradient is None else gradient.stops
+            found.update([*dict.fromkeys(each.colour for each in stops)] or [paint])
+    return [paint for paint, _ in found.most_common() if paint not in (INK, NO_PAINT)]
 
 
 def with_paints_swapped(document: Document, curves: Collection[int]) -> Document:

@@ -129,9 +129,11 @@ class PaintField(FollowsTheme, QWidget):
         self.edit.show_text(text)
         self._show_button()
 
-    def show_recent(self, colours: Iterable[str]) -> None:
-        """Offer these colours beside those that are always there."""
-        recent = tuple(each for each in colours if each not in _PAINTS.values())[:MOST_RECENT]
+    def show_recent(self, colours: Iterable[str], others: Iterable[str] = ()) -> None:
+        """Offer these colours beside those that are always there, then others while there is room."""
+        first = [each for each in colours if each not in _PAINTS.values()][:MOST_RECENT]
+        rest = (each for each in others if each not in _PAINTS.values())
+        recent = tuple(dict.fromkeys([*first, *rest]))[: len(_PAINTS)]
         if recent == self._recent:
             return
         for colour in self._recent:

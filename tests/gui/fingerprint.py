@@ -55,6 +55,7 @@ PASSING = {
         "MotionLayer._written",
     ),
     *(
+        "StyleCommands._colours_found",
         "PlotLayer._strokes_of",
         "CurveLayer._error_of",
         "PointLayer._discs_now",

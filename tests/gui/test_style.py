@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.appearance.colours import CURVE_COLOURS
 from app.appearance.theme import LIGHT, ThemeMode
 from app.document.gradient import Gradient, Stop
 from app.document.marker import MarkerKind
@@ -358,6 +359,40 @@ def test_a_colour_of_any_kind_is_chosen_in_one_step_and_remembered(editor, panel
     assert panel.findChild(QToolButton, "fillPaint_#00ff00") is not None
     # At once: buttons that were deleted later stood beside the new ones for a moment.
     assert panel.findChild(QToolButton, "fillPaint_#123456") is None
+
+
+def test_colours_of_the_document_are_offered_behind_those_used_last(editor, panel):
+    """Of an opened drawing its own colours had to be picked or typed."""
+    editor.window.preferences.recent_colours = "#123456"
+    document = editor.session.document
+    blue, fade = Stop(0.0, "#0000aa"), Stop(1.0, "#0000bb")
+    one = document.curves[0].style
+    one = one.with_fields({"stroke": "#bb1100", "fill": "#00bb22"})
+    faded = replace(one, fill_gradient=Gradient((blue, fade), start=(0, 0), end=(1, 0), side=(0, 1)))
+    curves = [replace(document.curves[0], style=one, name=f"C {at}") for at in range(2)]
+    more = [f"#{at:06x}" for at in range(1, 12)]
+    rest = [replace(document.curves[0], style=one.with_fields({"stroke": each}), name=each) for each in more]
+    curves = (*curves, replace(curves[0], style=faded, name="F"), *rest)
+
+    def offered():
+        names = [each.objectName() for each in panel.findChildren(QToolButton)]
+        return [name.removeprefix("fillPaint_") for name in names if name.startswith("fillPaint_#")]
+
+    editor.session.commit(replace(document, curves=curves), "Open")
+    editor.settle()
+    # Those of most curves first, as many as there is room for.
+    expected = ["#123456", "#00bb22", "#bb1100", "#0000aa", "#0000bb", *more]
+    assert offered() == expected[: len(offered())]
+    assert len(offered()) == len(CURVE_COLOURS) + 1
+    width = panel.sizeHint().width()
+    editor.session.selected.activate(0)
+    click(panel, "fillPaint_#bb1100")
+    assert styles(editor)[0].fill == "#bb1100"
+    assert offered()[0] == "#bb1100"
+    editor.trigger("undo")
+    editor.trigger("undo")
+    assert panel.sizeHint().width() == width
+    assert "#0000aa" not in offered()
 
 
 def test_a_step_elsewhere_closes_the_choice_of_colours(editor, panel):

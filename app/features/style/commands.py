@@ -21,11 +21,11 @@ from ...document.gradient_edits import (
     with_paint_kind,
     with_stops,
 )
-from ...document.model import Document, make_curve
+from ...document.model import Curve, Document, make_curve
 from ...document.several_curves import named
 from ...document.shapes import whole_shapes
 from ...document.style import GRADIENTS, Style
-from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
+from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...tools.drag_machine import CANCELLED
 from ...view_model.boxes.shape_boxes import box_of_shape
@@ -62,6 +62,7 @@ class StyleCommands:
         self._panel: StylePanel | None = None
         self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
+        self._colours_found: tuple[tuple[Curve, ...], list[str]] = ((), [])
         context.session.selected_curves_changed.connect(self._render)
         context.store.changed.connect(self._render)
         context.central.canvas.colour_picked.connect(self._take_picked)
@@ -145,7 +146,7 @@ class StyleCommands:
         subject = _DRAWN_NEXT if is_next else named(session.document, curves)
         note = self._note(styles) if curves else _HOW_TO_CHOOSE
         panel.show_paper(self._context.store.state.paper(session.document, self._theme))
-        panel.show_recent(self._recent())
+        panel.show_recent(self._recent(), self._colours())
         panel.render_styles(subject, styles, session.document.unit, note)
 
     def _note(self, styles: list[Style]) -> str:
@@ -263,6 +264,13 @@ class StyleCommands:
 
     def _recent(self) -> list[str]:
         return re.findall("#[0-9a-f]{6}", self._context.preferences.recent_colours)
+
+    def _colours(self) -> list[str]:
+        """Return the colours of the document, found anew for another step of its history."""
+        curves = self._session.committed.curves
+        if self._colours_found[0] is not curves:
+            self._colours_found = curves, colours_of(curves)
+        return self._colours_found[1]
 
     def _remember(self, *paints: object) -> None:
         codes = [code for code in paints if isinstance(code, str) and code.startswith("#")]

@@ -145,10 +145,10 @@ class StylePanel(FieldForm):
         )
         self._offset.setFixedWidth(_NARROW)
 
-    def show_recent(self, colours: Sequence[str]) -> None:
-        """Offer these colours for fill and stroke."""
-        self.fill.show_recent(colours)
-        self.stroke.show_recent(colours)
+    def show_recent(self, colours: Sequence[str], others: Sequence[str] = ()) -> None:
+        """Offer these colours for fill and stroke, and as many of the others as there is room for."""
+        self.fill.show_recent(colours, others)
+        self.stroke.show_recent(colours, others)
 
     def _lay_out(self, buttons: Sequence[QAction], swap: QAction) -> None:
         for label in (self._subject, self.problem, self._note, self._no_dots):
