@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
-from itertools import repeat
-from operator import is_
 from typing import TYPE_CHECKING
 
 from ..document.layers import layer_of
@@ -362,9 +360,7 @@ class Selection:
         self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
         self._chosen = frozenset() if self.is_editing else kept
-        if not any(map(is_, before, repeat(after[active]))):
-            # It was drawn, or worked on.
-            self.next_style.marked = Marked.ASKED
+        self.next_style.follow(begun, session.document, active)
         return (self.curves, self._chosen, self.is_editing) != old
 
     def _note_style(self, document: Document) -> None:
