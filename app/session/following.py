@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from itertools import repeat
-from operator import is_
 from typing import TYPE_CHECKING
 
 from ..document.model import Curve, Document
@@ -92,9 +90,7 @@ class Following:
         session.active_index = new.active
         selected.last = max(followed_curves({selected.last}, before.curves, curves), default=new.active)
         selected.hold(new.curves, new.chosen, is_editing=new.is_editing)
-        if not any(map(is_, before.curves, repeat(curves[new.active]))):
-            # It was drawn, or worked on.
-            selected.next_style.marked = Marked.ASKED
+        selected.next_style.follow(before, session.document, new.active)
         selected.keep_group(selected.group)
         selected.set_hovered(selected.hovered)
         yield

@@ -13,6 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from app.document.model import Document, make_curve
+from app.document.style_edits import with_style
 from app.families import FAMILIES, HERMITE
 from app.tools.snapping import SnapKind, Snapping
 
@@ -459,3 +460,47 @@ def test_the_pivot_of_a_turn_is_marked_also_without_a_box(two):
     assert math.dist(pivot(two), sampled_bounds(two).mean(axis=0)) < 2
     two.escape()
     assert pivot(two) is None
+
+
+# Larger and smaller
+
+
+def test_keys_make_what_is_chosen_longer_and_shorter_by_the_step_of_the_arrows(two):
+    two.session.change("Unit", lambda document: replace(document, unit="mm"))
+    steps, before = two.session.undo_stack.count(), points(two)
+    two.session.selected.choose({0})
+    low, high = sampled_bounds(two)
+    middle, side = (low + high) / 2, max(high - low)
+
+    def longer_by(factor):
+        return pytest.approx(middle + factor * (before - middle), abs=1e-9)
+
+    two.key(Key.Key_Greater)
+    assert points(two) == longer_by((side + 1.0) / side)
+    assert undo_text(two) == "Enlarge Arch"
+    # Held down it is one step, as an arrow is.
+    two.key(Key.Key_Period)
+    assert points(two) == longer_by((side + 2.0) / side)
+    assert two.session.undo_stack.count() == steps + 1
+    two.key(Key.Key_Comma)
+    assert points(two) == longer_by((side + 1.0) / side)
+    two.trigger("undo")
+    two.trigger("undo")
+    assert points(two) == pytest.approx(before)
+
+
+def test_keys_double_and_halve_about_the_middle_and_the_stroke_goes_along(two):
+    two.session.change("Width", lambda document: with_style(document, {0, 1}, width=0.5))
+    choose_both(two)
+    before = [points(two, place) for place in (0, 1)]
+    middle = sampled_bounds(two, 0, 1).mean(axis=0)
+    two.key(Key.Key_Less, CTRL)
+    assert undo_text(two) == "Halve 2 curves"
+    for place, old in enumerate(before):
+        assert points(two, place) == pytest.approx(middle + 0.5 * (old - middle), abs=1e-9)
+        assert two.session.document.curves[place].style.width == 0.25
+    two.window.store.change(scale_strokes=False)
+    two.key(Key.Key_Greater, CTRL)
+    assert points(two) == pytest.approx(before[0], abs=1e-9)
+    assert two.curve.style.width == 0.25
+    two.window.store.change(scale_strokes=True)

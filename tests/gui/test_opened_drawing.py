@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QUndoView
+from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QMessageBox, QUndoView
 
 from app.document.model import Document, make_curve
 from app.document.style import PLAIN_STYLE, Style
@@ -101,6 +102,51 @@ def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool):
     assert drawn_with(drawing, tool) == before[1].style
     drawing.session.selected.choose({0})
     assert drawn_with(drawing, tool) == replace(before[0].style, width=0.3)
+
+
+def test_what_is_pasted_lends_its_look_to_nothing_until_it_is_chosen_or_given_one(drawing):
+    """A pasted icon left its colours to all that was drawn after it."""
+    red = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M1 1H4V4Z" fill="#ff0000" stroke="none"/></svg>'
+    drawing.session.selected.choose({1})
+    own = drawing.session.active_curve.style
+    QGuiApplication.clipboard().setText(red)
+    drawing.trigger("pastePoints")
+    drawing.wait_for_rest()
+    icon = drawing.session.document.curves[-1]
+    assert icon.style.fill == "#ff0000"
+    assert drawing.session.selected.chosen == {2}
+    assert drawing.session.model.style == own
+    # Nor where it is put.
+    drawing.key(Qt.Key.Key_Right)
+    assert drawing.session.document.curves[-1].points != icon.points
+    assert drawing.session.model.style == own
+    # What is set is meant, and nothing else of it.
+    drawing.show_dock("styleDock")
+    field = drawing.window.findChild(QLineEdit, "fillPaintHex")
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "#00aa00")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert drawing.session.document.curves[-1].style.fill == "#00aa00"
+    assert drawing.session.model.style == replace(own, fill="#00aa00")
+    drawing.session.selected.choose(())
+    assert drawn_with(drawing, "rectangleTool") == replace(own, fill="#00aa00")
+    drawing.session.selected.choose({2})
+    assert drawing.session.model.style.stroke == "none"
+
+
+@pytest.mark.parametrize("lets_go", [False, True])
+def test_a_line_that_got_wider_under_scaling_makes_no_other_one_wider(drawing, lets_go):
+    drawing.session.selected.choose({1})
+    drawing.hover((25, 15))
+    drawing.trigger("scaleSelection")
+    drawing.type_amount("2")
+    drawing.key(Qt.Key.Key_Return)
+    assert drawing.session.document.curves[1].style.width == 2.0
+    if lets_go:
+        drawing.session.selected.choose(())
+    assert drawing.session.model.style.width == 1.0
+    assert drawn_with(drawing, "rectangleTool").width == 1.0
 
 
 def test_nor_of_one_that_nobody_can_choose(editor):

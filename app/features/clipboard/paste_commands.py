@@ -21,6 +21,7 @@ from ...document.model import Document, Vector
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
+from ...session.next_style import choose_brought
 from ...tasks.progress import Report, part, silent
 from ...view_model.pieces.arrivals import Arrival, Target
 from ...view_model.pieces.pasting import (
@@ -142,7 +143,7 @@ class PasteCommands:
         with session.telling:
             if not session.change(f"Paste {name}", lambda _: document, active=places.start):
                 return
-            session.selected.choose(places)
+            choose_brought(session.selected, places)
         if not framing.shows_curves(places):
             self._context.actions["fitView"].trigger()
         is_one = name_of(document, places) is not None

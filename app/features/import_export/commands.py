@@ -28,7 +28,7 @@ from ...exchange.formats import (
     format_of,
     is_document,
 )
-from ...session.next_style import Marked
+from ...session.next_style import Marked, choose_brought
 from ...storage.files import read
 from ...storage.foreign import Foreign
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
@@ -266,7 +266,7 @@ class ImportCommands:
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
         if not is_all or len(curves) > 1:
             # What came to others is put in its place as a whole, but for what nobody may move.
-            selected.choose([place for place in added if document.curves[place].is_free])
+            choose_brought(selected, [place for place in added if document.curves[place].is_free])
         if is_all and len(curves) > 1:
             # Nobody has chosen them: what is drawn next is not to look like them.
             selected.next_style.marked = Marked.OPENED

@@ -27,6 +27,7 @@ from ...document.shapes import whole_shapes
 from ...document.style import GRADIENTS, Style
 from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped, with_style
 from ...session.change import why_not_kept
+from ...session.next_style import Marked
 from ...tools.drag_machine import CANCELLED
 from ...view_model.boxes.shape_boxes import box_of_shape
 from ...view_model.curve.curve_view import CurveView
@@ -170,6 +171,12 @@ class StyleCommands:
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
         self._remember(*(fields[name] for name in GRADIENTS if name in fields))
         self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
+        self._note_set(fields)
+
+    def _note_set(self, fields: dict[str, object]) -> None:
+        """Draw with what was set from now on, also where nobody chose how else the selected curves look."""
+        if self._curves and self._session.selected.next_style.marked is Marked.BROUGHT:
+            self._set_next(lambda document, curves: with_style(document, curves, **fields))
 
     def _take_picked(self, paint: str, colour: str) -> None:
         """Give what is chosen a colour that was picked from the drawing; of a gradient, the chosen stop."""
@@ -254,8 +261,11 @@ class StyleCommands:
         return with_style(document, self._curves, **{name: position / 100})
 
     def _take_share(self, name: str, position: int) -> None:
-        if not self._curves:
-            self._change({name: position / STEPS})
+        share: dict[str, object] = {name: position / STEPS}
+        if self._curves:
+            self._note_set(share)
+        else:
+            self._change(share)
 
     def _words_of_share(self, name: str, _position: int) -> str:
         return self._words([name])

@@ -21,6 +21,7 @@ from .align_commands import AlignCommands
 from .copies_commands import CopiesCommands
 from .panel_commands import TransformPanelCommands
 from .repeat_commands import RepeatCommands
+from .scale_commands import ScaleCommands
 from .size_commands import PasteSizeCommands
 
 
@@ -244,6 +245,7 @@ class SelectionCommands:
 
 COMMAND_SETS = (
     SelectionCommands,
+    ScaleCommands,
     RepeatCommands,
     CopiesCommands,
     AlignCommands,
