@@ -370,12 +370,12 @@ class Selection:
     def _note_style(self, document: Document) -> None:
         self.next_style.note(document, self.marked, self._session.active_index)
 
-    def select_returned(self, before: Sequence[Curve]) -> None:
-        """Select the points, or the curves, that undo or redo has brought back."""
-        session = self._session
-        curves = session.committed.curves
-        returned = returned_curves(before, curves)
-        if len(returned) > 1 or (returned and not self.is_editing):
+    def select_returned(self, before: Sequence[Curve], then: Choice | None) -> None:
+        """Select the points, or the curves, that undo or redo has brought back; edit what was `then`."""
+        returned = returned_curves(before, curves := self._session.committed.curves)
+        if then is not None and then.is_editing and not self.is_editing and returned & then.curves:
+            self.restore(then)
+        elif len(returned) > 1 or (returned and not self.is_editing):
             self.set_curves(returned)
         elif self.is_editing and not self.group.parts and len(before) == len(curves):
             self._keep_group(returned_points(self.edited, before, curves))
