@@ -71,7 +71,13 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
         help="take only the curves of this name, or those in the group of this name or id, such as axes_1 or "
         "'line2d_*'; may be given more than once",
     )
-    add("--width", type=whole_number, metavar="N", help="in pixels; in points of 1/72 inch for a PDF")
+    sides = parser.add_mutually_exclusive_group()
+    sides.add_argument(
+        "--width",
+        type=whole_number,
+        metavar="N",
+        help="in pixels, which give a PNG with a unit its resolution; in points of 1/72 inch for a PDF",
+    )
     add(
         "--unit",
         type=_unit,
@@ -80,11 +86,11 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
         "--width an SVG or PDF then has "
         "true size; TikZ has, and a PNG by its pixels per inch; a DXF names it",
     )
-    add(
+    sides.add_argument(
         "--dpi",
         type=positive_number,
         metavar="X",
-        help="pixels of a PNG for each inch of its true size, for a document with a unit",
+        help="pixels of a PNG for each inch of its true size, for a document with a unit; not with --width",
     )
     add(
         "--scale",

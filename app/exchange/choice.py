@@ -16,7 +16,19 @@ from ..document.several_curves import alone, name_of
 from ..document.shapes import whole_shapes
 from .drawing.styles import DARK, LIGHT
 from .formats import FORMATS, Format
-from .options import BASIS, DARK_PAPER, EACH, EXTENT, TRUE_SIZE, Extent, Option, Options, Value, all_options
+from .options import (
+    BASIS,
+    BY_DPI,
+    DARK_PAPER,
+    EACH,
+    EXTENT,
+    TRUE_SIZE,
+    Extent,
+    Option,
+    Options,
+    Value,
+    all_options,
+)
 from .units import known_unit
 
 
@@ -58,12 +70,9 @@ class ExportChoice:
         """Return the options of the format that matter with these values, in a document of that unit."""
         options = self.format.options
         values = {each.name: self[each] for each in options}
-        values[TRUE_SIZE.name] = self._is_to_scale(unit)
+        values[BY_DPI.name] = self[BY_DPI] if known_unit(unit) else None
         hidden = self.format.hidden(values)
         return tuple(each for each in options if each not in hidden)
-
-    def _is_to_scale(self, unit: str) -> bool:
-        return self[TRUE_SIZE] and bool(known_unit(unit))
 
     def order(
         self, document: Document, active: int, chosen: Collection[int] = (), *, with_estimates: bool = False
@@ -84,6 +93,7 @@ class ExportChoice:
         is_picture, dark = DARK_PAPER.name in values, values.pop(DARK_PAPER.name, False)
         has_basis = values.pop(BASIS.name, False)
         shared = {name: values.pop(name) for name in Options.__struct_fields__ if name in values}
+        values.pop(BY_DPI.name, None)
         if values.pop(TRUE_SIZE.name, True) is False:
             unit = ""
         matters = {each.name for each in self.shown(document.unit)}
@@ -158,6 +168,9 @@ def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
 
 def _usable(ending: object, kept: Mapping[str, Any]) -> ExportChoice:
     known = [each.ending for each in FORMATS.offered]
+    if ending == ".png" and kept.get(TRUE_SIZE.name) is False and BY_DPI.name not in kept:
+        # As it was called before.
+        kept = {**kept, BY_DPI.name: False}
     return chosen(
         ending if isinstance(ending, str) and ending in known else ExportChoice().ending,
         {each: kept[each.name] for each in offered_options() if each.name in kept},
@@ -172,7 +185,7 @@ def chosen(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
 
 def offered_options() -> tuple[Option[Any], ...]:
     """Return the options of all formats that the window offers, in the order of their rows."""
-    return all_options([(EXTENT, EACH), *(each.options for each in FORMATS.offered)])
+    return all_options([(EXTENT, EACH, TRUE_SIZE), *(each.options for each in FORMATS.offered)])
 
 
 def text_of(choice: ExportChoice) -> str:

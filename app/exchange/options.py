@@ -176,7 +176,7 @@ EACH = Check(
 WIDTH = Whole(
     name="width",
     label="Width",
-    tip="Width in pixels before the scale; the height follows",
+    tip="Width in pixels; the height follows, and with a unit of length the resolution",
     default=1600,
     limits=(1, 16384),
     suffix=" px",
@@ -196,6 +196,15 @@ DPI = Whole(
     limits=(10, 4800),
     suffix=" dpi",
 )
+BY_DPI = OneOf(
+    name="by_dpi",
+    label="Pixels",
+    tip="What says how many pixels there are",
+    widget="exportPixels",
+    default=True,
+    choices={True: "By resolution", False: "By width in pixels"},
+)
+"""Of a PNG of a document with a unit of length: it has true size either way."""
 TRUE_SIZE = Check(name="true_size", label="Size", title="True size", default=True)
 DARK_PAPER = OneOf(
     name="dark",
@@ -246,7 +255,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     dpi
         Of a PNG at true size: pixels for each inch; without it its width counts.
     scale
-        Of a PNG: how many pixels stand for each of `width`, and for 1/96 inch.
+        Of a PNG: how many pixels stand for each of `width`, and for 1/96 inch where there is no unit.
     transparent
         Of pictures: whether to leave the paper out, whatever the style.
     handles, grid

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..document.model import Curve, Document
 from ..document.point_group import NO_POINTS
-from ..document.selection import followed_choice, followed_curves, returned_curves, returned_points
+from ..document.selection import Choice, followed_choice, followed_curves, returned_curves, returned_points
 from ..document.several_curves import is_blank
 from ..document.steps import reshaped
 from .next_style import Marked
@@ -99,11 +99,13 @@ class Following:
         if (new.curves, new.chosen, new.is_editing) != (old.curves, old.chosen, old.is_editing):
             session.selected_curves_changed.emit(selected.curves)
 
-    def select_returned(self, before: Sequence[Curve]) -> None:
-        """Select the points, or the curves, that undo or redo has brought back."""
+    def select_returned(self, before: Sequence[Curve], then: Choice | None) -> None:
+        """Select the points, or the curves, that undo or redo has brought back; edit what was `then`."""
         selected, curves = self._session.selected, self._session.committed.curves
         returned = returned_curves(before, curves)
-        if len(returned) > 1 or (returned and not selected.is_editing):
+        if then is not None and then.is_editing and not selected.is_editing and returned & then.curves:
+            selected.restore(then)
+        elif len(returned) > 1 or (returned and not selected.is_editing):
             selected.set_curves(returned)
         elif selected.is_editing and not selected.group.parts and len(before) == len(curves):
             selected.keep_group(returned_points(selected.edited, before, curves))

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import msgspec
 import shiboken6
+from msgspec.structs import replace
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from ..document.model import Document
+from ..document.selection import Choice
 from ..qt.overrides import Guarded
 from ..storage.foreign import Foreign
 
@@ -48,11 +50,18 @@ class Beginning(msgspec.Struct, frozen=True, eq=False):
 
 
 class State(msgspec.Struct, frozen=True):
-    """State of the session in the history: a document, the curve that was edited, and its beginning."""
+    """State of the session in the history: a document, the curve that was edited, and its beginning.
+
+    Attributes
+    ----------
+    choice
+        Before a step, all that was selected; None after it.
+    """
 
     document: Document
     active: int
     beginning: Beginning
+    choice: Choice | None = None
 
 
 class UndoStep(Guarded, QUndoCommand):
@@ -83,7 +92,7 @@ class UndoStep(Guarded, QUndoCommand):
             return False
         self._after = other._after
         # There and back again is no step.
-        self.setObsolete(self._after == self._before)
+        self.setObsolete(self._after == replace(self._before, choice=None))
         return True
 
     def redo(self) -> None:

@@ -115,8 +115,8 @@ class Session(SessionSignals):
     @property
     def state(self) -> State:
         """State that the next step of the history begins with."""
-        active = self.active_index if self._home is None else self._home.active
-        return State(self._committed, active, self.files.beginning)
+        choice = self.selected.choice if self._home is None else self._home
+        return State(self._committed, choice.active, self.files.beginning, choice)
 
     @property
     def is_previewing(self) -> bool:
@@ -287,7 +287,7 @@ class Session(SessionSignals):
             if is_other:
                 self._following.begin_opened()
             elif not self.history.is_pushing:
-                self._following.select_returned(before.curves)
+                self._following.select_returned(before.curves, state.choice)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()

@@ -14,14 +14,14 @@ from PySide6.QtGui import QImage
 from app.cli import main
 from app.document.model import Document, Page, make_curve
 from app.document.style import Style
-from app.exchange.choice import ExportChoice
+from app.exchange.choice import ExportChoice, choice_from
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.extents import extent_of
 from app.exchange.drawing.image import png_preview
 from app.exchange.drawing.trim import trimmed
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, format_of
-from app.exchange.options import Options
+from app.exchange.options import BY_DPI, Options
 from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
@@ -166,9 +166,11 @@ def test_size_scale_and_page_are_said_before(ending, unit, said):
     bent = Document((make_curve(((10.0, 5.0), (80.0, 45.0))),), unit=unit)
     look = format_of(f"a{ending}", FORMATS.pictures).preview
     assert look(*ExportChoice(ending).order(bent, 0), (100, 100)).size == said
-    whole = ExportChoice(ending, {"true_size": False}).order(bent, 0)
-    assert whole.options.unit == ""
-    assert look(*whole, (100, 100)).size.endswith(("not to scale", "pixels"))
+    whole = ExportChoice(ending, {"true_size": False, "by_dpi": False}).order(bent, 0)
+    # A PNG is by its width then, and its resolution follows.
+    assert whole.options.unit == (unit if ending == ".png" else "")
+    by_width = "1600 × 916 pixels, 70.21 × 40.21 mm at 578.8 dpi"
+    assert look(*whole, (100, 100)).size.endswith(("not to scale", "pixels", by_width))
 
 
 def test_the_command_line_is_told_the_unit(tmp_path, capsys):
@@ -187,10 +189,10 @@ def test_a_png_says_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
     png, tikz = tmp_path / "a.png", tmp_path / "a.tikz"
     export(SEVENTY, png, Options(width=800, unit="mm"))
     image = QImage(str(png))
-    wide = drawing_of(SEVENTY).frame.width
+    wide = picture_box(SEVENTY)[2]
     assert image.dotsPerMeterX() == image.dotsPerMeterY() == round(800 / wide * 1000)
     seen = png_preview(SEVENTY, Options(width=800, unit="mm"), (100, 100))
-    assert seen.size.endswith(f" pixels, 1 : 1 at {image.dotsPerMeterX() * 0.0254:.4g} per inch")
+    assert seen.size.endswith(f" mm at {image.dotsPerMeterX() * 0.0254:.4g} dpi")
     export(SEVENTY, png, Options(width=800))
     assert QImage(str(png)).dotsPerMeterX() == round(96 / 0.0254)
     export(SEVENTY, tikz, Options(unit="mm"))
@@ -296,3 +298,15 @@ def test_the_command_line_counts_pixels_by_inches(tmp_path, capsys):
     save(path, SEVENTY)
     assert main(["render", str(path), "-o", str(picture), "--dpi", "300"]) != 0
     assert "need a unit of length" in capsys.readouterr().err
+
+
+def test_of_pixels_across_and_for_each_inch_the_command_line_takes_one(tmp_path, capsys):
+    """The width won, and nothing was said."""
+    path = tmp_path / "a.curve.json"
+    save(path, replace(SEVENTY, unit="mm"))
+    with pytest.raises(SystemExit):
+        main(["render", str(path), "-o", str(tmp_path / "a.png"), "--dpi", "30", "--width", "90"])
+    assert "not allowed with" in capsys.readouterr().err
+    assert choice_from('{"ending": ".png", "true_size": false}')[BY_DPI] is False, (
+        "as it was remembered before"
+    )

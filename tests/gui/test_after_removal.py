@@ -48,9 +48,23 @@ def test_a_second_and_third_delete_take_no_other_curve(four, key, held, step):
     assert four.status == NONE_CHOSEN
     assert (four.session.undo_stack.count(), four.session.undo_stack.undoText()) == (steps + 1, step)
     four.trigger("undo")
-    assert state(four) == ("ABCD", False, "B", "")
+    # It is edited again, as it was; it came back chosen as a whole.
+    assert state(four) == ("ABCD", True, "", "B")
     four.trigger("redo")
     assert state(four) == ("ACD", False, "", "")
+
+
+def test_undo_of_all_points_gone_brings_them_back_selected_and_of_a_whole_curve_the_whole(four):
+    four.select([0, 1, 2, 3])
+    four.key(DELETE)
+    assert state(four)[:2] == ("ACD", False)
+    four.trigger("undo")
+    assert state(four) == ("ABCD", True, "", "B")
+    assert four.session.selection == {0, 1, 2, 3}
+    four.session.selected.choose([1])
+    four.key(DELETE)
+    four.trigger("undo")
+    assert state(four) == ("ABCD", False, "B", "")
 
 
 def test_one_deleted_in_the_list_leaves_the_one_that_is_edited(four):

@@ -450,16 +450,33 @@ def test_a_png_at_true_size_is_by_dots_for_each_inch(editor, tmp_path, monkeypat
     assert (image.width(), image.height()) == (int(found[1]), int(found[2]))
 
 
-def test_without_a_unit_or_true_size_a_png_has_a_width(editor, dialog):
-    fields = dialog.form.fields
-    shown = [name for name in ("width", "scale", "dpi") if fields[name].widget.isVisible()]
-    assert shown == ["width", "scale"]
+def test_a_png_by_its_width_has_true_size_and_the_resolution_follows(editor, dialog, tmp_path, monkeypatch):
+    """With “True size” on there was no width; without it the file said 96 dpi."""
+    names = ("by_dpi", "true_size", "width", "scale", "dpi")
+
+    def shown(form):
+        return [name for name in names if form.fields[name].widget.isVisible()]
+
+    assert shown(dialog.form) == ["width", "scale"]
     dialog.close()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     other = measured(editor, "mm")
-    click(other.form.fields["true_size"].widget)
-    assert [n for n in ("width", "scale", "dpi") if other.form.fields[n].widget.isVisible()] == shown
-    other.close()
+    assert shown(other.form) == ["by_dpi", "dpi"]
+    box = other.form.fields["by_dpi"].widget
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Down)
+    assert (box.currentText(), shown(other.form)) == ("By width in pixels", ["by_dpi", "width"])
+    width = other.form.fields["width"].widget
+    width.setFocus()
+    width.lineEdit().selectAll()
+    QTest.keyClicks(width, "512")
+    QTest.keyClick(width, Qt.Key.Key_Tab)
+    settled(editor, other)
+    found = re.fullmatch(r"512 × \d+ pixels, (\S+) × \S+ mm at (\S+) dpi", other.size_label.text())
+    assert float(found[2]) == pytest.approx(512 / float(found[1]) * 25.4, rel=1e-3)
+    image = QImage(str(export(editor, other, tmp_path / "a.png", monkeypatch)))
+    assert image.width() == 512
+    assert image.dotsPerMeterX() * 0.0254 == pytest.approx(float(found[2]), rel=1e-3)
 
 
 # What goes into the file

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
+import msgspec
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 
@@ -83,16 +84,15 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     ExchangeError
         As `png_file`.
     """
-    drawing = _drawing(document, options, options.paper_style(document))
+    drawing = _png_drawing(document, options, options.paper_style(document))
     width, height = _size(drawing, options)
     dots = _true_dots_per_metre(drawing, options)
     size = f"{width} × {height} pixels"
     if dots:
         unit = known_unit(options.unit)
         true = size_in_words(drawing.frame.width, drawing.frame.height, unit)
-        size += (
-            f", {true} at {options.dpi:g} dpi" if options.dpi else f", 1 : 1 at {dots * 0.0254:.4g} per inch"
-        )
+        is_asked = options.dpi is not None and options.width is None
+        size += f", {true} at {options.dpi if is_asked else dots * 0.0254:.4g} dpi"
     return _preview(drawing, options, options.paper_style(document), size, room)
 
 
@@ -190,7 +190,7 @@ def png_file(document: Document, options: Options) -> Written:
         If nothing can be drawn, or the picture would be too large.
     """
     style = options.paper_style(document)
-    drawing = _drawing(document, options, style)
+    drawing = _png_drawing(document, options, style)
     size = _size(drawing, options)
     with application():
         return Written(_pixels(drawing, size, options, style), drawing.deviation, drawing.remarks, size)
@@ -295,6 +295,11 @@ def _page_size(drawing: Drawing, options: Options) -> tuple[float, float]:
 
 def _drawing(document: Document, options: Options, style: PictureStyle) -> Drawing:
     return picture_of(document, options, style, part(options.report, 0.0, _DRAWN))
+
+
+def _png_drawing(document: Document, options: Options, style: PictureStyle) -> Drawing:
+    # With a unit it has true size whatever its width: that says how dense its pixels are.
+    return _drawing(document, msgspec.structs.replace(options, width=None), style)
 
 
 def paint_drawing(

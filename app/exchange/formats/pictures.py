@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from .. import corner, drawing, svg
 from ..cubics_in import Imported
-from ..options import DPI, PICTURE, SCALE, TOLERANCE, TRUE_SIZE, WIDTH
+from ..options import BY_DPI, DPI, PICTURE, SCALE, TOLERANCE, WIDTH, Option
 from ..svg.writer import svg_of
 from . import ContentKind, Format
 
@@ -17,6 +18,15 @@ def read(data: bytes, tolerance: float | None) -> Imported:
     return replace(found, document=corner.from_lower_left(found.document))
 
 
+_IDLE_OF_PNG: dict[bool | None, tuple[Option[Any], ...]] = {
+    True: (WIDTH, SCALE),
+    False: (SCALE, DPI),
+    # Without a unit of length there is no inch.
+    None: (BY_DPI, DPI),
+}
+"""Options that do nothing where the resolution says how many pixels there are, and where the width does."""
+
+
 # Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.
 # ruff: noqa: PLW0108
 FORMATS = (
@@ -25,8 +35,8 @@ FORMATS = (
         title="PNG picture",
         description="Pixels, for slides and pages.",
         place=10,
-        options=(*PICTURE[:1], WIDTH, SCALE, DPI, *PICTURE[1:]),
-        hidden=lambda values: (WIDTH, SCALE) if values[TRUE_SIZE.name] else (DPI,),
+        options=(BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:]),
+        hidden=lambda values: _IDLE_OF_PNG[values[BY_DPI.name]],
         write=lambda document, options: drawing.image.png_file(document, options),
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
     ),
