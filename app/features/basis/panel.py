@@ -9,6 +9,7 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
+from ...tools.surface import Surface
 from ...tools.tool import Tool
 from ...tools.toolbox import Toolbox
 from .hits import hit_test
@@ -17,7 +18,7 @@ from .scene import BasisScene
 from .tick_edit import TickEdit
 
 
-class BasisPanel(ToolPlot):
+class BasisPanel(ToolPlot, Surface):
     """The basis functions of the active curve over t, with the gestures on them.
 
     Attributes
@@ -49,6 +50,7 @@ class BasisPanel(ToolPlot):
 
     def __init__(self, tools: Toolbox) -> None:
         super().__init__(tools)
+        tools.surface = self
         self.setObjectName("basisPanel")
         self.drawing = BasisScene(self, self.camera)
         self._ripple_down = False
