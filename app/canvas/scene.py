@@ -20,7 +20,7 @@ from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hit, Pointer
-from ..tools.tool import Tool
+from ..tools.surface import Finder
 from ..view_model.basis.basis_view import weights_at
 from ..view_model.curve.curve_view import CurveView
 from .annotations import Annotations
@@ -237,7 +237,7 @@ class CanvasScene:
         self.guides.light(marks.guide)
         self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return what of the drawing a tool hits at the pointer."""
         shown, pixel, points = self._plot.pixel_map, pointer.pixel, self.points
         if tool.finds_image:
@@ -258,7 +258,7 @@ class CanvasScene:
             hit = self.guides.hit(pixel, shown) or hit
         return hit
 
-    def locked_guide_at(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def locked_guide_at(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return the locked guide at the pointer, for a tool that finds guides."""
         return (
             self.guides.hit(pointer.pixel, self._plot.pixel_map, locked=True) if tool.finds_guides else None

@@ -7,8 +7,7 @@ from collections.abc import Callable, Sequence
 from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from ..tools.pointer import Hit, Pointer
-from ..tools.surface import Surface
-from ..tools.tool import Tool
+from ..tools.surface import Finder, Surface
 from .scene import CanvasScene
 
 
@@ -33,7 +32,7 @@ class CanvasSurface(Surface):
     ) -> None:
         self._drawing, self._write, self._rewrite, self._colour = drawing, write, rewrite, colour
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         return self._drawing.hit(pointer, tool)
 
     def curves_at(self, pointer: Pointer) -> Sequence[int]:

@@ -9,8 +9,7 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.surface import Surface
-from ...tools.tool import Tool
+from ...tools.surface import Finder, Surface
 from ...tools.toolbox import Toolbox
 from .hits import hit_test
 from .layers import rail_height
@@ -71,7 +70,7 @@ class BasisPanel(ToolPlot, Surface):
         self.tick_edit.hide()
         super().abandon_gesture()
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         drawing = self.drawing
         return hit_test(pointer, self.pixel_map, drawing.basis, drawing.rail, drawing.functions.kinds)
 

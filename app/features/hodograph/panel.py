@@ -18,8 +18,7 @@ from ...plotting.layers import Layer
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.surface import Surface
-from ...tools.tool import Tool
+from ...tools.surface import Finder, Surface
 from ...tools.toolbox import Toolbox
 from ...view_model.analysis.hodograph import Hodograph
 from ...widgets.boxes import column_of, row_of
@@ -98,7 +97,7 @@ class HodographPlot(ToolPlot, Surface):
         self.theme = theme
         super().set_theme(theme)
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return the nearest place of the hodograph, however far."""
         if self.hodograph is None or not len(self.hodograph.t):
             return None
