@@ -101,6 +101,7 @@ rounding.evaluation  curves computed with k decimal digits
 
 scaling, vectors     numbers with separate exponents; lengths, cross products
 double_double        numbers of 106 bits, where plain ones would cancel
+powers               of such numbers
 working_memory       arrays that are kept from call to call
 tridiagonal          systems of splines
 ===================  =======================================================

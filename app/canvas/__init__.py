@@ -1,7 +1,7 @@
 """The canvas: the curve, its points and handles, drawn and grabbed.
 
-- ``canvas``: the widget, which has the tools.  ``scene``: its layers.  ``fitting``: what part of the plane is
-  shown.  ``steady_view``: what stays in sight when it gets another size.
+- ``canvas``: the widget, which has the tools.  ``surface``: what these can ask of it.  ``scene``: its layers.
+  ``fitting``: what part of the plane is shown.  ``steady_view``: what stays in sight in another size.
 - ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``point_marks``,
   ``control_polygon_layer``: the curve that is edited.
 - ``drawn_curves``: all curves in the order in which they print.  ``looks``: how they look.

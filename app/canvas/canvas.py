@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
-from ..document.kept import KeptPicture, KeptText
 from ..document.model import Axis, Vector
 from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.rulers import Extent
@@ -17,12 +14,13 @@ from ..plotting.tool_plot import ToolPlot
 from ..tools.guides import GuideTool, hint_on_ruler
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hint, Hit, Part, Pointer
-from ..tools.tool import Tool, ToolRecord
+from ..tools.tool import ToolRecord
 from ..tools.toolbox import Toolbox
 from ..tools.transform import TransformKind
 from .fitting import Framing
 from .scene import CanvasScene
 from .steady_view import SteadyView
+from .surface import CanvasSurface
 
 
 class Canvas(ToolPlot):
@@ -65,6 +63,8 @@ class Canvas(ToolPlot):
         self.setAccessibleDescription("The curve with its points; drag points to change it.")
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
+        asks = self.text_placed.emit, self.text_opened.emit, self.colour_picked.emit
+        tools.surface = CanvasSurface(self.drawing, *asks)
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
@@ -133,33 +133,6 @@ class Canvas(ToolPlot):
         if self.tools.begin_transform(kind, pointer):
             self._pointer = self._pointer or pointer
             self._show_progress()
-
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
-        return self.drawing.hit(pointer, tool)
-
-    def curves_at(self, pointer: Pointer) -> Sequence[int]:
-        return self.drawing.curves_at(pointer)
-
-    def locked_at(self, pointer: Pointer) -> int:
-        return self.drawing.locked_at(pointer)
-
-    def kept_at(self, pointer: Pointer) -> Sequence[KeptText | KeptPicture]:
-        return self.drawing.kept_at(pointer)
-
-    def colour_at(self, pointer: Pointer) -> str:
-        return self.drawing.colour_at(pointer)
-
-    def grid_spacing(self) -> float:
-        return self.drawing.grid.spacing(self.pixel_map)
-
-    def write_at(self, place: Vector) -> None:
-        self.text_placed.emit(place)
-
-    def open_text(self, curve: int) -> None:
-        self.text_opened.emit(curve)
-
-    def give_colour(self, paint: str, colour: str) -> None:
-        self.colour_picked.emit(paint, colour)
 
     def place_of(self, pointer: Pointer) -> object:
         """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""

@@ -20,7 +20,7 @@ from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hit, Pointer
-from ..tools.tool import Tool
+from ..tools.surface import Finder
 from ..view_model.basis.basis_view import weights_at
 from ..view_model.curve.curve_view import CurveView
 from .annotations import Annotations
@@ -243,7 +243,7 @@ class CanvasScene:
         self.guides.light(marks.guide)
         self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return what of the drawing a tool hits at the pointer."""
         shown, pixel, points = self._plot.pixel_map, pointer.pixel, self.points
         if tool.finds_image:
@@ -264,7 +264,7 @@ class CanvasScene:
             hit = self.guides.hit(pixel, shown) or hit
         return hit
 
-    def locked_guide_at(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def locked_guide_at(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return the locked guide at the pointer, for a tool that finds guides."""
         return (
             self.guides.hit(pointer.pixel, self._plot.pixel_map, locked=True) if tool.finds_guides else None
@@ -284,6 +284,10 @@ class CanvasScene:
         return self._colours.at(
             self.views, self.curves.looks, pixel, shown, self.image.colour_at(pixel, shown)
         )
+
+    def grid_spacing(self) -> float:
+        """Return the spacing of the grid at the present zoom."""
+        return self.grid.spacing(self._plot.pixel_map)
 
     @property
     def area(self) -> QRect:

@@ -14,13 +14,15 @@ from .clone import Clone, Identity
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
-from .fields import LENGTH, Requirement, above, at_least, between, printed
+from .fields import LENGTH, at_least, between, printed
 from .forms import AnyForm
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
 from .kept import KeptPicture, KeptText
-from .style import PLAIN_STYLE, USUAL_WIDTH, Style
+from .page import Page as Page  # noqa: PLC0414 - most have it from here
+from .reference_image import ReferenceImage as ReferenceImage  # noqa: PLC0414
+from .style import PLAIN_STYLE, Style
 from .text import Text
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
@@ -286,63 +288,6 @@ class Curve(Value, frozen=True, dict=True):
     def is_manual(self) -> bool:
         """Whether the person, not a rule, gives the parameters."""
         return self.parametrization.kind is ParametrizationKind.MANUAL
-
-
-_PATH = Requirement(lambda path: bool(path.strip()) and path.isprintable(), "be the name of a file")
-_OF_THIS_COMPUTER = Requirement(
-    # Opening another would knock at that computer, and on some systems with the person's password.
-    lambda path: not path.startswith(("//", "\\\\")),
-    "lead to a file of this computer, not to one of the network",
-)
-
-
-class ReferenceImage(Value, frozen=True, omit_defaults=False):
-    """A picture to trace, behind the curves.
-
-    Attributes
-    ----------
-    path
-        Its file: absolute in a document that is open, with forward slashes and relative to the document's
-        own folder in a file.
-    x, y
-        Where its lower left corner lies.
-    width, height
-        Its size in the plane; what the file holds is fitted into it.
-    opacity
-        From 0, invisible, to 1.
-    locked
-        Whether it is safe from being moved.
-    """
-
-    path: Annotated[str, _PATH, _OF_THIS_COMPUTER]
-    x: Length
-    y: Length
-    width: Annotated[Length, above(0)]
-    height: Annotated[Length, above(0)]
-    opacity: Annotated[float, between(0, 1)] = 0.5
-    locked: bool = False
-
-
-class Page(Value, frozen=True, omit_defaults=False):
-    """The part of the plane that pictures show.
-
-    Attributes
-    ----------
-    x, y
-        Where its lower left corner lies.
-    width, height
-        Its size.
-    """
-
-    x: Length
-    y: Length
-    width: Annotated[Length, above(0)]
-    height: Annotated[Length, above(0)]
-
-    @property
-    def usual_width(self) -> float:
-        """Width of a line on it whose style says none."""
-        return USUAL_WIDTH * max(self.width, self.height)
 
 
 class Document(Value, frozen=True):

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QWidget
 
 from ..tasks.single_task import SingleTask
 from ..tools.pointer import Hint, Hit, Pointer
-from ..tools.surface import Surface
 from ..tools.toolbox import Toolbox
 from .keys import ARROWS, cursor_of, key_name, stride_of
 from .plot_widget import PlotWidget
@@ -17,7 +16,7 @@ _WORDS_MS = 33
 """Milliseconds between two readouts of a gesture."""
 
 
-class ToolPlot(PlotWidget, Surface):
+class ToolPlot(PlotWidget):
     """Plot whose mouse and keys are events of a tool.
 
     Attributes
@@ -51,7 +50,6 @@ class ToolPlot(PlotWidget, Surface):
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.tools = tools
-        tools.surface = self
         self.jobs = SingleTask(self)
         self.jobs.progressed.connect(self._show_share)
         self.jobs.ended.connect(self._show_progress)
@@ -67,7 +65,7 @@ class ToolPlot(PlotWidget, Surface):
 
     def _hit_at(self, place: QPointF) -> Hit | None:
         """Return what lies at a place of the viewport."""
-        return self.hit(self.pointer_at(place), self.tools.tool)
+        return self.tools.surface.hit(self.pointer_at(place), self.tools.tool)
 
     def place_of(self, pointer: Pointer) -> object:
         """Return what is told of the place under the pointer: t."""

@@ -196,12 +196,6 @@ class Files:
         session.file_changed.emit()
         session.opened.emit()
 
-    def go_back(self) -> None:
-        """Undo to what was there before the document that is open was opened as a step of the history."""
-        here, stack = self.beginning, self._session.undo_stack
-        while self.beginning is here and here.before is not None and stack.canUndo():
-            stack.undo()
-
     def restore(self, document: Document, path: Path | None, beginning: Beginning | None = None) -> None:
         """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
         self.replace(plain(document), path, beginning=beginning)

@@ -8,7 +8,6 @@ from functools import partial
 from pathlib import Path
 
 from msgspec.structs import replace
-from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoStack
 
 from ..document.clones import followed, settled, words_about_unlinked
@@ -53,8 +52,8 @@ class Session(SessionSignals):
         The scrub line.
     """
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.history = History(self, self._restore_step)
         self.undo_stack.cleanChanged.connect(self.file_changed)
         self.undo_stack.indexChanged.connect(self._report_index)

@@ -70,8 +70,8 @@ class SessionSignals(QObject):
     interrupted = Signal()
     message = Signal(object)
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.telling = Telling()
         self._besides = ""
         self.interrupted.connect(self._forget_besides)

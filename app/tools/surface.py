@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from .pointer import Hit, Pointer
 
-if TYPE_CHECKING:
-    from .tool import Tool
+
+class Finder(Protocol):
+    """What a tool finds on the canvas besides the curve that is edited."""
+
+    finds_other_curves: bool
+    finds_guides: bool
+    finds_image: bool
 
 
 class Surface:
@@ -21,7 +26,7 @@ class Surface:
 
     # What is there
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return what a tool hits at the pointer."""
         return None
 

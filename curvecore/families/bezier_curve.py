@@ -18,6 +18,7 @@ from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import check_one_polynomial, pieces_of
 from curvecore.parametrization import chebyshev, spread, uniform, with_one_more
+from curvecore.powers import MULTIPLIED, power, small_power
 from curvecore.scaling import ExponentArray, Scaled, made_finite, scale_by_power
 
 _DRAWN = 8
@@ -25,15 +26,6 @@ _DRAWN = 8
 
 _INTERPOLATED = 64
 """Control points up to which values at so many places stand for them."""
-
-_MULTIPLIED = 128
-"""Powers up to this one are products one after the other, as quick as ten multiplications are to one `power`.
-
-Their roundings, half a unit each and of either sign, come to some sqrt(128) / 3 units.
-"""
-
-_IN_RANGE = 1000
-"""Powers of numbers between 0.7 and 1.4 up to this one are neither too large nor too small."""
 
 _PLAIN, _SAFE = 48, 900.0
 """Degree up to which functions may be plain products; powers of 2 that their factors stay within.
@@ -120,7 +112,7 @@ class BezierCurve(ParametricCurve):
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         first, last = self.domain
         inside = (t > first) & (t < last)
-        if order or self.degree <= _MULTIPLIED or not inside.any():
+        if order or self.degree <= MULTIPLIED or not inside.any():
             return self._summed(t, order)
         at = _Coordinates.of(t[inside], first, last)
         x, y = (DoubleDouble(each.high[:, 0], each.low[:, 0]) for each in (at.x, at.y))
@@ -311,7 +303,7 @@ def _factored(at: _Coordinates, degree: int, order: int) -> Scaled:
     rest, which may vanish, is summed with 106 bits.
     """
     i = np.arange(degree + 1)
-    in_x, in_y = _power(at.x, np.maximum(i - order, 0)), _power(at.y, np.maximum(degree - i - order, 0))
+    in_x, in_y = power(at.x, np.maximum(i - order, 0)), power(at.y, np.maximum(degree - i - order, 0))
     counts = _binomials(degree)
     rest = _rest(at, i, degree, order) if order else 1.0
     mantissa = in_x.mantissa * in_y.mantissa * counts.mantissa
@@ -324,9 +316,9 @@ def _rest(at: _Coordinates, i: np.ndarray, degree: int, order: int) -> FloatArra
     for j in range(order + 1):
         factor = (-1.0) ** (order - j) * comb(order, j) * _falling(i, j) * _falling(degree - i, order - j)
         term = DoubleDouble(factor, np.zeros(degree + 1))
-        term = multiply(term, _small_power(at.x, np.maximum(np.minimum(i, order) - j, 0), order))
+        term = multiply(term, small_power(at.x, np.maximum(np.minimum(i, order) - j, 0), order))
         in_y = np.maximum(np.minimum(degree - i, order) - (order - j), 0)
-        term = multiply(term, _small_power(at.y, in_y, order))
+        term = multiply(term, small_power(at.y, in_y, order))
         total = term if total is None else add(total, term)
     assert total is not None
     return np.where(np.isfinite(total.high), total.high, 0.0)
@@ -338,38 +330,6 @@ def _falling(i: np.ndarray, count: int) -> FloatArray:
     for k in range(count):
         factors = factors * np.maximum(i - k, 0)
     return factors
-
-
-def _small_power(base: DoubleDouble, exponent: np.ndarray, most: int) -> DoubleDouble:
-    """Return powers of (m, 1) numbers to whole exponents (n,) up to `most`, shape (m, n)."""
-    high, low = np.ones((most + 1, len(base.high))), np.zeros((most + 1, len(base.high)))
-    flat = DoubleDouble(base.high[:, 0], base.low[:, 0])
-    for k in range(most):
-        high[k + 1], low[k + 1] = multiply(DoubleDouble(high[k], low[k]), flat)
-    return DoubleDouble(high[exponent].T, low[exponent].T)
-
-
-def _power(base: DoubleDouble, exponent: np.ndarray) -> Scaled:
-    """Return powers of (m, 1) numbers of 106 bits to whole exponents (n,), shape (m, n).
-
-    (a + b)**i is a**i (1 + i b / a) to all digits.
-    """
-    mantissa, shift = np.frexp(base.high)
-    # Between 0.7 and 1.4, so that powers stay in range for long.
-    low = np.abs(mantissa) < np.sqrt(0.5)
-    mantissa, shift = np.where(low, 2.0 * mantissa, mantissa), (shift - low).astype(np.int64)
-    with np.errstate(divide="ignore"):
-        correction = 1.0 + exponent * np.where(base.high == 0.0, 0.0, base.low / base.high)
-    most = int(exponent.max(initial=0))
-    if most <= _MULTIPLIED:
-        table = np.ones((len(mantissa), most + 1))
-        table[:, 1:] = mantissa
-        powers = np.multiply.accumulate(table, axis=1)[:, exponent]
-        return Scaled(powers * correction, shift * exponent)
-    steps, rest = np.divmod(exponent, _IN_RANGE)
-    step, per_step = np.frexp(np.power(mantissa, float(_IN_RANGE)))
-    powers, carried = np.frexp(np.power(step, steps) * np.power(mantissa, rest.astype(np.float64)))
-    return Scaled(powers * correction, shift * exponent + per_step * steps + carried)
 
 
 class _Binomials(NamedTuple):

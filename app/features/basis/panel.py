@@ -9,7 +9,7 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.tool import Tool
+from ...tools.surface import Finder, Surface
 from ...tools.toolbox import Toolbox
 from .hits import hit_test
 from .layers import rail_height
@@ -17,7 +17,7 @@ from .scene import BasisScene
 from .tick_edit import TickEdit
 
 
-class BasisPanel(ToolPlot):
+class BasisPanel(ToolPlot, Surface):
     """The basis functions of the active curve over t, with the gestures on them.
 
     Attributes
@@ -49,6 +49,7 @@ class BasisPanel(ToolPlot):
 
     def __init__(self, tools: Toolbox) -> None:
         super().__init__(tools)
+        tools.surface = self
         self.setObjectName("basisPanel")
         self.drawing = BasisScene(self, self.camera)
         self._ripple_down = False
@@ -69,7 +70,7 @@ class BasisPanel(ToolPlot):
         self.tick_edit.hide()
         super().abandon_gesture()
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         drawing = self.drawing
         return hit_test(pointer, self.pixel_map, drawing.basis, drawing.rail, drawing.functions.kinds)
 

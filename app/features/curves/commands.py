@@ -330,8 +330,6 @@ class CurveCommands:
         text: str,
         make: Callable[[], Reshaped],
         then: Callable[[Document], Document] = lambda document: document,
-        *,
-        active: int | None = None,
     ) -> Reshaped | None:
         """Put what `make` returns in the place of the active curve, and say what that changed."""
         session, made = self._session, list[Reshaped]()
@@ -340,7 +338,7 @@ class CurveCommands:
             made.append(make())
             return then(curve_edits.replace_curve(document, session.active_index, made[0].curve))
 
-        if not session.change(text, edit, active=active):
+        if not session.change(text, edit):
             return None
         session.say(made[0].told_in(session.document))
         return made[0]

@@ -106,7 +106,10 @@ class HistoryCommands:
     )
     def _go_back(self) -> None:
         """Go back to what was there before this lesson or example; Redo comes here again."""
-        self._session.files.go_back()
+        files, stack = self._session.files, self._session.undo_stack
+        here = files.beginning
+        while files.beginning is here and here.before is not None and stack.canUndo():
+            stack.undo()
         self._session.say("This is as you left it; Redo goes on.")
 
     @action(

@@ -18,7 +18,7 @@ from ...plotting.layers import Layer
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.tool import Tool
+from ...tools.surface import Finder, Surface
 from ...tools.toolbox import Toolbox
 from ...view_model.analysis.hodograph import Hodograph
 from ...widgets.boxes import column_of, row_of
@@ -33,7 +33,7 @@ _NUMBERED_UP_TO = 16
 _NAMES = {each.order: ("c" + "′″‴"[each.order - 1], each.name) for each in DERIVATIVES}
 
 
-class HodographPlot(ToolPlot):
+class HodographPlot(ToolPlot, Surface):
     """Draws the hodograph; equal aspect, the origin marked. Drag along the curve to scrub.
 
     The view box's coordinates are those of the derivative over a power of ten, `unit`: pyqtgraph loses
@@ -42,6 +42,7 @@ class HodographPlot(ToolPlot):
 
     def __init__(self, tools: Toolbox) -> None:
         super().__init__(tools)
+        tools.surface = self
         named(self, "hodograph", "Hodograph")
         self.setAccessibleDescription("The velocity as a curve in the plane; drag along it to scrub.")
         self.getViewBox().setAspectLocked(True)
@@ -96,7 +97,7 @@ class HodographPlot(ToolPlot):
         self.theme = theme
         super().set_theme(theme)
 
-    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return the nearest place of the hodograph, however far."""
         if self.hodograph is None or not len(self.hodograph.t):
             return None

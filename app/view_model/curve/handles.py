@@ -124,14 +124,14 @@ class _Arms(msgspec.Struct, frozen=True, eq=False):
     h: FloatArray
 
 
-def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handle]:
+def handles_of(view: CurveView, index: int) -> list[Handle]:
     """Return the handles of point `index`, as `handles_at` does."""
-    return list(handles_at(view, [index], free=free))
+    return list(handles_at(view, [index]))
 
 
-def handles_at(view: CurveView, indices: Collection[int], *, free: bool = False) -> Handles:
+def handles_at(view: CurveView, indices: Collection[int]) -> Handles:
     """Return the handles of some points, as `handles_on` their sides."""
-    return handles_on(view, sides_at(indices), free=free)
+    return handles_on(view, sides_at(indices))
 
 
 def sides_at(indices: Collection[int]) -> PointSides:

@@ -1,0 +1,60 @@
+"""What tools can ask of the canvas, and have done there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ..document.kept import KeptPicture, KeptText
+from ..document.model import Vector
+from ..tools.pointer import Hit, Pointer
+from ..tools.surface import Finder, Surface
+from .scene import CanvasScene
+
+
+class CanvasSurface(Surface):
+    """The drawing as tools see it.
+
+    Parameters
+    ----------
+    drawing
+        What lies there.
+    write, rewrite, colour
+        Told that a text shall begin at a place, that the one of a curve shall be edited, and that the "fill"
+        or the "stroke" of what is chosen shall have a colour.
+    """
+
+    def __init__(
+        self,
+        drawing: CanvasScene,
+        write: Callable[[Vector], object],
+        rewrite: Callable[[int], object],
+        colour: Callable[[str, str], object],
+    ) -> None:
+        self._drawing, self._write, self._rewrite, self._colour = drawing, write, rewrite, colour
+
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
+        return self._drawing.hit(pointer, tool)
+
+    def curves_at(self, pointer: Pointer) -> Sequence[int]:
+        return self._drawing.curves_at(pointer)
+
+    def locked_at(self, pointer: Pointer) -> int:
+        return self._drawing.locked_at(pointer)
+
+    def kept_at(self, pointer: Pointer) -> Sequence[KeptText | KeptPicture]:
+        return self._drawing.kept_at(pointer)
+
+    def colour_at(self, pointer: Pointer) -> str:
+        return self._drawing.colour_at(pointer)
+
+    def grid_spacing(self) -> float:
+        return self._drawing.grid_spacing()
+
+    def write_at(self, place: Vector) -> None:
+        self._write(place)
+
+    def open_text(self, curve: int) -> None:
+        self._rewrite(curve)
+
+    def give_colour(self, paint: str, colour: str) -> None:
+        self._colour(paint, colour)
