@@ -64,7 +64,7 @@ class Canvas(ToolPlot):
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
         asks = self.text_placed.emit, self.text_opened.emit, self.colour_picked.emit
-        tools.surface = CanvasSurface(self.drawing, *asks)
+        tools.surface = CanvasSurface(self, self.drawing, *asks)
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None

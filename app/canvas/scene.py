@@ -285,10 +285,6 @@ class CanvasScene:
             self.views, self.curves.looks, pixel, shown, self.image.colour_at(pixel, shown)
         )
 
-    def grid_spacing(self) -> float:
-        """Return the spacing of the grid at the present zoom."""
-        return self.grid.spacing(self._plot.pixel_map)
-
     @property
     def area(self) -> QRect:
         """The drawing in pixels of the viewport."""

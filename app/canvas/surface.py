@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
+from ..plotting.tool_plot import ToolPlot
 from ..tools.pointer import Hit, Pointer
 from ..tools.surface import Finder, Surface
 from .scene import CanvasScene
@@ -16,8 +17,8 @@ class CanvasSurface(Surface):
 
     Parameters
     ----------
-    drawing
-        What lies there.
+    plot, drawing
+        Where it is drawn, and what lies there.
     write, rewrite, colour
         Told that a text shall begin at a place, that the one of a curve shall be edited, and that the "fill"
         or the "stroke" of what is chosen shall have a colour.
@@ -25,12 +26,14 @@ class CanvasSurface(Surface):
 
     def __init__(
         self,
+        plot: ToolPlot,
         drawing: CanvasScene,
         write: Callable[[Vector], object],
         rewrite: Callable[[int], object],
         colour: Callable[[str, str], object],
     ) -> None:
-        self._drawing, self._write, self._rewrite, self._colour = drawing, write, rewrite, colour
+        self._plot, self._drawing = plot, drawing
+        self._write, self._rewrite, self._colour = write, rewrite, colour
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         return self._drawing.hit(pointer, tool)
@@ -48,7 +51,7 @@ class CanvasSurface(Surface):
         return self._drawing.colour_at(pointer)
 
     def grid_spacing(self) -> float:
-        return self._drawing.grid_spacing()
+        return self._drawing.grid.spacing(self._plot.pixel_map)
 
     def write_at(self, place: Vector) -> None:
         self._write(place)
