@@ -225,14 +225,14 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
         copied[around] = (at, [*before, *node.places])
     chosen = [place for _, originals in copied.values() for place in originals]
     own = with_own_links([document.curves[place] for place in chosen], document.curves)
-    curves = list(document.curves)
+    linked = list(document.curves)
     for place, curve in zip(chosen, own, strict=True):
-        curves[place] = curve
+        linked[place] = curve
     new, places = document, dict[int, int]()
     for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
         at = place + len(places)
         new = add_curves(
-            new, list(contained(curves, originals, around, document.layers).values()), at, around
+            new, list(contained(linked, originals, around, document.layers).values()), at, around
         )
         places |= zip(originals, range(at, at + len(originals)), strict=True)
     return Added(new, tuple(places[curve] for curve in sorted(places)))
