@@ -78,8 +78,9 @@ class SessionSignals(QObject):
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
-        besides = "" if self._besides in text else self._besides
-        self.message.emit(Message(MessageKind.INFORMATION, f"{text} {besides}".rstrip()))
+        if self._besides not in text:
+            text = f"{text} {self._besides}".lstrip()
+        self.message.emit(Message(MessageKind.INFORMATION, text))
 
     def say_besides(self, text: str) -> None:
         """Show what a step did to other curves; and again behind what is said of the step itself.
