@@ -112,3 +112,16 @@ def test_data_that_end_too_soon_are_refused(data):
 )
 def test_compact_numbers_and_flags(data, end):
     assert tuple(read_path_data(data)[-1].end) == end
+
+
+def test_a_last_line_that_is_a_rounding_is_none():
+    """Steps of eight digits miss the beginning, and the path had two points there, on each other."""
+    (found,) = read_path_data("m 10,10 c 0,20 30,20 30,0 0,-20 -30.000004,-20 -30.000007,0.000004 z")
+    assert (len(found.controls), found.closed) == (2, True)
+    assert found.end.tolist() == [10, 10]
+    (found,) = read_path_data("m 10,10 20,0 0,20 -20.000003,-20.000002 z")
+    assert len(found.controls) == 3
+    assert found.end.tolist() == [10, 10]
+    # Small as it is, this one is meant.
+    (found,) = read_path_data("m 10,10 20,0 0,20 -20.003,-20 z")
+    assert len(found.controls) == 4

@@ -8,7 +8,6 @@ Reference: Scalable Vector Graphics 2, section 9.3.
 
 from __future__ import annotations
 
-import cmath
 import math
 import re
 from dataclasses import dataclass, field
@@ -31,6 +30,8 @@ _BARE_POINT = re.compile(r"(?<![\d.eE])(\d+)\.(?![\deE.])")
 """The point of ``1.``, which SVG 1.1 allowed and programs still write."""
 _NO_MOVE = re.compile(rf"{_GAP}[ZLHVCSQTAzlhvcsqta]")
 _LONGEST = 50_000_000
+_ROUNDING = 1e-6
+"""Of the extent of a subpath: as short a last line comes of roundings, and is none to Inkscape either."""
 
 
 @dataclass(eq=False)
@@ -211,9 +212,13 @@ class _Pen:
 
     def closed(self, **_: bool) -> None:
         if self._is_open:
-            at, start = complex(*self.current_point), complex(*self._start)
-            if not cmath.isclose(at, start, rel_tol=1e-15, abs_tol=1e-15):
+            current = self.subpaths[-1]
+            if not self._is_at_start(current):
                 self._corners.append(self._start)
+            elif self._corners:
+                self._corners[-1] = self._start
+            elif current.pieces:
+                current.pieces[-1][-1, 3] = self._start
             self._current.closed = True
             self._go(self._start)
             self._is_open = False
@@ -225,6 +230,14 @@ class _Pen:
             pieces = sum(map(len, current.pieces))
             current.closed = pieces > 1 and bool((current.end == current.start).all())
         self._is_open = False
+
+    def _is_at_start(self, current: Subpath) -> bool:
+        """Whether the pen is where the subpath begins, but for roundings: steps of few digits add up."""
+        gap = max(abs(here - there) for here, there in zip(self.current_point, self._start, strict=True))
+        if not gap:
+            return True
+        places = np.concatenate([current.controls.reshape(-1, 2), np.reshape(self._corners, (-1, 2))])
+        return gap <= _ROUNDING * float(np.ptp(places, axis=0).max(initial=0.0))
 
     @property
     def _current(self) -> Subpath:
