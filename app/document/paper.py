@@ -8,6 +8,7 @@ from typing import Final
 from msgspec.structs import replace
 
 from ..families import HERMITE
+from .derivatives import DERIVATIVES
 from .model import Document
 from .style import Style
 
@@ -25,6 +26,12 @@ class DocumentKind(Enum):
 def kind_of(document: Document) -> DocumentKind:
     """Return the kind of a document: a drawing has a page, a sketch or a lesson has none."""
     return DocumentKind.SKETCH if document.page is None else DocumentKind.DRAWING
+
+
+def vector_word(document: Document, order: int) -> str:
+    """Return what people call the derivative that a handle of a point sets: in a drawing it is a handle."""
+    is_handle = order == 1 and kind_of(document) is DocumentKind.DRAWING
+    return "handle" if is_handle else DERIVATIVES[order - 1].name
 
 
 _LINES: Final = {"mm": 0.3, "cm": 0.03, "in": 0.01, "pt": 0.75, "pc": 0.06, "px": 1.0}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.model import Curve
+from ..document.model import Curve, Document
+from ..document.paper import vector_word
 from ..document.point_group import PointGroup
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.points.point_kinds import toggled
@@ -28,7 +29,9 @@ def selected(group: PointGroup) -> str:
     return f"{words[0].upper()}{words[1:]}"
 
 
-def to_select(hit: Hit | None, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool) -> Hint:
+def to_select(
+    hit: Hit | None, view: CurveView, document: Document, dragged: str, pointer: Pointer, *, snaps: bool
+) -> Hint:
     """Return the hint of the Select tool over what belongs to a curve edited, or beside them.
 
     `dragged` is what a drag of the point hit moves, in words.
@@ -39,26 +42,28 @@ def to_select(hit: Hit | None, view: CurveView, dragged: str, pointer: Pointer, 
         return Hint(LOCKED.format(view.source.name))
     if hit.part is Part.CURVE:
         return to_bend(view, pointer)
-    hint = on_part(hit, view, dragged, pointer, snaps=snaps)
+    hint = on_part(hit, view, document, dragged, pointer, snaps=snaps)
     has_kind = view.source.family.derivatives and hit.part is Part.POINT
     if not has_kind or pointer.alt or not inner_points(view.source, [hit.index]):
         return hint
     return replace(hint, text=f"{hint.text} · Double click: {toggled(view, hit.index).title.lower()}")
 
 
-def on_part(hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool) -> Hint:
+def on_part(
+    hit: Hit, view: CurveView, document: Document, dragged: str, pointer: Pointer, *, snaps: bool
+) -> Hint:
     """Return the hint over a point or a handle; see `to_select`."""
     if hit.part is not Part.POINT:
         keys = handle_keys(hit, view)
         retracts = " · Ctrl+click: retract it" if hit.kind == 1 else ""
-        return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}{retracts}", grab=True)
+        return Hint(f"Drag to set the {what_handle_sets(hit, view, document)} · {keys}{retracts}", grab=True)
     if pointer.alt and view.source.family.derivatives:
         steps = " in steps of 15°" if pointer.holds_line else ""
-        return Hint(f"Drag to pull out the velocity of point {hit.index}{steps}", grab=True)
+        return Hint(f"Drag to pull out the {vector_word(document, 1)} of point {hit.index}{steps}", grab=True)
     text = f"{to_move(dragged, pointer)} · {AXIS_KEYS} · Shift+click: select it too, or no longer"
     text += f" · {_snap_key(snaps=snaps)}"
     if view.source.family.derivatives:
-        text += " · Alt: pull out its velocity"
+        text += f" · Alt: pull out its {vector_word(document, 1)}"
     return Hint(text, grab=True)
 
 
@@ -101,6 +106,7 @@ def _clicks_on_line(view: CurveView, pointer: Pointer) -> str:
 def to_add_on_part(
     hit: Hit,
     view: CurveView,
+    document: Document,
     dragged: str,
     pointer: Pointer,
     *,
@@ -119,10 +125,12 @@ def to_add_on_part(
         line = f" · Alt: {'smoothly' if corners else 'by a straight line'}"
         line = line if view.source.family.derivatives else ""
         return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
-    return on_part(hit, view, dragged, pointer, snaps=snaps)
+    return on_part(hit, view, document, dragged, pointer, snaps=snaps)
 
 
-def to_add(act: PenAct, view: CurveView, fresh: Curve, *, snaps: bool, corners: bool) -> Hint:
+def to_add(
+    act: PenAct, view: CurveView, document: Document, fresh: Curve, *, snaps: bool, corners: bool
+) -> Hint:
     """Return the hint of the Add tool, on the curve or beside it.
 
     `fresh` is a curve that would be begun; `corners` tells whether clicks make such.
@@ -139,7 +147,7 @@ def to_add(act: PenAct, view: CurveView, fresh: Curve, *, snaps: bool, corners: 
     elif corners:
         what, drag = f"{what}, a corner", "Drag: its handles · Alt: smooth"
     else:
-        drag = "Alt: after a straight line · Drag to set its velocity"
+        drag = f"Alt: after a straight line · Drag to set its {vector_word(document, 1)}"
     parts = (what, finish, drag, "Ctrl: steps of 15°" if index else "", keys)
     return Hint(" · ".join(part for part in parts if part))
 

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from ..document import edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
+from ..document.paper import vector_word
 from ..document.ties import tied_to_line
 from ..view_model.curve.curve_view import CurveView, view_of
 from ..view_model.curve.handles import derivative_from_handle
@@ -100,7 +101,7 @@ class AppendPoint(CurveDrag, frozen=True):
         if not self._sets_velocity(pointer):
             return f"{note} · a corner" if self.append is with_corner_appended else note
         x, y = self._displacement(pointer, place)
-        note = f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
+        note = f"{note}, {vector_word(self.document, 1)} at {words.angle(math.degrees(math.atan2(y, x)))}"
         if pointer.alt:
             return f"{note} · a corner"
         if self.view.source.is_closed:

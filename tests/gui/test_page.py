@@ -342,3 +342,27 @@ def test_points_of_a_drawing_are_plain_on_the_page_and_on_the_desk_until_numbers
     finally:
         editor.trigger("numberPoints")
         store.change(theme_mode=ThemeMode.SYSTEM, grid=True)
+
+
+def test_what_a_sketch_calls_a_velocity_is_a_handle_on_a_page(drawn):
+    session = drawn.session
+    session.selected.activate(0)
+    drawn.click((8.0, 4.0))
+
+    def told():
+        """The hint over the handle, and what its drag says and is called."""
+        at = drawn.handle(ahead=False).position
+        drawn.hover(at)
+        hint = drawn.window.status_line.hint
+        drawn.press(at)
+        drawn.move((at[0] + 1.0, at[1] + 1.0))
+        readout = drawn.status
+        drawn.release((at[0] + 1.0, at[1] + 1.0))
+        return hint, readout, session.undo_stack.undoText()
+
+    for page, word in ((None, "velocity"), (Page(0.0, 0.0, 20.0, 20.0), "handle")):
+        session.change("Page", lambda document, page=page: replace(document, page=page))
+        hint, readout, step = told()
+        assert hint.startswith(f"Drag to set the {word} of point 1")
+        assert readout.startswith(f"{word.capitalize()} of point 1: ")
+        assert step == f"Set {word} of point 1"

@@ -13,7 +13,7 @@ from ...document.curve_edits import replace_curve
 from ...document.edits import AlreadySoError, EditError
 from ...document.lines import ends_of
 from ...document.model import Curve, Document
-from ...document.paper import is_for_paper
+from ...document.paper import is_for_paper, vector_word
 from ...document.point_group import PointGroup, points_of, some_points
 from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve.curve_view import CurveView
@@ -115,12 +115,13 @@ class TangentCommands:
     @also(POINT_MENU(16), POINT_BAR(31))
     def _pull_velocities(self) -> None:
         group, reach = self._session.selected.group, _VISIBLE * self._context.central.canvas.camera.pixel_size
-        what = "velocity stands" if group.only_point else "velocities stand"
+        word = vector_word(self._session.document, 1)
+        stands = "stands" if group.only_point else "of each of them stands"
         self._reshape(
-            "Pull out velocity of",
+            f"Pull out {word} of",
             lambda view, points: with_velocities_pulled(view, points, reach),
             group,
-            f"The {what} out already; drag the square handle.",
+            f"The {word} {stands} out already; drag the square handle.",
         )
 
     def _tell(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:

@@ -241,7 +241,7 @@ class AddTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
-        hit, view = context.hit, context.view
+        hit, view, document = context.hit, context.view, context.host.document
         self._pen.find_end(context.host)
         act = self._act(context) if hints.is_no_part(hit) or _begins_anew(context.host) else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
@@ -254,11 +254,12 @@ class AddTool(Tool):
             return Hint(hints.LOCKED.format(view.source.name))
         corners = _makes_corners(context)
         if act is not None or hit is None:
-            return hints.to_add(act or PenAct.APPEND, view, _fresh(context), snaps=snaps, corners=corners)
+            act = act or PenAct.APPEND
+            return hints.to_add(act, view, document, _fresh(context), snaps=snaps, corners=corners)
         pointer = context.pointer
         dragged, goes_on = dragged_with(context, hit), self._pen.goes_on_at(hit, context.host)
         return hints.to_add_on_part(
-            hit, view, dragged, pointer, snaps=snaps, goes_on=goes_on, corners=corners
+            hit, view, document, dragged, pointer, snaps=snaps, goes_on=goes_on, corners=corners
         )
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
@@ -373,6 +374,6 @@ ADD = ToolRecord(
     title="Add Points",
     key="P",
     icon="add",
-    tip="Click to add points; drag to set a velocity",
+    tip="Click to add points; drag to pull out their handles",
     in_menu=True,
 )

@@ -241,7 +241,7 @@ class SelectTool(Tool):
         view, dragged = context.view, dragged_with(context, hit) if hit is not None else ""
         if hit is not None and hit.curve >= 0:
             view, hit = context.host.views[hit.curve], hit.as_own
-        return hints.to_select(hit, view, dragged, context.pointer, snaps=snaps)
+        return hints.to_select(hit, view, context.host.document, dragged, context.pointer, snaps=snaps)
 
     def _idle_hint(self, context: ToolContext) -> Hint | None:
         """Return what a press beside everything would do, None for nothing in particular."""
