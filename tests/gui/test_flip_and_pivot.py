@@ -99,6 +99,27 @@ def test_a_mirror_image_is_no_rotation(two, degrees, flips, point_locale):
     assert points(two) - points(two)[0] == pytest.approx(before, abs=CLOSE)
 
 
+@pytest.mark.parametrize("scales", [False, True])
+def test_keys_scale_by_steps_about_the_pivot(two, scales):
+    """There was no key for a step; strokes go along where they are scaled."""
+    curve = two.session.document.curves[0]
+    styled = replace(curve, style=replace(curve.style, width=2.0))
+    two.session.commit(two.session.document.with_curve(0, styled), "Style")
+    two.window.context.store.change(scale_strokes=scales)
+    two.session.selected.choose({0})
+    before, (x, y) = points(two, 0), two.window.canvas.tools.target.centre
+    two.key(Key.Key_Greater)
+    assert points(two, 0) == pytest.approx((x, y) + 1.1 * (before - (x, y)), abs=CLOSE)
+    assert two.session.document.curves[0].style.width == pytest.approx(2.2 if scales else 2.0)
+    assert undo_text(two) == "Scale Arch by 1.1"
+    two.key(Key.Key_Less)
+    assert points(two, 0) == pytest.approx(before, abs=CLOSE)
+    two.key(Key.Key_Greater, CTRL)
+    two.key(Key.Key_Greater, CTRL)
+    two.key(Key.Key_Less, CTRL)
+    assert points(two, 0) == pytest.approx((x, y) + 2.0 * (before - (x, y)), abs=CLOSE)
+
+
 def test_selected_points_are_mirrored_alone(two):
     two.select([1, 2, 3])
     two.key(Key.Key_H)

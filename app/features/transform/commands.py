@@ -11,9 +11,10 @@ from ...actions.declaration import Action, action, action_for_each, also_for_eac
 from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, OBJECT_BAR, TRANSFORM_BUTTONS
-from ...document.model import Vector
-from ...document.several_curves import mapped
-from ...document.transforms import Affine, flipping, rotation
+from ...document.model import Document, Vector
+from ...document.several_curves import mapped, scaled_strokes
+from ...document.transforms import Affine, flipping, rotation, scaling
+from ...document.words import number
 from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
@@ -53,6 +54,15 @@ class _Turn(NamedTuple):
     place: int | None
 
 
+class _Size(NamedTuple):
+    """Scale by a fixed factor, and the words of its action."""
+
+    name: str
+    text: str
+    factor: float
+    key: str
+
+
 _TRANSFORMS = (
     _Transform(
         TransformKind.MOVE, "Move", "G",
@@ -82,6 +92,13 @@ _TURNS = (
     _Turn("rotateRight", "right", -90.0, "Ctrl+]", "rotate-right", 13),
     _Turn("rotateLeftStep", "left", 15.0, "[", "rotate", None),
     _Turn("rotateRightStep", "right", -15.0, "]", "rotate-right", None),
+)
+
+_SIZES = (
+    _Size("largerStep", "Larger by 10 %", 1.1, ">"),
+    _Size("smallerStep", "Smaller by as Much", 1.0 / 1.1, "<"),
+    _Size("twiceAsLarge", "Twice as Large", 2.0, "Ctrl+>"),
+    _Size("halfAsLarge", "Half as Large", 0.5, "Ctrl+<"),
 )
 
 _BOX = Need(
@@ -174,14 +191,38 @@ class SelectionCommands:
     def _turn(self, each: _Turn) -> None:
         self._map(f"Rotate {{}} by {each.degrees:g}°".replace("-", "−"), rotation, each.degrees)
 
-    def _map(self, text: str, make: Callable[[_Amount, Vector], Affine], amount: _Amount) -> None:
-        """Map what is meant about the pivot."""
+    @action_for_each(
+        _SIZES,
+        lambda each: Action(
+            each.name,
+            each.text,
+            EDIT_TRANSFORM,
+            each.key,
+            "scale",
+            "Scale what is selected or chosen, or else all points, about the pivot",
+            keywords="grow shrink bigger enlarge step",
+        ),
+    )
+    def _resize(self, each: _Size) -> None:
+        text = f"Scale {{}} by {number(each.factor, 3)}"
+        self._map(text, lambda by, about: scaling(by, by, about), each.factor, each.factor)
+
+    def _map(
+        self, text: str, make: Callable[[_Amount, Vector], Affine], amount: _Amount, factor: float = 1.0
+    ) -> None:
+        """Map what is meant about the pivot; strokes grow by a factor where they are scaled."""
         target, session = self._target, self._session
         if refusal := target.refusal_of_keys:
             session.refuse(refusal)
             return
         group, by = target.for_keys, make(amount, target.centre)
-        is_done = session.change(text.format(target.words), lambda document: mapped(document, group, by))
+        scales = factor != 1.0 and self._context.central.canvas.tools.settings.strokes.scaled
+
+        def edit(document: Document) -> Document:
+            changed = mapped(document, group, by)
+            return scaled_strokes(changed, group, factor, factor) if scales else changed
+
+        is_done = session.change(text.format(target.words), edit)
         if is_done and group.stays:
             session.say(f"{group.stays}.")
 
