@@ -44,7 +44,7 @@ class ClipboardCommands:
             put_on_clipboard(offer)
             session.say(f"Cut {words}.")
 
-    @action("copyPoints", "Copy", EDIT_CLIPBOARD, "Ctrl+C", "copy", needs=HIGHLIGHTED)
+    @action("copyPoints", "Copy", EDIT_CLIPBOARD, "Ctrl+C, Ctrl+Ins", "copy", needs=HIGHLIGHTED)
     @also(POINT_MENU(31), CURVE_MENU(19), CHOSEN_MENU(11), CURVE_LIST_MENU(37))
     def _copy(self) -> None:
         """Copy the selected points with their derivatives, or else the curve or all chosen ones."""

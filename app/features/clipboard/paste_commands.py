@@ -50,7 +50,7 @@ class PasteCommands:
         self._context, self._session = context, context.session
         give_keys_to_drawing(context, PasteCommands)
 
-    @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V", "paste")
+    @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V, Shift+Ins", "paste")
     @also(CANVAS_MENU(20), CHOSEN_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
         """Add the curves or the SVG on the clipboard at the pointer; append points (x y, or t x y)."""

@@ -245,7 +245,13 @@ class CurveCommands:
             act(t)
 
     @action(
-        "splitCurve", "Split", CURVE_SHAPE, "Ctrl+K", "split", full_name="Split Curve", needs=UNLOCKED_CURVE
+        "splitCurve",
+        "Split",
+        CURVE_SHAPE,
+        "Ctrl+K, Shift+B",
+        "split",
+        full_name="Split Curve",
+        needs=UNLOCKED_CURVE,
     )
     @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14), POINT_BAR(11))
     def _split(self) -> None:

@@ -35,7 +35,7 @@ class ExportCommands:
         self._session, self._preferences = context.session, context.preferences
         self._dialog: ExportDialog | None = None
 
-    @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
+    @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E, Ctrl+Shift+E", "export")
     def _ask_and_export(self) -> None:
         """Export a picture, splines, code or numbers, of all curves or of the chosen ones."""
         if self._dialog is None:

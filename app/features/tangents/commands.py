@@ -82,7 +82,7 @@ class TangentCommands:
         "straightSegment",
         "Straight Segment",
         CURVE_TANGENTS,
-        "Alt+4",
+        "Alt+4, Shift+L",
         "straight",
         needs=Need(
             HERMITE_CURVE.words,

@@ -156,7 +156,7 @@ class ViewCommands:
         "toggleGrid",
         "Grid",
         VIEW_DRAWING,
-        "Ctrl+'",
+        "Ctrl+', #",
         "grid",
         full_name="Show Grid",
     )
