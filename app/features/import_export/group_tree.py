@@ -72,7 +72,9 @@ class GroupTree(QTreeWidget):
             first = curves[places.start]
             chain = groups[places.start]
             for depth in range(1, len(chain) + 1):
-                self._item(chain[:depth], chain[depth - 1], counted_shapes(held[chain[:depth]]))
+                group = chain[:depth]
+                if group not in self._items:
+                    self._item(group, group[-1], counted_shapes(held[group]))
             if len(found) <= _MOST_NAMED:
                 points = sum(len(curves[place].points) for place in places)
                 leaf = self._item((*chain, number), first.shape or first.name, count_of(points, "point"))

@@ -36,14 +36,24 @@ class Sides(NamedTuple):
 
 def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: PointArrays) -> Sides:
     """Return the jets of `curve` at its knots, whose points (k, 2) and parameters (k,) are given."""
-    before = np.empty((len(points), curve.family.derivatives + 1, 2))
+    before = np.zeros((len(points), curve.family.derivatives + 1, 2))
     before[:, 0] = points
     after = before.copy()
     corners = _dividing_knots(arrays, len(points))
     has_given = not np.isnan(arrays.given).all()
     for order, rule in enumerate(curve.rules, start=1):
         estimate = _estimate_by(rule, curve)
-        _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
+        is_given = [_is_given(arrays, side, order, len(points)) for side in (0, 1)] if has_given else None
+        _estimate(
+            before[:, order],
+            after[:, order],
+            points,
+            parameters,
+            corners,
+            estimate,
+            curve.is_closed,
+            is_given,
+        )
         for side, jets in enumerate((before, after) if has_given else ()):
             rows = _given_rows(arrays, side, order, len(jets))
             jets[rows, order] = arrays.given[rows % len(arrays.given), side, order - 1]
@@ -137,8 +147,12 @@ def _estimate(
     corners: Sequence[int],
     estimate: Estimate,
     closed: bool,
+    is_given: Sequence[BoolArray] | None = None,
 ) -> None:
-    """Estimate from corner to corner; a closed curve is unrolled and goes on where it ends."""
+    """Estimate from corner to corner; a closed curve is unrolled and goes on where it ends.
+
+    Where all derivatives between two corners `is_given`, before and after the knots, nothing is estimated.
+    """
     if not closed and not corners:
         after[:] = before[:] = estimate(points, parameters)
         return
@@ -154,6 +168,8 @@ def _estimate(
     for start, end in pairwise(cuts):
         places = np.arange(start, end + 1)
         turns, knots = np.divmod(places, count)
+        if is_given is not None and is_given[0][knots[1:]].all() and is_given[1][knots[:-1]].all():
+            continue
         piece = estimate(points[knots], parameters[knots] + turns * period)
         wanted = (places >= 0) & (places < count) | (not is_endless)
         after[knots[:-1][wanted[:-1]]] = piece[:-1][wanted[:-1]]
@@ -169,6 +185,13 @@ def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntAr
     """Return the knots, of `count`, whose derivative was set; a closed curve ends at its first point."""
     (rows,) = (~np.isnan(arrays.given[:, side, order - 1, 0])).nonzero()
     return np.append(rows, count - 1) if len(rows) and rows[0] == 0 and count > len(arrays.given) else rows
+
+
+def _is_given(arrays: PointArrays, side: int, order: int, count: int) -> BoolArray:
+    """Return of which knots, of `count`, the derivative was set."""
+    found = np.zeros(count, dtype=np.bool_)
+    found[_given_rows(arrays, side, order, count)] = True
+    return found
 
 
 def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
