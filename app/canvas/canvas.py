@@ -9,7 +9,6 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
-from ..document.kept import KeptPicture, KeptText
 from ..document.model import Axis, Vector
 from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.rulers import Extent
@@ -142,9 +141,6 @@ class Canvas(ToolPlot):
 
     def locked_at(self, pointer: Pointer) -> int:
         return self.drawing.locked_at(pointer)
-
-    def kept_at(self, pointer: Pointer) -> Sequence[KeptText | KeptPicture]:
-        return self.drawing.kept_at(pointer)
 
     def colour_at(self, pointer: Pointer) -> str:
         return self.drawing.colour_at(pointer)

@@ -19,6 +19,7 @@ from ..document.selection import (
     followed_group,
     returned_curves,
     returned_points,
+    with_points,
 )
 from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
@@ -223,11 +224,13 @@ class Selection:
     def begin_opened(self) -> None:
         """Begin with a document that was opened: nobody chose its curves.
 
-        None hidden or locked is edited, nor any on a page, where one chooses first.
+        None hidden or locked is edited, nor any on a page, where one chooses first; nor one without points.
         """
         document, self.next_style.marked = self._session.document, Marked.OPENED
         is_drawing = document.page is not None and not is_blank(document)
-        if is_drawing or not self._session.active_curve.is_free:
+        if is_drawing or not (
+            self._session.active_curve.is_free and with_points(document.curves, self.curves)
+        ):
             self.choose(())
             self.next_style.marked = Marked.OPENED
 
@@ -260,7 +263,9 @@ class Selection:
         before, places = self.choice, range(len(session.document.curves))
         layer = self.layer
         wanted = active if active is not None and active in places else session.active_index
-        existing = {index for index in indices if index in places}
+        existing = frozenset(index for index in indices if index in places)
+        if is_editing and (points := with_points(session.document.curves, existing)) != existing:
+            existing, is_editing = points or existing, bool(points)
         if wanted not in existing:
             wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
         self.curves = frozenset({*existing, wanted})
@@ -361,6 +366,7 @@ class Selection:
             kept = frozenset({active} if self.is_editing or len(after) > len(before) else ())
         self.last = max(followed_curves({self.last}, before, after), default=active)
         self.curves = kept or frozenset({active})
+        self.is_editing &= with_points(after, self.curves) == self.curves
         self._chosen = frozenset() if self.is_editing else kept
         if not any(map(is_, before, repeat(after[active]))):
             # It was drawn, or worked on.

@@ -3,7 +3,6 @@
 - ``drawing``: a document as cubic Bézier curves in a frame, the source of every picture.
   ``outlines``: one curve as such.
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
-  ``kept_drawn``: texts and pictures of other programs.
 - ``trim``: the frame at true size, without a margin.  ``extents``: of cubic pieces.
 - ``image``: it as PNG and PDF.  ``painting``: how it is painted.  Both need Qt.
 - ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs

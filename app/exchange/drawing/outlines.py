@@ -11,7 +11,9 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from ...document.content import Content
 from ...document.marker import MarkerKind
+from ...document.model import Vector
 from ...document.style import PLAIN_STYLE, Style
 from ...view_model.geometry.markers import Ends, ends_of_pieces, markers_of
 from ...view_model.shapes.formed import Formed
@@ -38,6 +40,8 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     form
         What it is of the form that it was drawn as; None where it is none, or lies elsewhere.
+    content
+        The text or the picture that it is the frame of.
     """
 
     name: str
@@ -51,6 +55,12 @@ class Outline(msgspec.Struct, frozen=True):
     visible: bool = True
     locked: bool = False
     form: Formed | None = None
+    content: Content | None = None
+
+    @property
+    def corners(self) -> list[Vector]:
+        """The corners of a frame."""
+        return [(x, y) for x, y in self.control_points[:, 0].tolist()]
 
     @property
     def colour(self) -> str:
@@ -65,7 +75,7 @@ class Outline(msgspec.Struct, frozen=True):
     @property
     def reach(self) -> float:
         """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
-        return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
+        return (self.style.width or 0.0) / 2 if self.style.has_stroke and self.content is None else 0.0
 
 
 def markers_at(shape: Sequence[Outline], width: float) -> list[FloatArray]:

@@ -10,11 +10,16 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ...document.content import Content, Picture
+from ...document.contents import plane_of
+from ...document.style import Style
 from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline, with_markers_seen
 from ..drawing.styles import PictureStyle
 from ..naming import Names
 from .clip_elements import ClipElements
+from .content_elements import content_element, in_units_of
+from .escapes import quoted
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
 from .marker_elements import MarkerElements
@@ -22,8 +27,6 @@ from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
 
-# XML 1.0 has no way at all to write these.
-_NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
 _LOCKED = ' sodipodi:insensitive="true"'
@@ -72,22 +75,32 @@ class Tree:
         """Write the outlines of a shape as one path."""
         first = shape[0]
         self._go_into(first.groups)
-        style = style_attributes(
-            with_markers_seen(first.style, shape),
-            self._style,
-            self._usual_width,
-            self._gradients,
-            self._markers,
-        )
         clips = first.style.clips
         around = [self._layers[name] for name in self._layers_of(first)]
         # What a layer says goes for all in it.
         unseen = "" if first.visible or any(each.is_hidden for each in around) else ' display="none"'
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
+        if first.content is not None:
+            self._add_content(first, first.content, f"{unseen}{locked}")
+            return
+        style = self._styled(with_markers_seen(first.style, shape), self._usual_width)
         tag, runs = _as_form(shape) or ("path", f' d="{path_data(shape)}"')
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
         element = f"<{tag}{self._called(first.shape or first.name)}{runs}{style}{cut}{unseen}{locked}/>"
         self._write(self.clips.around(element, clips[1:]))
+
+    def _styled(self, style: Style, usual_width: float) -> str:
+        return style_attributes(style, self._style, usual_width, self._gradients, self._markers)
+
+    def _add_content(self, frame: Outline, content: Content, more: str) -> None:
+        """Write a text or a picture; the clips are around it, for they do not lie in its units."""
+        plane = plane_of(content, frame.corners)
+        style = in_units_of(plane, frame.style)
+        painted = self._styled(style, self._usual_width / plane.scale)
+        if isinstance(content, Picture):
+            painted = f' opacity="{number(style.opacity)}"' if style.opacity < 1 else ""
+        said = f"{self._called(frame.name)}{painted}{more}"
+        self._write(self.clips.around(content_element(content, plane, said), frame.style.clips))
 
     def close(self) -> None:
         """Close all groups."""
@@ -213,16 +226,3 @@ def pair(point: list[float]) -> str:
     """Return a point, y negated."""
     x, y = point
     return f"{number(x)} {number(-y)}"
-
-
-def quoted(text: str) -> str:
-    """Return text as an attribute in quotation marks may hold it."""
-    return escaped(" ".join(text.splitlines())).replace('"', "&quot;")
-
-
-def escaped(text: str) -> str:
-    """Return text as XML may hold it."""
-    # Compiled here, and kept by `re`: that takes longer than importing this module.
-    text = re.sub(_NOT_IN_XML, "\ufffd", text)
-    # What xml.sax.saxutils does, without the network modules that it imports.
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

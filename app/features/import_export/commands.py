@@ -35,6 +35,7 @@ from ...session.next_style import Marked
 from ...storage.files import StorageError, read
 from ...storage.foreign import Foreign
 from ...tasks.progress import Report
+from ...workbench.contents_here import as_here
 from ...workbench.context import WindowContext
 from ...workbench.file_names import file_stem, own_name
 from .. import import_export
@@ -108,7 +109,7 @@ class ExchangeCommands:
         def work(report: Report) -> Imported | _OpenTable:
             form = format_of(path, FORMATS.read)
             if form.kind is not ContentKind.TABLE:
-                return exchange.reading.import_file(path, report=report)
+                return as_here(exchange.reading.import_file(path, report=report), path.parent)
             report(0.0, "Reading")
             data = read(path)
             if is_document(data):
