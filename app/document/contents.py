@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence, Set
+from collections.abc import Iterable, Sequence, Set
 from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from .content import Content, Lettering, Picture, RunPaint
+from .limits import EditError
 from .model import Curve, Document, ParametrizationKind, Point, Vector
 from .style import NO_PAINT, Style
 from .words import count_of
@@ -107,7 +108,7 @@ def is_framed(curve: Curve) -> bool:
     """Whether the frame of a text or a picture is one still: an affine image of a box."""
     rule, points = curve.parametrization, curve.points
     is_so = curve.is_closed and rule.kind is ParametrizationKind.UNIFORM and len(points) == _SIDES
-    if not is_so or curve.family.name != "hermite":
+    if not is_so or curve.shape or curve.family.name != "hermite":
         return False
     a, b, c, d = (point.position for point in points)
     size = max(math.dist(a, b), math.dist(b, c), math.dist(a, c), math.dist(b, d))
@@ -150,6 +151,13 @@ def refusal_of(curve: Curve) -> str:
     if isinstance(curve.form, Lettering):
         return f"{words_of(curve)}: Object to Path makes outlines of it."
     return f"{words_of(curve)}: it is moved, scaled and turned as a whole."
+
+
+def refuse_contents(curves: Iterable[Curve]) -> None:
+    """Raise EditError for what has no outline: a text, a picture."""
+    for curve in curves:
+        if is_content(curve):
+            raise EditError(refusal_of(curve))
 
 
 def repainted(document: Document, before: Document) -> Document:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import groupby
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
@@ -26,7 +27,8 @@ from ..document.contents import Plane, corners_of, plane_of
 from ..document.form_edits import framed
 from ..document.model import Curve, Document, Vector
 from ..document.style import Style
-from .glyphs import has_fonts
+from . import glyphs
+from .glyphs import Glyph, has_fonts
 from .picture_data import ImageFileError, decoded
 
 _EM = 1000
@@ -84,20 +86,42 @@ def painted_letters(lines: tuple[TextLine, ...]) -> tuple[tuple[RunPaint | None,
 
 def outlines_of(line: TextLine) -> list[tuple[TextRun, QPainterPath]]:
     """Return the outlines of each run of a line, in the units of the text; none where there are no fonts."""
+    found = list[tuple[TextRun, QPainterPath]]()
+    for run, (x, y) in _placed_runs(line):
+        path, scale = QPainterPath(), run.size / _EM
+        path.addText(0.0, 0.0, _font_of(run), run.words)
+        found.append((run, QTransform(scale, 0, 0, scale, x, y).map(path)))
+    return found
+
+
+def _placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
+    """Return where each run of a line begins, in the units of the text; none where there are no fonts."""
     if not has_fonts():
         return []
-    found, x, y = list[tuple[TextRun, QPainterPath]](), 0.0, 0.0
+    found, x, y = list[tuple[TextRun, Vector]](), 0.0, 0.0
     for run in line.runs:
-        font, scale = _font_of(run), run.size / _EM
         x, y = x + run.right, y + run.down
-        path = QPainterPath()
-        path.addText(0.0, 0.0, font, run.words)
-        found.append((run, QTransform(scale, 0, 0, scale, x, y).map(path)))
-        x += QFontMetricsF(font).horizontalAdvance(run.words) * scale
+        found.append((run, (x, y)))
+        x += QFontMetricsF(_font_of(run)).horizontalAdvance(run.words) * run.size / _EM
     # What follows the last letter is none of the text: so Inkscape has it.
     x -= line.runs[-1].spacing if line.runs else 0.0
-    place = QTransform.fromTranslate(line.x - x * line.anchor.share, line.y)
-    return [(run, place.map(path)) for run, path in found]
+    left = line.x - x * line.anchor.share
+    return [(run, (left + right, line.y + down)) for run, (right, down) in found]
+
+
+def letters_of(text: Lettering, corners: Corners, style: Style) -> Iterator[tuple[Glyph, Style]]:
+    """Yield the outlines of the letters of a text in the plane, each with its style."""
+    plane = plane_of(text, corners)
+    for run, place in (each for line in text.lines for each in _placed_runs(line)):
+        own = style if run.paint is None else _styled(style, run.paint, plane.scale)
+        across, down = np.array(plane.across) * run.size / _EM, np.array(plane.down) * run.size / _EM
+        origin = np.array(plane.place(*place))
+        for glyph in glyphs.letters_of(run.words, _font_of(run)):
+            # Outlines have y upwards, texts downwards.
+            contours = tuple(
+                origin + each[..., :1] * across - each[..., 1:] * down for each in glyph.contours
+            )
+            yield Glyph(glyph.letters, contours), own
 
 
 def _font_of(run: TextRun) -> QFont:

@@ -227,7 +227,7 @@ class Session(SessionSignals):
             self.cancel()
             return Change(is_done=False)
         if reason := why_safe(self._committed, document):
-            return self._refused(reason, "a lock or a frame")
+            return self._refused(reason, "the lock of a curve, or a frame")
         if reason := why_not_kept(self._committed, document):
             return self._refused(reason, "the file format")
         before = self.state

@@ -157,3 +157,33 @@ def test_it_goes_and_comes_back_with_the_document(drawing, tmp_path):
     assert drawing.session.document.curves == curves
     drawing.trigger("fitView")
     assert red(drawing) is not None
+
+
+def test_object_to_path_makes_outlines_of_its_letters_where_they_are(drawing):
+    session = drawing.session
+    session.selected.choose({TEXT})
+    before = red(drawing)
+    drawing.trigger("objectToPath")
+    assert [curve.form for curve in session.document.curves] == [None] * 5
+    assert [curve.groups for curve in session.document.curves[1:4]] == [("MMM",)] * 3
+    assert session.selected.chosen == {1, 2, 3}
+    assert red(drawing) == pytest.approx(before, abs=0.3)
+    # They are paths now, and can be combined.
+    drawing.trigger("pathUnion")
+    drawing.wait_for_work()
+    drawing.trigger("undo")
+    drawing.trigger("undo")
+    assert session.document.curves[TEXT].form.noun == "text"
+
+
+def test_what_wants_an_outline_says_that_it_has_none(drawing):
+    session = drawing.session
+    begun = session.document
+    for action in ("pathUnion", "strokeToPath"):
+        session.selected.choose({AREA, TEXT})
+        drawing.trigger(action)
+        drawing.wait_for_work()
+        assert session.document is begun
+    session.selected.choose({TEXT, LINE})
+    drawing.trigger("combineCurves")
+    assert session.document is begun

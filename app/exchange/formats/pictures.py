@@ -29,6 +29,7 @@ FORMATS = (
         hidden=lambda values: (WIDTH, SCALE) if values[TRUE_SIZE.name] else (DPI,),
         write=lambda document, options: drawing.image.png_file(document, options),
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+        shows_contents=True,
     ),
     Format(
         endings=(".svg",),
@@ -38,6 +39,7 @@ FORMATS = (
         options=(*PICTURE, TOLERANCE),
         write=svg_of,
         preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
+        shows_contents=True,
         kind=ContentKind.DRAWING,
         plural="SVG drawings",
         read=read,
@@ -53,5 +55,6 @@ FORMATS = (
         options=(*PICTURE, TOLERANCE),
         write=lambda document, options: drawing.image.pdf_file(document, options),
         preview=lambda document, options, room: drawing.image.pdf_preview(document, options, room),
+        shows_contents=True,
     ),
 )
