@@ -8,6 +8,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ..document.contents import is_content
 from ..document.model import Curve, Vector
 from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
@@ -82,5 +83,5 @@ class FilledAreas:
 
 
 def _is_pressed(curve: Curve) -> bool:
-    """Whether what begins with a curve is filled, seen and free."""
-    return curve.style.has_fill and curve.is_free
+    """Whether what begins with a curve is filled, or a frame, seen and free."""
+    return (curve.style.has_fill or is_content(curve)) and curve.is_free

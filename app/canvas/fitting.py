@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPointF
 
 from curvecore.arrays import FloatArray
 
@@ -50,10 +50,6 @@ def with_margin(box: PlaneBox) -> PlaneBox:
     """Return a box with the margin that is left around what is shown."""
     margin = _FIT_MARGIN * float((box.high - box.low).max())
     return PlaneBox(box.low - margin, box.high + margin)
-
-
-def _plane_box(rect: QRectF) -> PlaneBox:
-    return PlaneBox(np.array([rect.left(), rect.top()]), np.array([rect.right(), rect.bottom()]))
 
 
 def _around(boxes: Sequence[PlaneBox]) -> PlaneBox:
@@ -135,7 +131,6 @@ class Framing:
         views = [view for view in drawing.views if view.source.visible or view is drawing.view]
         if drawing.view is not None and not any(view is drawing.view for view in views):
             views.append(drawing.view)
-        kept = [layer.box for layer in drawing.kept if layer.is_shown and not layer.box.isEmpty()]
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
         image = drawing.image.corners
         page = drawing.page.page if self._fits_page else None
@@ -144,7 +139,7 @@ class Framing:
             corners = (page.x, page.y), (page.x + page.width, page.y + page.height)
             boxes.append(with_margin(PlaneBox(*np.array(corners))))
         if boxes:
-            self._show(_around([*boxes, *(with_margin(_plane_box(each)) for each in kept)]))
+            self._show(_around(boxes))
         else:
             self._show(with_margin(PlaneBox(*image)) if image is not None else None)
         self._fitted = self._curves

@@ -9,11 +9,13 @@ from PySide6.QtGui import QPainter
 
 from ..appearance.colours import curve_colour, fill_colour
 from ..appearance.theme import Theme
+from ..document.contents import is_content
 from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
 from ..plotting.wide_line import RoundLine
 from ..view_model.curve.curve_view import CurveView, Polyline
+from .content_ink import paint_content
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
@@ -46,9 +48,15 @@ class Looks(msgspec.Struct, frozen=True):
         """Return the style of a curve with the width that its line prints with."""
         return view.source.style.with_usual_width(self.usual_width)
 
+    def outline_of(self, view: CurveView) -> Style:
+        """Return the same of its line: around a text or a picture there is none."""
+        return view.source.line_style.with_usual_width(self.usual_width)
+
     def is_line(self, view: CurveView) -> bool:
         """Whether a curve is a line of the same width at every zoom, whatever its colour."""
-        return self.is_thin or (not self.usual_width and _is_plain(view.source.style))
+        if self.is_thin:
+            return True
+        return not self.usual_width and _is_plain(view.source.style) and not is_content(view.source)
 
 
 def _is_plain(style: Style) -> bool:
@@ -109,6 +117,9 @@ def paint_shape(
     Whoever paints many keeps a `line`.
     """
     width = usual if style.width is None else style.width * shown.sx
+    if is_content(shape[0].source):
+        paint_content(painter, shape[0].source, style, shown, theme, width)
+        return
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
     paint_printed(painter, parts_of(shape, style, shown), style, ink, shown, line)
 

@@ -7,14 +7,12 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
-from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from ..plotting.halo import Halo
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import beyond, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
-from ..qt.kept import box_of
 from ..tools.marks import GestureMarks, Note, Ruler
 from ..tools.snapping import Snap
 from ..tools.transform import TransformKind
@@ -84,8 +82,6 @@ class MarksLayer(Layer):
             self._paint_form_mark(painter, *shown.point(*mark.place), is_round=mark.is_round)
         if marks.box is not None:
             self._paint_box(painter, shown, marks.box, has_grips=True)
-        if marks.kept:
-            self._paint_kept(painter, shown, marks.kept)
         if marks.frame is not None:
             self._paint_box(painter, shown, marks.frame, has_grips=False)
         if marks.pivot is not None and (marks.pivot_box is None or marks.pivot_box.is_roomy(shown.sx)):
@@ -122,21 +118,6 @@ class MarksLayer(Layer):
                 painter.setPen(self._pen())
                 painter.drawLine(QPointF(pixel.x(), frame.top()), pixel)
             self._paint_grip(painter, pixel, grip)
-
-    def _paint_kept(
-        self, painter: QPainter, shown: PixelMap, parts: Sequence[KeptText | KeptPicture]
-    ) -> None:
-        """Draw a frame around a text or a picture."""
-        frame = QRectF()
-        for each in parts:
-            box = box_of(each)
-            corners = (box.left(), box.top()), (box.right(), box.bottom())
-            frame = frame.united(_rectangle(shown, *corners))
-        if _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(self._pen(1.5))
-            painter.drawRect(frame)
 
     def _paint_grip(self, painter: QPainter, pixel: QPointF, grip: Grip) -> None:
         size = _GRIP * self.scale

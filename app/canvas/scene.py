@@ -13,7 +13,6 @@ from curvecore.arrays import FloatArray
 
 from .. import canvas
 from ..document.curve_edits import without_looks
-from ..document.kept import KeptPicture, KeptText
 from ..document.model import ReferenceImage, Vector
 from ..document.point_group import PointGroup
 from ..plotting.drawing import cut_segments, visible_segments
@@ -30,7 +29,6 @@ from .grid_layer import GridLayer
 from .guides_layer import GuidesLayer
 from .hit_test import hit_test, nearer
 from .image_layer import ImageLayer
-from .kept_layer import KeptLayer
 from .label_place import Surroundings, number_box, segments_near
 from .marks_layer import MarksLayer
 from .other_points_layer import OtherPointsLayer
@@ -44,9 +42,6 @@ if TYPE_CHECKING:
     from ..view_model.animation.motion_picture import Dot, Role
     from .motion_layer import MotionLayer
 
-
-_KEPT_BEHIND, _KEPT = -3.0, -0.75
-"""Heights of what is not edited: behind all curves, and in front of what prints of them."""
 
 _DISC = 5.0
 """Half of what a point takes, in pixels."""
@@ -65,8 +60,6 @@ class CanvasScene:
         The picture to trace.
     grid, units, page
         The grid behind the drawing; the unit at the axes; the page.
-    kept
-        What is shown of other programs and not edited, behind the curves and in front of them.
     curves
         All curves, in the order in which they print.
     others, selected
@@ -93,7 +86,6 @@ class CanvasScene:
         self.grid = GridLayer(plot)
         self.page = PageLayer(plot, self.grid)
         self.units = UnitLayer(plot)
-        self.kept = (KeptLayer(plot, z=_KEPT_BEHIND, behind=True), KeptLayer(plot, z=_KEPT, behind=False))
         self.curves = DrawnCurves(plot)
         self.others, self.selected, self.curve = (
             self.curves.others,
@@ -166,16 +158,6 @@ class CanvasScene:
         for layer in (self.points, self.other_points):
             layer.is_plain = is_plain
             layer.update()
-
-    def set_kept(self, texts: Sequence[KeptText], pictures: Sequence[KeptPicture]) -> None:
-        """Show texts and pictures of other programs."""
-        for layer in self.kept:
-            layer.render(texts, pictures)
-
-    def kept_at(self, pointer: Pointer) -> list[KeptText | KeptPicture]:
-        """Return the texts and pictures of other programs at the pointer, the topmost first."""
-        shown = [layer for layer in reversed(self.kept) if layer.is_shown]
-        return [each for layer in shown for each in layer.all_at(pointer.position)]
 
     # Ghost
 

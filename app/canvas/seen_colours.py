@@ -12,6 +12,7 @@ from curvecore.arrays import FloatArray
 
 from ..appearance.colours import curve_colour, fill_colour
 from ..appearance.theme import PRINTED
+from ..document.contents import is_content
 from ..document.marker import FARTHEST
 from ..document.model import Vector
 from ..document.shapes import shapes
@@ -19,6 +20,7 @@ from ..document.style import Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, paint_printed
 from ..view_model.curve.curve_view import CurveView
+from .content_ink import paint_content
 from .looks import Looks, Shape, parts_of
 
 _LEAST = 5.0
@@ -81,6 +83,9 @@ def _box(shape: Shape, style: Style) -> FloatArray:
 
 
 def _paint(painter: QPainter, shape: Shape, style: Style, shown: PixelMap, spot: PixelMap) -> None:
+    if is_content(shape[0].source):
+        paint_content(painter, shape[0].source, style, spot, PRINTED, (style.width or 0.0) * shown.sx)
+        return
     width = _LEAST if style.width is None else style.width * shown.sx
     if 0.0 < width < _LEAST:
         # So near to each other nobody means one dash or the gap after it.

@@ -71,7 +71,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
                 stroke.show(line_of(view, shown).points, shown)
                 self._paint_line_of(painter, stroke, view, has_halo=not is_many)
             elif not is_many:
-                stroke.show(line_of(view, shown, self.looks.style_of(view)).points, shown)
+                stroke.show(line_of(view, shown, self.looks.outline_of(view)).points, shown)
                 self._paint_over_print(painter, stroke, view, shown)
         if is_many:
             self._paint_boxes(painter, shown, views)
@@ -94,7 +94,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def _paint_over_print(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         """Mark what a curve prints: a fine line by a halo; a wide one, or an inside, by a thin line on it."""
-        style = self.looks.style_of(view)
+        style = self.looks.outline_of(view)
         width = printed_width(style, shown, _WIDTH * self.scale) / self.scale
         if 0 < width < _WIDE:
             self._paint_halo(painter, stroke, view, width)
@@ -156,7 +156,7 @@ def _ring(painter: QPainter, radius: float, _form: int) -> None:
 def _frames_of(views: Sequence[CurveView], looks: Looks, shown: PixelMap, scale: float) -> list[QRect]:
     """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
     corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
-    widths = [printed_width(looks.style_of(view), shown, _WIDTH * scale) for view in views]
+    widths = [printed_width(looks.outline_of(view), shown, _WIDTH * scale) for view in views]
     pads = _BESIDE * scale + np.array(widths)[:, None] / 2
     names = [view.source.shape for view in views]
     starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]

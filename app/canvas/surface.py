@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from ..plotting.tool_plot import ToolPlot
 from ..tools.pointer import Hit, Pointer
@@ -43,9 +42,6 @@ class CanvasSurface(Surface):
 
     def locked_at(self, pointer: Pointer) -> int:
         return self._drawing.locked_at(pointer)
-
-    def kept_at(self, pointer: Pointer) -> Sequence[KeptText | KeptPicture]:
-        return self._drawing.kept_at(pointer)
 
     def colour_at(self, pointer: Pointer) -> str:
         return self._drawing.colour_at(pointer)

@@ -7,8 +7,7 @@
   ``clip``: what it is cut by.  ``marker``: what stands at its ends.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.
-- ``kept``: texts and pictures of other programs, which are shown.
-  ``kept_edits``: they go with groups.  ``kept_moves``: one of them moved or removed.
+- ``content``: texts and pictures as forms.  ``contents``: curves that are the frames of such.
 - ``export``: the last export of a document.
 - ``decimals``: numbers added as they are written.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
@@ -29,8 +28,8 @@
 - ``paper``: documents that are drawn for paper.
 - ``clone``, ``clones``: curves that run as others do, mapped.  ``clone_maps``, ``clone_styles``: how they
   are, and look.  ``clone_links``: those that come into a document together.
-- ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``form_edits``: curves made of
-  such.
+- ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``box_form``: those in a box.
+  ``form_edits``: curves made of such.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.

@@ -76,6 +76,8 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
         Its numbers, in the order in which they are shown.
     stretches
         Whether it is one of its kind still when it is wider than high; else it grows alike both ways.
+    is_content
+        Whether it shows something in a frame, and is no outline: a text, a picture.
     """
 
     x: Length
@@ -84,6 +86,7 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     noun: ClassVar[str] = ""
     fields: ClassVar[tuple[FormField, ...]] = ()
     stretches: ClassVar[bool] = True
+    is_content: ClassVar[bool] = False
 
     @property
     def word(self) -> str:

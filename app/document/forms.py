@@ -1,4 +1,4 @@
-"""The forms that there are: rectangle, ellipse, star."""
+"""The forms that there are: rectangle, ellipse, star; text and picture."""
 
 from __future__ import annotations
 
@@ -9,8 +9,10 @@ from typing import Annotated, Self
 
 from msgspec.structs import replace
 
+from .box_form import InBox, Size, line, on_the_way
+from .content import Lettering, Picture
 from .decimals import decimal_sum
-from .fields import LENGTH, Requirement, above, at_least, between
+from .fields import LENGTH, Requirement, at_least, between
 from .form import Form, FormField, FormHandle, Piece
 from .value import Vector
 
@@ -25,57 +27,10 @@ CORNERS, RATIOS = (3, 1000), (0.01, 1.0)
 
 _WHOLE = Requirement(lambda value: value == round(value), "be a whole number")
 
-Size = Annotated[float, LENGTH, above(0)]
 Radius = Annotated[float, LENGTH, at_least(0)]
 
 
-class _InBox(Form, frozen=True):
-    """What fills a box; its place is the lower left corner of that.
-
-    Attributes
-    ----------
-    width, height
-        Of the box.
-    """
-
-    width: Size
-    height: Size
-
-    @property
-    def right(self) -> float:
-        """Where its box ends."""
-        return decimal_sum(self.x, self.width)
-
-    @property
-    def top(self) -> float:
-        """Where it ends above."""
-        return decimal_sum(self.y, self.height)
-
-    @property
-    def middle(self) -> Vector:
-        """The middle of the box."""
-        return (self.x / 2 + self.right / 2, self.y / 2 + self.top / 2)
-
-    def scaled(self, across: float, up: float) -> Self:
-        """Return the form so many times as wide and high, about its place."""
-        return replace(self, width=self.width * across, height=self.height * up)
-
-    def _sized(self, fixed: Vector, to: Vector, *, even: bool) -> Self:
-        """Return the form in the box from a corner that stays to another place."""
-        way = [decimal_sum(end, -start) for start, end in zip(fixed, to, strict=True)]
-        if even:
-            grow = max(abs(way[0]) / self.width, abs(way[1]) / self.height)
-            way = [math.copysign(grow * self.width, way[0]), math.copysign(grow * self.height, way[1])]
-        x, y = (
-            start if along >= 0 else decimal_sum(start, along)
-            for start, along in zip(fixed, way, strict=True)
-        )
-        if not all(way):
-            return self
-        return replace(self, x=x, y=y, width=abs(way[0]), height=abs(way[1]))
-
-
-class Rectangle(_InBox, frozen=True):
+class Rectangle(InBox, frozen=True):
     """A rectangle, begun and run through as in SVG: from its upper left corner, clockwise.
 
     Attributes
@@ -105,11 +60,11 @@ class Rectangle(_InBox, frozen=True):
     @property
     def pieces(self) -> Sequence[Piece]:
         """How it runs: along its upper side, and on clockwise."""
-        left, low, right, top = self.x, self.y, self.right, self.top
-        corners = ((right, top), (right, low), (left, low), (left, top))
         rx, ry = self.radii
         if not rx:
-            return [_line(*each) for each in pairwise((corners[-1], *corners))]
+            return self.sides
+        left, low, right, top = self.x, self.y, self.right, self.top
+        corners = ((right, top), (right, low), (left, low), (left, top))
         x_ends, y_ends = _inside(left, right, rx, self.width), _inside(low, top, ry, self.height)
         ends: list[tuple[Vector, Vector]] = [
             ((x_ends[1], top), (right, y_ends[1])),
@@ -120,8 +75,10 @@ class Rectangle(_InBox, frozen=True):
         made, at = list[Piece](), ends[-1][1]
         for corner, (before, after) in zip(corners, ends, strict=True):
             if at != before:
-                made.append(_line(at, before))
-            made.append((before, _between(before, corner, QUARTER), _between(after, corner, QUARTER), after))
+                made.append(line(at, before))
+            made.append(
+                (before, on_the_way(before, corner, QUARTER), on_the_way(after, corner, QUARTER), after)
+            )
             at = after
         return made
 
@@ -168,7 +125,7 @@ class Rectangle(_InBox, frozen=True):
         return replace(self, **{name: value})
 
 
-class Ellipse(_InBox, frozen=True):
+class Ellipse(InBox, frozen=True):
     """An ellipse, begun and run through as in SVG: from its right, clockwise."""
 
     noun = "ellipse"
@@ -188,7 +145,7 @@ class Ellipse(_InBox, frozen=True):
             ((x, top), (right, top), (right, y)),
         )
         return [
-            (start, _between(start, corner, QUARTER), _between(end, corner, QUARTER), end)
+            (start, on_the_way(start, corner, QUARTER), on_the_way(end, corner, QUARTER), end)
             for start, corner, end in quarters
         ]
 
@@ -275,7 +232,7 @@ class Star(Form, frozen=True):
             places.append(self._at(step, self.radius))
             if not self.is_polygon:
                 places.append(self._at(step + 0.5, self.radius * self.ratio))
-        return [_line(*each) for each in pairwise((*places, places[0]))]
+        return [line(*each) for each in pairwise((*places, places[0]))]
 
     @property
     def handles(self) -> Sequence[FormHandle]:
@@ -305,17 +262,6 @@ class Star(Form, frozen=True):
         return replace(self, **{name: float(round(value)) if name == "corners" else value})
 
 
-def _line(start: Vector, end: Vector) -> Piece:
-    (x, y), (to_x, to_y) = start, end
-    across, up = (to_x - x) / 3, (to_y - y) / 3
-    return (start, (x + across, y + up), (to_x - across, to_y - up), end)
-
-
-def _between(start: Vector, end: Vector, share: float) -> Vector:
-    """Return the place that is a share of the way from one to another."""
-    return (start[0] + (end[0] - start[0]) * share, start[1] + (end[1] - start[1]) * share)
-
-
 def _inside(start: float, end: float, radius: float, size: float) -> Vector:
     """Return where the straight part of a side begins and ends; in the middle where there is none."""
     if 2 * radius >= size:
@@ -323,5 +269,5 @@ def _inside(start: float, end: float, radius: float, size: float) -> Vector:
     return (decimal_sum(start, radius), decimal_sum(end, -radius))
 
 
-AnyForm = Rectangle | Ellipse | Star
+AnyForm = Rectangle | Ellipse | Star | Lettering | Picture
 """What a document may say of a curve."""

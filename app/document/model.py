@@ -19,10 +19,9 @@ from .forms import AnyForm
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
-from .kept import KeptPicture, KeptText
 from .page import Page as Page  # noqa: PLC0414 - most have it from here
 from .reference_image import ReferenceImage as ReferenceImage  # noqa: PLC0414
-from .style import PLAIN_STYLE, Style
+from .style import NO_LINE, PLAIN_STYLE, Style
 from .text import Text
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
@@ -214,6 +213,7 @@ class Curve(Value, frozen=True, dict=True):
         The text that it is a letter of, or a part of one; None for curves that were not written.
     form
         What it was drawn as: a rectangle, an ellipse; see ``view_model.formed`` for what it is of that now.
+        Or what it is the frame of: a text, a picture; see ``contents``.
     identity
         What its clones know it by; empty for one that never had any.
     clone
@@ -280,6 +280,11 @@ class Curve(Value, frozen=True, dict=True):
         return replace(self, **{each.rule_field: getattr(other, each.rule_field) for each in DERIVATIVES})
 
     @property
+    def line_style(self) -> Style:
+        """The style of its line, and of what that encloses: around a text or a picture nothing is drawn."""
+        return self.style if self.form is None or not self.form.is_content else NO_LINE
+
+    @property
     def is_free(self) -> bool:
         """Whether it is seen and not locked."""
         return self.visible and not self.locked
@@ -312,8 +317,6 @@ class Document(Value, frozen=True):
         front, each after the one that it is in: see ``layers``.
     empty_layers
         What else is known of those that are empty.
-    kept_texts, kept_pictures
-        What the drawing that it was opened from shows beside curves.
     export
         Its last export.
     """
@@ -326,8 +329,6 @@ class Document(Value, frozen=True):
     page: Page | None = None
     layers: tuple[str, ...] = ()
     empty_layers: tuple[EmptyLayer, ...] = ()
-    kept_texts: tuple[KeptText, ...] = ()
-    kept_pictures: tuple[KeptPicture, ...] = ()
     export: Export = NEVER_EXPORTED
 
     def with_curve(self, index: int, curve: Curve) -> Document:

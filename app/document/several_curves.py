@@ -15,7 +15,6 @@ from .clone_links import with_own_links
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import move_points
-from .kept_edits import with_kept_mapped
 from .layers import front_of, within, without
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
@@ -90,12 +89,7 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 
 def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
-    """Let gradients and clips go with those shapes of a group that are in it with all their points.
-
-    What lies in a group with them goes with that, too.
-    """
-    if document.kept_texts or document.kept_pictures:
-        document = with_kept_mapped(document, _whole_shapes(document, group), place)
+    """Let gradients and clips go with those shapes of a group that are in it with all their points."""
     curves = document.curves
     # At every move of a drag: what has none costs no call.
     for curve, _ in group.parts:
@@ -173,11 +167,7 @@ def alone(document: Document, curves: Collection[int]) -> Document:
         chosen = tuple(_with_width(curve, page.usual_width) for curve in chosen)
     around = {name for curve in chosen for name in curve.groups}
     layers = tuple(name for name in document.layers if name in around)
-    return tidy_shapes(
-        replace(
-            document, curves=chosen, image=None, page=None, layers=layers, kept_texts=(), kept_pictures=()
-        )
-    )
+    return tidy_shapes(replace(document, curves=chosen, image=None, page=None, layers=layers))
 
 
 def _with_width(curve: Curve, usual: float) -> Curve:
@@ -267,10 +257,7 @@ def add_imported(document: Document, new: Document, layer: str = "") -> tuple[Do
     if is_begun:
         return document, place
     unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
-    texts, pictures = new.kept_texts or document.kept_texts, new.kept_pictures or document.kept_pictures
-    document = replace(
-        document, unit=unit, page=page, guides=guides, kept_texts=texts, kept_pictures=pictures
-    )
+    document = replace(document, unit=unit, page=page, guides=guides)
     if document.layers:
         return document, 0
     return replace(document, layers=new.layers, empty_layers=new.empty_layers), 0
@@ -287,10 +274,6 @@ def left_behind(document: Document, new: Document) -> list[str]:
         found.append(f"its unit {new.unit}")
     if new.grid_spacing not in (0.0, document.grid_spacing):
         found.append("its grid")
-    if count := len(new.kept_texts):
-        found.append(count_of(count, "line") + " of text")
-    if count := len(new.kept_pictures):
-        found.append(count_of(count, "picture"))
     guides = set(new.guides) - set(document.guides)
     return [*found, *([count_of(len(guides), "guide")] if guides else [])]
 

@@ -9,6 +9,7 @@
 - ``code_runtime``: what exported Python brings along.
 - ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
   ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
+  ``linked``: pictures in files beside them.  ``picture_sizes``: how large these are.
   ``missed``: what of them does not come in.  ``lasting``: what a drawing would not keep.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.

@@ -7,6 +7,7 @@ from . import dxf_library as dxf_library
 from . import each as each
 from . import facts as facts
 from . import lasting as lasting
+from . import linked as linked
 from . import options as options
 from . import parts as parts
 from . import reading as reading

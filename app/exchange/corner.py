@@ -9,11 +9,10 @@ from ..document.edits import EditError
 from ..document.model import Document, Guide, Page, Vector
 from ..document.several_curves import stepped, whole_curves
 from ..document.transforms import decimal_sum
-from .drawing.kept_drawn import placed
 
 
 def shifted(document: Document, by: Vector) -> Document:
-    """Return a document with its curves, page, guides, pictures and texts elsewhere, by decimals.
+    """Return a document with its curves, page, guides and picture elsewhere, by decimals.
 
     Where no document may hold it, it stays where it is.
     """
@@ -32,23 +31,7 @@ def shifted(document: Document, by: Vector) -> Document:
         for each in (document.page, document.image)
     )
     guides = tuple(_moved(guide, by) for guide in document.guides)
-
-    def place(at: Vector) -> Vector:
-        return (decimal_sum(at[0], by[0]), decimal_sum(at[1], by[1]))
-
-    return replace(
-        document,
-        curves=curves,
-        page=page,
-        guides=guides,
-        image=image,
-        kept_texts=placed(document.kept_texts, place, _way),
-        kept_pictures=placed(document.kept_pictures, place, _way),
-    )
-
-
-def _way(way: Vector) -> Vector:
-    return way
+    return replace(document, curves=curves, page=page, guides=guides, image=image)
 
 
 def _moved(guide: Guide, by: Vector) -> Guide:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from itertools import compress
@@ -15,8 +15,9 @@ from curvecore.arrays import FloatArray
 
 from ..document.clone import Clone
 from ..document.clone_links import linked_up
+from ..document.content import Lettering, Picture
+from ..document.form_edits import framed
 from ..document.forms import AnyForm
-from ..document.kept_edits import with_kept_if
 from ..document.limits import EditError
 from ..document.model import (
     MAX_MAGNITUDE,
@@ -90,20 +91,15 @@ class Imported:
         return any(curve.groups for curve in self.document.curves)
 
     def only(self, taken: Sequence[bool]) -> Imported:
-        """Return some of the curves, at least one; how far they are from the file is a bound still.
-
-        With a group of which nothing is taken its texts and pictures stay away, too.
-        """
-        document, curves = self.document, tuple(compress(self.document.curves, taken))
-        gone = _groups_of(document.curves) - _groups_of(curves)
-        document = msgspec.structs.replace(document, curves=curves)
-        document = with_kept_if(linked_up(document), gone.isdisjoint)
+        """Return some of the curves, at least one; how far they are from the file is a bound still."""
+        curves = tuple(compress(self.document.curves, taken))
+        document = linked_up(msgspec.structs.replace(self.document, curves=curves))
         return replace(self, document=tidy_shapes(document))
 
     def called(self, names: Sequence[str]) -> Imported:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
 
-        Texts and pictures come along that lie in such a group. Without the page of all, which is told.
+        Without the page of all, which is told.
 
         Raises
         ------
@@ -115,11 +111,6 @@ class Imported:
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
         found = self.only(taken)
-
-        def is_named(groups: tuple[str, ...]) -> bool:
-            return any(fnmatchcase(each, name) for each in groups or ("",) for name in names)
-
-        found = replace(found, document=with_kept_if(found.document, is_named))
         if found.document.page is None:
             return found
         document = msgspec.structs.replace(found.document, page=None)
@@ -235,10 +226,6 @@ def imported(
     return Imported(tidy_shapes(linked_up(Document(tuple(curves)))), deviation, remarks, missed)
 
 
-def _groups_of(curves: Iterable[Curve]) -> set[str]:
-    return {name for curve in curves for name in curve.groups}
-
-
 def lines(points: FloatArray) -> FloatArray:
     """Return the polyline through points (n, 2) as cubic pieces (n - 1, 4, 2)."""
     start, end = points[:-1], points[1:]
@@ -285,6 +272,9 @@ def _check_numbers(path: ImportedPath) -> None:
 
 def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     """Return a path as a curve, and how far the points of smooth joints moved it."""
+    if isinstance(path.form, (Lettering, Picture)):
+        frame = framed(path.form, [(x, y) for x, y in pieces[:, 0].tolist()], path.name)
+        return _made(path, frame.parametrization, frame.points), 0.0
     try:
         found = points_of_cubics(
             pieces, closed=path.closed, most_turned=WRITTEN_BY_PROGRAMS, letters=path.letters

@@ -48,7 +48,6 @@ FEATURES = (
     "reference_image",
     "document_settings",
     "page",
-    "kept",
     "recovery",
     "file_on_disk",
 )

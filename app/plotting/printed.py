@@ -79,8 +79,8 @@ def paint_printed(
 ) -> None:
     """Paint a shape: its fill, and its line over that; with `line`, which may be kept for the next shape."""
     if style.clips:
-        whole, to_pixels = msgspec.structs.replace(style, clips=()), _to_pixels(shown)
-        with clipped(painter, style.clips, to_pixels, QRectF(0, 0, shown.width, shown.height)):
+        whole, way = msgspec.structs.replace(style, clips=()), to_pixels(shown)
+        with clipped(painter, style.clips, way, QRectF(0, 0, shown.width, shown.height)):
             paint_printed(painter, parts, whole, ink, shown, line)
         return
     is_both = style.has_stroke and (style.has_fill or style.has_markers)
@@ -93,7 +93,8 @@ def paint_printed(
         _stroke(painter, parts, style, ink, shown, line or RoundLine())
 
 
-def _to_pixels(shown: PixelMap) -> QTransform:
+def to_pixels(shown: PixelMap) -> QTransform:
+    """Return the way from the plane to pixels."""
     return QTransform(shown.sx, 0, 0, -shown.sy, -shown.x0 * shown.sx, shown.y0 * shown.sy)
 
 

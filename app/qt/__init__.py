@@ -6,6 +6,6 @@
 - ``glyphs``: outlines of letters, as the fonts of the system have them.
 - ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise.
 - ``clips``: what they are cut by.  ``markers``: what stands at their ends.
-- ``kept``: texts and pictures of other programs.  ``picture_data``: what is in PNG and JPEG files.
+- ``contents``: texts and pictures in their frames.  ``picture_data``: what is in PNG and JPEG files.
 - ``sources``: imports without a search through the source of every module.
 """

@@ -147,6 +147,13 @@ def outlines_of(text: str, face: Face, setting: Setting = _USUAL) -> Outlines:
     return Outlines(tuple(glyphs), font.pixelSize(), tuple(missing), lacks_bold)
 
 
+def letters_of(line: str, font: QFont) -> Iterator[Glyph]:
+    """Yield the outlines of the letters of a line in a font, in its pixels; not of those that it lacks."""
+    for drawn in _drawn(line, font, 0.0):
+        if not drawn.is_missing and (contours := tuple(drawn.contours(0.0))):
+            yield Glyph(drawn.letters, contours)
+
+
 def _is_drawn_alike(glyph: Glyph, face: Face) -> bool:
     """Whether the font has the same outline for letters that are not bold: the screen would smear them."""
     others = outlines_of(glyph.letters, replace(face, bold=False)).glyphs

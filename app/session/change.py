@@ -6,6 +6,7 @@ import traceback
 
 import msgspec
 
+from ..document.contents import why_no_frame
 from ..document.curve_edits import refuse_locked
 from ..document.edits import EditError
 from ..document.model import Document
@@ -38,13 +39,16 @@ def raiser_of(reason: EditError) -> str:
     return frame.f_code.co_qualname
 
 
-def why_locked(before: Document, after: Document) -> str:
-    """Return which locked curve of `before` is another one in `after`, as a sentence; empty where none is."""
+def why_safe(before: Document, after: Document) -> str:
+    """Return which curve of `before` must not be as in `after`, as a sentence; empty where none is.
+
+    That is one which is locked, or the frame of a text or a picture, which would be none any more.
+    """
     try:
         refuse_locked(before, after)
     except EditError as reason:
         return str(reason)
-    return ""
+    return why_no_frame(before, after)
 
 
 def why_not_kept(before: Document, after: Document) -> str:

@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING
 
 from ..document.model import Curve, Document
 from ..document.point_group import NO_POINTS
-from ..document.selection import Choice, followed_choice, followed_curves, returned_curves, returned_points
+from ..document.selection import (
+    Choice,
+    followed_choice,
+    followed_curves,
+    returned_curves,
+    returned_points,
+    with_points,
+)
 from ..document.several_curves import is_blank
 from ..document.steps import reshaped
 from .next_style import Marked
@@ -35,12 +42,13 @@ class Following:
     def begin_opened(self) -> None:
         """Begin with a document that was opened: nobody chose its curves.
 
-        None hidden or locked is edited, nor any on a page, where one chooses first.
+        None hidden or locked is edited, nor any on a page, where one chooses first; nor one without points.
         """
         document, selected = self._session.document, self._session.selected
         selected.next_style.marked = Marked.OPENED
         is_drawing = document.page is not None and not is_blank(document)
-        if is_drawing or not self._session.active_curve.is_free:
+        has_points = with_points(document.curves, selected.curves)
+        if is_drawing or not (self._session.active_curve.is_free and has_points):
             selected.choose(())
             selected.next_style.marked = Marked.OPENED
 

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from PySide6.QtGui import QUndoStack
 
 from ..document.clones import followed, settled, words_about_unlinked
+from ..document.contents import repainted
 from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
@@ -21,7 +22,7 @@ from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve.curve_view import CurveView
 from .box import SelectionBox
-from .change import Change, raiser_of, why_locked, why_not_kept
+from .change import Change, raiser_of, why_not_kept, why_safe
 from .files import Files
 from .following import Following
 from .history import Beginning, History, State
@@ -203,7 +204,7 @@ class Session(SessionSignals):
         document = tidy_shapes(self._with_clones(document, followed), self._shown)
         if document is self._shown:
             return True
-        if reason := why_locked(self._committed, document):
+        if reason := why_safe(self._committed, document):
             self.refuse(reason)
             return False
         if self._home is None:
@@ -220,13 +221,13 @@ class Session(SessionSignals):
             return self._make_step(document, text, active)
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
-        """Make `document` the current one, unless a locked curve is another one, or no file could hold it."""
+        """Make `document` the current one, unless a curve is safe from that, or no file could hold it."""
         document = tidy_shapes(self._with_clones(document, settled), self._shown)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
-        if reason := why_locked(self._committed, document):
-            return self._refused(reason, "the lock of a curve")
+        if reason := why_safe(self._committed, document):
+            return self._refused(reason, "the lock of a curve, or a frame")
         if reason := why_not_kept(self._committed, document):
             return self._refused(reason, "the file format")
         before = self.state
@@ -241,8 +242,9 @@ class Session(SessionSignals):
     def _with_clones(
         self, document: Document, follow: Callable[[Document, Document, Document], Document]
     ) -> Document:
-        """Return a document with plain values whose clones follow."""
-        return follow(plain(document, self._shown), self._committed, self._shown)
+        """Return a document with plain values whose clones follow, and whose texts look as styles say."""
+        painted = repainted(plain(document, self._shown), self._committed)
+        return follow(painted, self._committed, self._shown)
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""

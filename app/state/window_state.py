@@ -63,8 +63,6 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
     guide
         Place in the document of the guide that was pointed at last; −1 for the last one there is.
-    kept_shown
-        Whether texts and pictures of other programs, which are not edited, are shown.
     thin_lines
         Whether curves are thin lines without fills.
     as_printed, page_as_printed
@@ -107,7 +105,6 @@ class WindowState(msgspec.Struct, frozen=True):
     guides_shown: bool = True
     guides_locked: bool = False
     guide: int = -1
-    kept_shown: bool = True
     thin_lines: bool = False
     as_printed: bool = False
     page_as_printed: bool = True

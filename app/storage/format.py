@@ -16,10 +16,12 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Curve, Document, Point
+from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE
 from ..document.value import Value
 from .coding import from_plain, to_plain
 from .format_error import FormatError, in_words, line_and_column, not_json, quoted
+from .kept_before import KeptPicture, KeptText, with_kept
 from .migration import can_migrate, migrated
 from .repeated_keys import repeated_key
 from .setting_check import settings_problem, without_default_settings
@@ -47,11 +49,17 @@ class _File(Document, frozen=True, kw_only=True):
 
     format: Literal["curvebench"]
     version: Literal[2]
+    kept_texts: tuple[KeptText, ...] = ()
+    kept_pictures: tuple[KeptPicture, ...] = ()
 
     @property
     def document(self) -> Document:
         """The document in it."""
-        return Document(**{name: getattr(self, name) for name in Document.__struct_fields__})
+        found = Document(**{name: getattr(self, name) for name in Document.__struct_fields__})
+        if not (self.kept_texts or self.kept_pictures):
+            return found
+        curves = with_kept(found.curves, self.kept_texts, self.kept_pictures)
+        return tidy_shapes(replace(found, curves=curves))
 
 
 _HEADER_DECODER = msgspec.json.Decoder(_Header)

@@ -18,7 +18,7 @@
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snap_targets``, ``snappers``: which of it for which gesture.
 - ``below``: Alt+click on what lies below the topmost curve.
-- ``guides``: guides drawn out of a ruler and dragged.  ``kept``: texts and pictures of other programs.
+- ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.
 - ``gradient_places``: what of a gradient is dragged.  ``gradient_stops``: the stop that was chosen.
 - ``pen_click``: what a click of the pen makes.  ``pen_session``: what it knows of the curves that it draws.

@@ -6,7 +6,6 @@ import msgspec
 from msgspec.structs import asdict, replace
 
 from ..document.gradient import Gradient
-from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from ..view_model.curve.curve_view import CurveView
 from .snapping import Snap
@@ -95,7 +94,6 @@ class GestureMarks(msgspec.Struct, frozen=True):
     line: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
-    kept: tuple[KeptText | KeptPicture, ...] = ()
     gradients: tuple[Gradient, ...] = ()
     stop: tuple[int, int] | None = None
     forms: tuple[FormMark, ...] = ()

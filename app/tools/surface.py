@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol
 
-from ..document.kept import KeptPicture, KeptText
 from ..document.model import Vector
 from .pointer import Hit, Pointer
 
@@ -37,10 +36,6 @@ class Surface:
     def locked_at(self, pointer: Pointer) -> int:
         """Return the place of the locked curve at the pointer, which presses go through; −1 for none."""
         return -1
-
-    def kept_at(self, pointer: Pointer) -> Sequence[KeptText | KeptPicture]:
-        """Return the texts and pictures of other programs at the pointer, the topmost first."""
-        return ()
 
     def colour_at(self, pointer: Pointer) -> str:
         """Return the colour at the pointer, "#rrggbb"; empty for none."""

@@ -10,11 +10,11 @@ from msgspec.structs import replace
 
 from app.document.clip import Clip, ring_of
 from app.document.clone import Clone
+from app.document.content import Lettering, Picture, RunPaint, TextLine, TextRun
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
 from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop
-from app.document.kept import KeptPicture, KeptRun, KeptText
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import GRADIENTS, Style
@@ -29,31 +29,38 @@ PAIR = (1.0, 2.0)
 STOPS = (Stop(0.25, "#112233", 0.5), Stop(0.75))
 GRADIENT = Gradient(STOPS, start=PAIR, end=(3.0, 4.0), side=(5.0, 6.0), focus=PAIR)
 CLIP = Clip((ring_of([PAIR, (3.0, 4.0), (5.0, 6.0), (7.0, 8.0)]),))
+RUN = TextRun("I", spacing=1.0, right=1.0, down=1.0, paint=RunPaint())
+BOX = (1.0, 2.0, 3.0, 4.0)
+
+
+def full(form):
+    """A curve with a number wherever one may have one."""
+    return replace(
+        make_curve((), family=HERMITE),
+        points=(
+            Point(0.0, 0.0, 0.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
+            Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
+        ),
+        style=Style(
+            width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT, clips=(CLIP,)
+        ),
+        text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
+        form=form,
+        clone=Clone("leaf", 0.5, 0.5, 0.5, 0.5, 1.0, 2.0),
+    )
+
+
 FULL = Document(
     (
-        replace(
-            make_curve((), family=HERMITE),
-            points=(
-                Point(0.0, 0.0, 0.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
-                Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
-            ),
-            style=Style(
-                width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT, clips=(CLIP,)
-            ),
-            text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
-            form=Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5),
-            clone=Clone("leaf", 0.5, 0.5, 0.5, 0.5, 1.0, 2.0),
-        ),
+        full(Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5)),
+        full(Lettering(1.0, 2.0, 3.0, 4.0, (TextLine(1.0, 2.0, (RUN,)),), BOX)),
+        full(Picture(1.0, 2.0, 3.0, 4.0, part=BOX)),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
     guides=(Guide(Axis.X, 1.0),),
     page=Page(0.0, 0.0, 1.0, 1.0),
     layers=("Layer 1",),
     empty_layers=(EmptyLayer("Layer 1"),),
-    kept_texts=(
-        KeptText(1.0, 2.0, PAIR, PAIR, (KeptRun("I", spacing=1.0, right=1.0, down=1.0),), clips=(CLIP,)),
-    ),
-    kept_pictures=(KeptPicture(1.0, 2.0, PAIR, PAIR, clips=(CLIP,)),),
 )
 """A number wherever a document may have one."""
 
@@ -138,11 +145,12 @@ def test_every_length_goes_with_the_unit():
     of_curves |= {"text.letter_spacing", "text.line_spacing"}
     of_curves |= {f"style.{name}" for name in of_styles}
     of_curves |= {f"clone.{name}" for name in ("xx", "xy", "yx", "yy")}
-    of_pictures = {"image.opacity", "kept_pictures.opacity", "kept_pictures.part"}
-    # In units of the text, which goes with the unit as a whole.
-    of_runs = {"size", "weight", "spacing", "right", "down", "fill_opacity", "stroke_opacity", "width"}
-    of_texts = {f"kept_texts.runs.{name}" for name in of_runs}
-    assert stays == {f"curves.{name}" for name in of_curves} | of_pictures | of_texts
+    # In units of the text, or of the picture, whose frame goes with the unit.
+    of_paint = {f"paint.{name}" for name in ("fill_opacity", "stroke_opacity", "width")}
+    of_runs = {"size", "weight", "spacing", "right", "down", *of_paint}
+    of_lines = {"x", "y", *(f"runs.{name}" for name in of_runs)}
+    of_curves |= {"form.part", "form.box", *(f"form.lines.{name}" for name in of_lines)}
+    assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity"}
 
 
 def test_every_field_of_a_style_has_words():

@@ -153,7 +153,7 @@ def test_texts_and_pictures_are_clipped_and_written_so(tmp_path):
         f'preserveAspectRatio="none" href="data:image/png;base64,{blue}"/><g clip-path="url(#rect)">'
         '<text x="60" y="110" font-size="90" fill="#f00">MMMMMM</text></g>'
     ).document
-    assert [len(each.clips) for each in (*document.kept_texts, *document.kept_pictures)] == [1, 1]
+    assert [len(each.style.clips) for each in document.curves[1:]] == [1, 1]
     (tmp_path / "a.svg").write_bytes(svg_of(document).data)
     command = ["rsvg-convert", "--width=400", "--background-color=white", "-o", str(tmp_path / "a.png")]
     subprocess.run([*command, str(tmp_path / "a.svg")], check=True, timeout=60)
@@ -173,7 +173,7 @@ def test_texts_and_pictures_are_clipped_and_written_so(tmp_path):
         assert np.hypot(x + 0.5 - 100, y + 0.5 - 80).max() <= 51
         assert (x.min(), y.min()) == (pytest.approx(50, abs=1), pytest.approx(30, abs=1))
     again = read_svg(svg_of(document).content.encode()).document
-    assert [len(each.clips) for each in (*again.kept_texts, *again.kept_pictures)] == [1, 1]
+    assert [len(each.style.clips) for each in again.curves[1:]] == [1, 1]
 
 
 def test_a_clip_without_outlines_leaves_nothing():

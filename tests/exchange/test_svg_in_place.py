@@ -87,7 +87,7 @@ def with_curves(document, curves, **fields):
     return tidy_shapes(replace(document, curves=tuple(curves), **fields))
 
 
-RECT, ELLIPSE, WAVE, CLIPPED, P1, P2, CLONE, HIDDEN = range(8)
+RECT, WORDS, ELLIPSE, WAVE, CLIPPED, P1, P2, CLONE, HIDDEN = range(9)
 
 EDITS = {
     "a path is moved": (
@@ -153,7 +153,7 @@ EDITS = {
         ['-style="display:none">', '+style="display:inline">'],
     ),
     "a locked layer is unlocked": (
-        lambda d: changed(d, RECT, locked=False),
+        lambda d: changed(changed(d, RECT, locked=False), WORDS, locked=False),
         ['-id="layer1"', '-sodipodi:insensitive="true">', '+id="layer1">'],
     ),
     "a path is renamed": (
@@ -248,13 +248,13 @@ def test_what_else_is_in_the_file_counts_by_its_format(badge):
 
 
 def test_order_is_that_of_the_document(badge):
-    """What lies between stays where it is: the text behind the rect of its layer, and the empty layer."""
-    places = [RECT, WAVE, CLIPPED, P1, P2, CLONE, ELLIPSE, HIDDEN]
+    """What lies between stays where it is: the empty layer."""
+    places = [RECT, WORDS, WAVE, CLIPPED, P1, P2, CLONE, ELLIPSE, HIDDEN]
     raised = kept(BADGE, with_curves(badge, [badge.curves[each] for each in places]), badge)
     went, came = differences(BADGE, raised)[:8], differences(BADGE, raised)[8:]
     assert went == [f"-{line[1:]}" for line in came]
     assert "-<ellipse" in went
-    layers = [HIDDEN, ELLIPSE, WAVE, CLIPPED, P1, P2, CLONE, RECT]
+    layers = [HIDDEN, ELLIPSE, WAVE, CLIPPED, P1, P2, CLONE, RECT, WORDS]
     swapped = kept(BADGE, with_curves(badge, [badge.curves[each] for each in layers]), badge)
     assert sorted(swapped.splitlines()) == sorted(BADGE.splitlines())
 
@@ -371,7 +371,7 @@ def test_the_source_is_the_same_to_the_byte():
     ).encode("latin-1")
     assert Source(odd).data == odd
     document = read(odd, None).document
-    found = kept(odd, replace(document, curves=(*moved(document, [0], (1, 0)).curves, LINE)), document)
+    found = kept(odd, replace(document, curves=(*moved(document, [1], (1, 0)).curves, LINE)), document)
     assert b'<s:path d="M 2 1 L 3 5" ></s:path>' in found
     assert found.count(b"<s:path ") == 2
     assert b"\xe4&lt; <s:tspan/>" in found

@@ -13,12 +13,12 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
+from ...document.content import Picture
+from ...document.contents import content_of
 from ...document.empty_layer import EmptyLayer
-from ...document.kept import KeptPicture, KeptText
-from ...document.kept_edits import seen_kept
 from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
-from ...document.words import names_of
+from ...document.words import count_of, names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.curve.refusals import in_words
@@ -28,7 +28,6 @@ from ..errors import ExchangeError
 from ..node_types import letters_of
 from .extents import extent_of
 from .frames import LARGEST, MARGIN, Frame, frame_around, frame_of, frame_with
-from .kept_drawn import placed, words_about_missing
 from .outlines import Outline, by_shape
 
 POINT_RADIUS = 0.006
@@ -91,7 +90,7 @@ class Drawing(msgspec.Struct, frozen=True):
         Whether the frame is the document's page.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
-    layers, empty_layers, guides, kept_texts, kept_pictures
+    layers, empty_layers, guides
         As in `Document`.
     """
 
@@ -106,13 +105,11 @@ class Drawing(msgspec.Struct, frozen=True):
     layers: tuple[str, ...] = ()
     empty_layers: tuple[EmptyLayer, ...] = ()
     guides: tuple[Guide, ...] = ()
-    kept_texts: tuple[KeptText, ...] = ()
-    kept_pictures: tuple[KeptPicture, ...] = ()
 
     @property
     def remarks(self) -> tuple[str, ...]:
         """All that is to be said about a picture of it."""
-        return (*self.left_out, *self.beyond, *words_about_missing(self.kept_pictures))
+        return (*self.left_out, *self.beyond, *_about_missing(self.outlines))
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -168,16 +165,8 @@ class Drawing(msgspec.Struct, frozen=True):
             )
             for each in self.annotations
         )
-
-        place, way = (lambda at: _pair(moved(np.array(at))), lambda at: (at[0] * scale, at[1] * scale))
-        return replace(
-            self,
-            outlines=outlines,
-            frame=Frame(0.0, 0.0, width, height),
-            annotations=annotations,
-            kept_texts=placed(self.kept_texts, place, way),
-            kept_pictures=placed(self.kept_pictures, place, way),
-        )
+        frame = Frame(0.0, 0.0, width, height)
+        return replace(self, outlines=outlines, frame=frame, annotations=annotations)
 
 
 def drawing_of(
@@ -215,7 +204,6 @@ def drawing_of(
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
-    texts, pictures = seen_kept(document)
     frame = frame_with(outlines) if document.page is None else frame_of(document.page)
     return Drawing(
         outlines,
@@ -228,8 +216,6 @@ def drawing_of(
         layers=document.layers,
         empty_layers=document.empty_layers,
         guides=document.guides,
-        kept_texts=texts,
-        kept_pictures=pictures,
     )
 
 
@@ -331,4 +317,14 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         letters_of(curve, path.control_points),
         curve.identity,
         curve.clone,
+        content_of(curve),
     )
+
+
+def _about_missing(outlines: Iterable[Outline]) -> tuple[str, ...]:
+    """Return the sentence that tells of pictures whose files are not in the document; none without such."""
+    count = sum(isinstance(each.content, Picture) and not each.content.data for each in outlines)
+    if not count:
+        return ()
+    verb, whose = ("is", "its file lies") if count == 1 else ("are", "their files lie")
+    return (f"{count_of(count, 'picture')} {verb} not drawn; {whose} elsewhere.",)

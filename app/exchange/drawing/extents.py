@@ -28,7 +28,7 @@ def extent_of(control_points: FloatArray) -> FloatArray:
 def painted_extent(outline: Outline) -> FloatArray:
     """Return the same of a curve with its stroke: with its caps, joins and miters."""
     controls, line = outline.control_points, None
-    if half_width(outline.style) > 0.0:
+    if outline.content is None and half_width(outline.style) > 0.0:
         line = line_of(controls, 0, _turns(controls), is_closed=outline.closed)
     return extent_of(controls) if line is None else stroke_box(line, outline.style)
 

@@ -12,7 +12,9 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.clone import Clone
+from ...document.content import Content
 from ...document.marker import MarkerKind
+from ...document.model import Vector
 from ...document.style import PLAIN_STYLE, Style
 from ...document.text import Text
 from ...view_model.geometry.markers import Ends, ends_of_pieces, markers_of
@@ -46,6 +48,8 @@ class Outline(msgspec.Struct, frozen=True):
         Of what kind each point is; see ``node_types``. None where pieces do not end at points.
     identity, clone
         As in `Curve`.
+    content
+        The text or the picture that it is the frame of.
     """
 
     name: str
@@ -63,6 +67,12 @@ class Outline(msgspec.Struct, frozen=True):
     letters: str = ""
     identity: str = ""
     clone: Clone | None = None
+    content: Content | None = None
+
+    @property
+    def corners(self) -> list[Vector]:
+        """The corners of a frame."""
+        return [(x, y) for x, y in self.control_points[:, 0].tolist()]
 
     @property
     def colour(self) -> str:
@@ -77,7 +87,7 @@ class Outline(msgspec.Struct, frozen=True):
     @property
     def reach(self) -> float:
         """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
-        return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
+        return (self.style.width or 0.0) / 2 if self.style.has_stroke and self.content is None else 0.0
 
 
 def markers_at(shape: Sequence[Outline], width: float) -> list[FloatArray]:

@@ -23,11 +23,12 @@ from PySide6.QtGui import (
 
 from curvecore.arrays import FloatArray
 
+from ...document.content import Lettering, Picture
 from ...document.gradient import Gradient
 from ...document.style import Style
 from ...qt.clips import clipped
+from ...qt.contents import inked, paint_picture
 from ...qt.gradients import brush_of
-from ...qt.kept import paint_kept
 from ...qt.markers import path_of
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
@@ -67,21 +68,12 @@ class Painting:
         if self._style.paper:
             self._painter.fillRect(QRectF(0, 0, frame.width, frame.height), QColor(self._style.paper))
         self._paint_annotations("grid")
-        self._paint_kept(behind=True)
         for shape in told(self._drawing.shapes, report, "Painting"):
             self._paint_shape(shape)
-        self._paint_kept(behind=False)
         self._paint_annotations("handles")
         if points:
             self._paint_points()
         self._paint_annotations("basis")
-
-    def _paint_kept(self, *, behind: bool) -> None:
-        """Paint the texts and pictures in front of the curves, or behind them."""
-        way, drawing = QTransform(1, 0, 0, -1, 0, self._height), self._drawing
-        texts = [each for each in drawing.kept_texts if each.behind is behind]
-        pictures = [each for each in drawing.kept_pictures if each.behind is behind]
-        paint_kept(self._painter, texts, pictures, way)
 
     # Shapes
 
@@ -91,6 +83,9 @@ class Painting:
             whole = replace(shape[0], style=replace(shape[0].style, clips=()))
             with clipped(self._painter, clips, QTransform(1, 0, 0, -1, 0, self._height)):
                 self._paint_shape((whole, *shape[1:]))
+            return
+        if shape[0].content is not None:
+            self._paint_content(shape[0])
             return
         style, path, markers = shape[0].style, self._path(shape), self._markers(shape)
         is_together = style.opacity < 1 and style.has_fill and style.has_stroke
@@ -109,6 +104,16 @@ class Painting:
         self._fill_and_stroke(self._painter, path, pen, brush)
         if pen is not None and not markers.isEmpty():
             self._fill(self._painter, markers, pen.brush())
+
+    def _paint_content(self, frame: Outline) -> None:
+        """Paint a text or a picture in its frame."""
+        content, way = frame.content, QTransform(1, 0, 0, -1, 0, self._height)
+        if isinstance(content, Picture):
+            paint_picture(self._painter, content, frame.corners, way, frame.style.opacity, None)
+        elif isinstance(content, Lettering):
+            for path, style in inked(content, frame.corners, way, frame.style):
+                brush = self._brush(style) if style.has_fill else None
+                self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush)
 
     def _fill_and_stroke(
         self, painter: QPainter, path: QPainterPath, pen: QPen | None, brush: QBrush | QColor | None

@@ -26,6 +26,7 @@ FORMATS = (
         title="Curvebench document",
         place=0,
         write=_write,
+        shows_contents=True,
         kind=ContentKind.DOCUMENT,
         plural="Curvebench documents",
     ),

@@ -39,6 +39,7 @@ FORMATS = (
         hidden=lambda values: _IDLE_OF_PNG[values[BY_DPI.name]],
         write=lambda document, options: drawing.image.png_file(document, options),
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+        shows_contents=True,
     ),
     Format(
         endings=(".svg",),
@@ -48,6 +49,7 @@ FORMATS = (
         options=(*PICTURE, TOLERANCE),
         write=svg_of,
         preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
+        shows_contents=True,
         kind=ContentKind.DRAWING,
         plural="SVG drawings",
         read=read,
@@ -63,5 +65,6 @@ FORMATS = (
         options=(*PICTURE, TOLERANCE),
         write=lambda document, options: drawing.image.pdf_file(document, options),
         preview=lambda document, options, room: drawing.image.pdf_preview(document, options, room),
+        shows_contents=True,
     ),
 )

@@ -9,8 +9,8 @@
   ``xml_tree``: elements, without DTD and entities.  ``names``, ``groups``: what they are called.
   ``clones``: what a `use` is a clone of.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
-- ``kept_things``: what is shown, and only moved.  ``kept_texts``, ``kept_pictures``: of either kind.
-  ``kept_elements``: written again.
+- ``shown``: what is shown in frames.  ``texts``, ``pictures``: of either kind.
+  ``content_elements``: written again.  ``escapes``: text in XML.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``cascade``, ``properties``, ``paint``, ``gradients``, ``markers``: the style of an element, from attributes

@@ -34,10 +34,18 @@ _ESCAPED = re.compile("_x([0-9A-Fa-f]{2,5})_")
 
 def name_of(element: ET.Element) -> str:
     """Return what an element is called: by its label, its title or its id; empty without."""
+    return label_of(element) or _in_line(_ESCAPED.sub(_unescaped, element.get("id", "")))
+
+
+def label_of(element: ET.Element) -> str:
+    """Return what somebody called an element, by its label or its title; empty without."""
     label = next((element.get(each, "") for each in _LABELS if element.get(each)), "")
     title = next((child.text for child in element if tag_of(child) == "title" and child.text), "")
-    own = _ESCAPED.sub(_unescaped, element.get("id", ""))
-    return " ".join((label or title or own).split())[:_LONGEST]
+    return _in_line(label or title)
+
+
+def _in_line(name: str) -> str:
+    return " ".join(name.split())[:_LONGEST]
 
 
 def shown_name(element: ET.Element) -> str:

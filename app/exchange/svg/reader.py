@@ -16,9 +16,12 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.kept import KeptPicture, KeptText
+from ...document.box_form import InBox
+from ...document.contents import shortened
+from ...document.marker import MarkerKind
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
+from ...document.style import NO_PAINT, FillRule, Style
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
 from ..missed import Missed
@@ -31,7 +34,6 @@ from .flaw import Flaw
 from .gradients import Ground
 from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
 from .guides import guides_of
-from .kept_things import NO_CURVES, KeptThings
 from .lengths import Viewport
 from .matrices import (
     Box,
@@ -45,7 +47,7 @@ from .matrices import (
     shifting,
     transform_of,
 )
-from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, name_of, shown_name
+from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, label_of, name_of, shown_name
 from .our_own import OurOwn
 from .own_data import NOTHING
 from .paint import Paints, share_of
@@ -53,6 +55,7 @@ from .path_data import Subpath
 from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
+from .shown import CONTENTS, NO_CURVES, Shown
 from .state import State, Window
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
@@ -111,8 +114,6 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
         guides=guides,
         layers=drawn.layers,
         empty_layers=drawn.empty_layers,
-        kept_texts=reader.kept_texts,
-        kept_pictures=reader.kept_pictures,
     )
     return replace(found, document=tidy_shapes(document))
 
@@ -128,8 +129,6 @@ class SvgReader:
         What does not come in as it is.
     layers
         The layers that were met, each with those around it.
-    kept_texts, kept_pictures
-        What it shows beside curves.
     """
 
     def __init__(
@@ -144,13 +143,11 @@ class SvgReader:
         self._cascade = Cascade(root)
         self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
         paints = Paints(self._by_id, self._cascade.of)
-        self._styles, self._kept = StyleReader(paints, self._by_id), KeptThings(paints, self._cascade.of)
+        self._styles, self._shown = StyleReader(paints, self._by_id), Shown(paints, self._cascade.of)
         self._clips = Clips(self._by_id, self._cascade.of)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
-        self.kept_texts: tuple[KeptText, ...] = ()
-        self.kept_pictures: tuple[KeptPicture, ...] = ()
 
     def all_paths(self, key: str = "") -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others.
@@ -163,19 +160,12 @@ class SvgReader:
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        told = settled(linked(seen or [with_line(each) for each in drawn], key), self.layers)
-        self.kept_texts, self.kept_pictures = self._kept.placed(drawn, told.names)
-        return told
+        return settled(linked(seen or [with_line(each) for each in drawn], key), self.layers)
 
     def drawn(self) -> list[Drawn]:
         """Return all paths of the file, painted or not."""
         state = State(self.sheet.matrix, self.sheet.viewport)
         return list(self._drawn(self._root, state, depth=0))
-
-    @property
-    def kept_elements(self) -> list[tuple[Anchor, tuple[KeptText | KeptPicture, ...]]]:
-        """What shows each text and picture, of what was met so far."""
-        return self._kept.elements
 
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
@@ -198,15 +188,12 @@ class SvgReader:
         declared = self._cascade.of(element)
         anchor = state.anchor or Anchor(element, state)
         state = self._entered(element, declared, state)
-        if tag in NO_CURVES:
-            if state.properties.is_visible:
-                flaw = self._kept.keep(tag, element, state, self._found, anchor)
-                self._miss(element, flaw)
-                if flaw is not NO_CURVES[tag]:
-                    self._miss_effects(element, declared, state, is_many=False)
-            return
         first = len(self._shapes)
-        if tag in SHAPES:
+        if tag in CONTENTS:
+            yield from self._content(element, tag, state, anchor)
+        elif tag in NO_CURVES and state.properties.is_visible:
+            self._miss(element, NO_CURVES[tag])
+        elif tag in SHAPES:
             yield from self._shape(element, tag, declared, state, anchor)
         elif tag == "use":
             yield from self._used(element, replace(state, anchor=anchor), depth)
@@ -334,9 +321,7 @@ class SvgReader:
         sizes = [(len(each.controls), each.closed) for each in drawn]
         letters = parted(element.get(NODE_TYPES, ""), sizes)
         for index, subpath in enumerate(drawn):
-            self._found += 1
-            if self._found > MAX_PATHS:
-                raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
+            self._count()
             path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index + 1})",
                 look,
@@ -348,6 +333,42 @@ class SvgReader:
                 letters[index],
             )
             yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, index))
+
+    def _content(self, element: ET.Element, tag: str, state: State, anchor: Anchor) -> Iterator[Drawn]:
+        """Yield the frame of a text or of a picture."""
+        found = self._shown.found(tag, element, state)
+        flaw = NO_CURVES[tag] if found is None else found.flaw
+        if flaw is not None and state.properties.is_visible:
+            self._miss(element, flaw)
+        if found is None:
+            return
+        self._shapes.append(element)
+        self._count()
+        scale = mean_scale(found.matrix)
+        frame = _frame_of(found.form)
+        look = self._look(
+            element,
+            replace(state, properties=found.properties, matrix=found.matrix),
+            scale,
+            [frame],
+            keeps_width=False,
+        )
+        style = msgspec.structs.replace(
+            look.style, clips=found.clips, fill_rule=FillRule.NONZERO,
+            start_marker=MarkerKind.NONE, end_marker=MarkerKind.NONE,
+        )  # fmt: skip
+        if tag == "image":
+            style = Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips)
+        name = state.clone or label_of(element) or shortened(found.form.title)
+        path = ImportedPath(
+            name, replace(look, style=style), moved(frame, found.matrix), True, form=found.form
+        )
+        yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, 0))
+
+    def _count(self) -> None:
+        self._found += 1
+        if self._found > MAX_PATHS:
+            raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
 
     def _look(
         self,
@@ -398,6 +419,11 @@ class SvgReader:
         if why.startswith("Element "):
             return ExchangeError(why)
         return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
+
+
+def _frame_of(form: InBox) -> FloatArray:
+    """Return the sides of a frame, (4, 4, 2), y downwards."""
+    return np.array(form.sides) * (1.0, -1.0)
 
 
 def _has_length(subpath: Subpath) -> bool:

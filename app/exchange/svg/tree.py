@@ -10,6 +10,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ...document.content import Content, Picture
+from ...document.contents import plane_of
+from ...document.style import Style
 from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline, with_markers_seen
 from ..drawing.styles import PictureStyle
@@ -17,6 +20,8 @@ from ..naming import Names
 from ..node_types import guessed, joined
 from . import own_data
 from .clip_elements import ClipElements
+from .content_elements import content_element, in_units_of
+from .escapes import quoted
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
 from .marker_elements import MarkerElements
@@ -25,8 +30,6 @@ from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
 from .use_elements import use_attributes, used, words_about_paths
 
-# XML 1.0 has no way at all to write these.
-_NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
 _LOCKED = ' sodipodi:insensitive="true"'
@@ -90,23 +93,19 @@ class Tree:
         unseen = ' display="none"' if self._is_unseen(first) else ""
         around = [self._layers[name] for name in self._layers_of(first)]
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
-        called, end = self._called(place), f"{unseen}{locked}/>"
+        called, more = self._called(place), f"{unseen}{locked}"
         if place in self.uses:
             original, by = self.uses[place]
-            self._write(f"<use{called}{use_attributes(self._id_of(original), by)}{end}")
+            self._write(f"<use{called}{use_attributes(self._id_of(original), by)}{more}/>")
+        elif first.content is not None:
+            self._write(self._content(first, first.content, called, more))
         else:
-            self._write(self._drawn(self._shapes[place], called, end))
+            self._write(self._drawn(self._shapes[place], called, f"{more}/>"))
 
     def _drawn(self, shape: tuple[Outline, ...], called: str, end: str) -> str:
         """Return the element that draws a shape."""
         first = shape[0]
-        style = style_attributes(
-            with_markers_seen(first.style, shape),
-            self._style,
-            self._usual_width,
-            self._gradients,
-            self._markers,
-        )
+        style = self._styled(with_markers_seen(first.style, shape), self._usual_width)
         clips = first.style.clips
         tag, runs = _as_form(shape) or ("path", "")
         if tag == "path":
@@ -119,6 +118,20 @@ class Tree:
         """Whether a shape itself is hidden, and not a layer around it."""
         return not outline.visible and not any(
             self._layers[name].is_hidden for name in self._layers_of(outline)
+        )
+
+    def _styled(self, style: Style, usual_width: float) -> str:
+        return style_attributes(style, self._style, usual_width, self._gradients, self._markers)
+
+    def _content(self, frame: Outline, content: Content, called: str, more: str) -> str:
+        """Return a text or a picture; the clips are around it, for they do not lie in its units."""
+        plane = plane_of(content, frame.corners)
+        style = in_units_of(plane, frame.style)
+        painted = self._styled(style, self._usual_width / plane.scale)
+        if isinstance(content, Picture):
+            painted = f' opacity="{number(style.opacity)}"' if style.opacity < 1 else ""
+        return self.clips.around(
+            content_element(content, plane, f"{called}{painted}{more}"), frame.style.clips
         )
 
     def close(self) -> None:
@@ -282,16 +295,3 @@ def pair(point: list[float]) -> str:
     """Return a point, y negated."""
     x, y = point
     return f"{number(x)} {number(-y)}"
-
-
-def quoted(text: str) -> str:
-    """Return text as an attribute in quotation marks may hold it."""
-    return escaped(" ".join(text.splitlines())).replace('"', "&quot;")
-
-
-def escaped(text: str) -> str:
-    """Return text as XML may hold it."""
-    # Compiled here, and kept by `re`: that takes longer than importing this module.
-    text = re.sub(_NOT_IN_XML, "\ufffd", text)
-    # What xml.sax.saxutils does, without the network modules that it imports.
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

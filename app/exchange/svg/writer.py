@@ -18,13 +18,13 @@ from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..units import css_length, known_unit
+from .escapes import escaped
 from .guides import guide_elements
-from .kept_elements import kept_elements
 from .names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 from .numbers import number
 from .our_own import CLOSE, EXACT, MARK, PAGE
 from .style_attributes import dash_style
-from .tree import Tree, escaped, pair
+from .tree import Tree, pair
 
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
@@ -121,7 +121,6 @@ def svg_text(
     spaces = f"{_SPACES} {_LINKS}" if curves.uses else _SPACES
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
-    behind, front = (kept_elements(drawing, curves.clips, behind=each) for each in (True, False))
     note = accuracy_of(drawing) if tells_exactness else ""
     mark = note or f"{CLOSE if drawing.deviation else EXACT}."
     parts = [
@@ -136,11 +135,9 @@ def svg_text(
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
         *curves.definitions,
-        *behind,
         *(["  <g>"] if in_group else []),
         *curves.lines,
         *(["  </g>"] if in_group else []),
-        *front,
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
         *_annotations(drawing, style, "basis"),

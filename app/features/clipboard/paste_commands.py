@@ -32,6 +32,7 @@ from ...view_model.pieces.pasting import (
     refuse_unordered,
 )
 from ...workbench.clipboard import CURVES, clipboard_data, drawing_in
+from ...workbench.contents_here import as_here
 from ...workbench.context import WindowContext
 from .content import PointsContent, curves_in, points_in
 from .keys import give_keys_to_drawing
@@ -100,7 +101,7 @@ class PasteCommands:
             return True
         if (fragment := drawing_in(data)) is None:
             return False
-        self._bring(partial(exchange.svg.fragments.read_fragment, fragment), place)
+        self._bring(lambda report: as_here(exchange.svg.fragments.read_fragment(fragment, report)), place)
         return True
 
     # Curves

@@ -33,6 +33,7 @@ from ...storage.files import read
 from ...storage.foreign import Foreign
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
 from ...tasks.progress import Report
+from ...workbench.contents_here import as_here
 from ...workbench.context import WindowContext
 from .. import import_export
 from .copy_commands import CopyCommands
@@ -105,7 +106,7 @@ class ImportCommands:
         def work(report: Report) -> Imported | _OpenTable:
             form = format_of(path, FORMATS.read)
             if form.kind is not ContentKind.TABLE:
-                return exchange.reading.import_file(path, report=report)
+                return as_here(exchange.reading.import_file(path, report=report), path.parent)
             report(0.0, "Reading")
             data = read(path)
             if is_document(data):

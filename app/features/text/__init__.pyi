@@ -1,4 +1,5 @@
 # Modules that are imported when they are first used.
 from . import field as field
 from . import letters as letters
+from . import outlined as outlined
 from . import rewriting as rewriting

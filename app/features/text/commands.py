@@ -24,6 +24,7 @@ from ...qt.glyphs import Face, Outlines
 from ...session.session import Session
 from ...workbench.context import WindowContext
 from .. import text
+from .outline_commands import OutlineCommands
 
 _SHARE = 1 / 8
 """Of the height of the view, for the size of the first text."""
@@ -286,4 +287,4 @@ def _with_curves_of(document: Document, shown: Document) -> Document:
     )
 
 
-COMMAND_SETS = (TextCommands,)
+COMMAND_SETS = (TextCommands, OutlineCommands)

@@ -7,7 +7,6 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.kept_moves import KeptPlace
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
@@ -19,7 +18,6 @@ from ..curve_picker import CurvePicker, chosen_curves, click_curve, select_hit
 from ..drags import BendCurve
 from ..guides import GuidePicker
 from ..inserting import insert_at
-from ..kept import KeptPicker, find_kept, words_about_locked
 from ..marks import GestureMarks
 from ..marquee import Band, CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
@@ -41,7 +39,7 @@ class SelectTool(Tool):
     takes_objects = True
 
     def __init__(self) -> None:
-        self._picker, self._guides, self._kept = CurvePicker(), GuidePicker(), KeptPicker()
+        self._picker, self._guides = CurvePicker(), GuidePicker()
         self._drags_grip = False
         self._lit: Vector | None = None
         # The line that the last press was on, and where: a double click is of two there, though the first
@@ -51,7 +49,6 @@ class SelectTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
         self._guides.let_go()
-        self._kept.let_go()
         below, line = find_below(context), self._line_clicked_twice(context)
         self._pressed = None
         if line is not None:
@@ -77,8 +74,6 @@ class SelectTool(Tool):
             self._press_on_grip(context, grip)
         elif hit is not None and hit.part is Part.GUIDE:
             self._guides.press(context, hit)
-        elif (kept := find_kept(context)) is not None:
-            self._press_on_kept(context, kept)
         elif hit is not None and hit.inside:
             self._press_within(context, hit)
         elif hit is not None:
@@ -96,13 +91,6 @@ class SelectTool(Tool):
             self.gesture = self._band(context)(
                 context, lambda context: click_curve(context, area), is_on_curve=True
             )
-
-    def _press_on_kept(self, context: ToolContext, kept: KeptPlace) -> None:
-        """Begin to move a text or a picture; while points are edited only a click is about it."""
-        if not context.host.selected.is_editing:
-            self._kept.press(context, kept)
-        else:
-            self.gesture = Marquee(context, lambda now: self._kept.choose(now, kept), is_on_curve=True)
 
     def _press_beside(self, context: ToolContext) -> None:
         """Begin to move what the box is around, or a rubber band."""
@@ -122,8 +110,8 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove a guide, or what else is no curve, with Delete; edit what is chosen with Enter."""
-        if self._kept.key(context, key) or self._guides.key(context, key):
+        """Remove a guide with Delete; edit what is chosen with Enter."""
+        if self._guides.key(context, key):
             return True
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
@@ -136,21 +124,16 @@ class SelectTool(Tool):
         return True
 
     def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
-        """Move the guide, text or picture that was clicked, or else what is selected."""
-        return (
-            self._guides.nudge(context, direction, stride)
-            or self._kept.nudge(context, direction, stride)
-            or super().nudge(context, direction, stride)
-        )
+        """Move the guide that was clicked, or else what is selected."""
+        return self._guides.nudge(context, direction, stride) or super().nudge(context, direction, stride)
 
     def dismiss(self) -> bool:
-        """Let go of the guide, text or picture that was clicked."""
-        return self._guides.let_go() or self._kept.let_go()
+        """Let go of the guide that was clicked."""
+        return self._guides.let_go()
 
     def reset(self) -> None:
-        """Forget the guide, the text and the curve of another document."""
+        """Forget the guide and the curve of another document."""
         self._guides.let_go()
-        self._kept.let_go()
         self._pressed = None
 
     def walk(self, context: ToolContext, step: int) -> bool:
@@ -202,8 +185,8 @@ class SelectTool(Tool):
         return hit if view is context.view else None
 
     def claims(self, context: ToolContext, key: str) -> bool:
-        """Whether a key is for a guide, a text or a picture."""
-        return self._guides.claims(key) or self._kept.claims(key)
+        """Whether a key is for a guide."""
+        return self._guides.claims(key)
 
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
@@ -230,11 +213,13 @@ class SelectTool(Tool):
         box = self._box(context)
         if grip is not None and group is not None and box is not None and _is_below_grips(hit):
             return hints.on_grip(grip, box, group, context.target.refusal_of(group))
-        on_kept = self._kept.hint(context)
-        is_other = on_kept is None and hit is not None and hit.part is Part.OTHER_CURVE
-        if hit is not None and is_other and (not hit.inside or self._is_pressed_within(context)):
+        if (
+            hit is not None
+            and hit.part is Part.OTHER_CURVE
+            and (not hit.inside or self._is_pressed_within(context))
+        ):
             return self._picker.hint(context, hit)
-        if (beside := on_kept or self._guides.hint(context)) is not None:
+        if (beside := self._guides.hint(context)) is not None:
             return beside
         if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
             return idle
@@ -246,8 +231,6 @@ class SelectTool(Tool):
     def _idle_hint(self, context: ToolContext) -> Hint | None:
         """Return what a press beside everything would do, None for nothing in particular."""
         inside = self._inside(context)
-        if inside is None and (locked := words_about_locked(context)):
-            return Hint(locked)
         if inside is None:
             return self._picker.idle_hint(context)
         return hints.inside_box(inside, context.pointer, snaps=context.settings.snapping.on)
@@ -267,7 +250,6 @@ class SelectTool(Tool):
             note=context.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
             guide=self._guides.shown,
-            kept=self._kept.parts,
         )
 
     @staticmethod
@@ -350,7 +332,6 @@ SELECT = ToolRecord(
         GestureRow("Click a chosen curve", "grips that rotate and skew, or scale again", curves=True),
         GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
         GestureRow("Click a guide", "choose it: arrow keys move it, Del removes it"),
-        GestureRow("Drag a text or picture of a file", "choose and move it; arrow keys too, Del removes it"),
         GestureRow(
             "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
         ),

@@ -186,14 +186,14 @@ def _farthest_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
 
 def _reaches(views: Sequence[CurveView], strokes: Strokes, reach: Callable[[Style], float]) -> FloatArray:
     """Return how far the strokes of curves reach; many share a style."""
-    styles = [view.source.style for view in views]
+    styles = [view.source.line_style for view in views]
     found = {id(style): style for style in styles}
     reaches = {key: reach(strokes.printed(style)) for key, style in found.items()}
     return np.array([reaches[id(style)] for style in styles])
 
 
 def _stroke_box(view: CurveView, strokes: Strokes, *, as_drawn: bool) -> FloatArray:
-    style = strokes.printed(view.source.style)
+    style = strokes.printed(view.source.line_style)
     if as_drawn:
         line = polygonal(view.polyline, is_closed=view.source.is_closed)
         return view.polyline if line is None else stroke_box(line, style)

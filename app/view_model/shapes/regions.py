@@ -20,6 +20,7 @@ import curvecore
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
+from ...document.contents import refuse_contents
 from ...document.curve_tree import Node, NodeKind
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind
@@ -289,8 +290,9 @@ def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[Flo
     Raises
     ------
     EditError
-        If there is no curve.
+        If there is no curve, or if one is the frame of a text or a picture.
     """
+    refuse_contents([view.source for view in views])
     tolerance = max(RELATIVE_TOLERANCE * (size or size_of(views)), 1e-300)
     outlines, deviation = list[FloatArray](), 0.0
     for view in views:

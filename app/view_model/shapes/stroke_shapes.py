@@ -16,6 +16,7 @@ from msgspec.structs import replace
 import curvecore
 from curvecore.arrays import FloatArray
 
+from ...document.contents import refuse_contents
 from ...document.edits import EditError
 from ...document.model import Curve, Document
 from ...document.style import LEAST_DASH, NO_PAINT, LineJoin, Style
@@ -104,6 +105,7 @@ def strokes_as_shapes(
         told = part(report, number / len(chosen), (number + 1) / len(chosen))
         own, name = document.curves[places.start : places.stop], name_of_shape(document, places)
         style = own[0].style
+        refuse_contents(own)
         if not style.has_stroke:
             raise EditError(f"“{name}” has no line.")
         width = usual if style.width is None else style.width

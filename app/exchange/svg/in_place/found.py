@@ -10,15 +10,17 @@ from itertools import groupby
 from operator import attrgetter
 
 import numpy as np
+from msgspec.structs import replace
 
 from curvecore import cubic_path
 from curvecore.arrays import FloatArray
 
+from ....document.content import Content, Lettering, Picture, rough_box
+from ....document.contents import plane_of
 from ....document.empty_layer import EmptyLayer
-from ....document.kept import KeptPicture, KeptText
 from ....document.style import Style
 from ....view_model.curve.curve_view import view_of
-from ...cubics_in import imported
+from ...cubics_in import imported, lines
 from ...drawing.outlines import Outline
 from ...errors import ExchangeError
 from ...node_types import guessed
@@ -37,10 +39,21 @@ class Wanted:
     Attributes
     ----------
     outlines
-        Its outlines.
+        Its outlines; the frame of a text as the reader has it, who has no fonts.
     """
 
     outlines: tuple[Outline, ...]
+
+    def __post_init__(self) -> None:
+        content = self.content
+        if isinstance(content, Lettering):
+            frame = replace(self.outlines[0], control_points=_rough_frame(content, self.outlines[0]))
+            object.__setattr__(self, "outlines", (frame,))
+
+    @property
+    def content(self) -> Content | None:
+        """The text or the picture that it is the frame of."""
+        return self.outlines[0].content
 
     @property
     def name(self) -> str:
@@ -112,6 +125,12 @@ class Found:
     groups: tuple[str, ...]
 
     @property
+    def content(self) -> Content | None:
+        """The text or the picture that it is the frame of."""
+        form = self.drawn[0].path.form
+        return form if isinstance(form, (Lettering, Picture)) else None
+
+    @property
     def style(self) -> Style:
         """Its style."""
         return self.drawn[0].path.look.style
@@ -166,30 +185,6 @@ class Found:
         return [cubic_path(core, 1.0).control_points for core in cores if core is not None]
 
 
-@dataclass(frozen=True, eq=False)
-class KeptFound:
-    """A text of the file, or a picture.
-
-    Attributes
-    ----------
-    node
-        What shows it: its element, or the outermost `use` of it.
-    around
-        The map of what is around that.
-    parts
-        The lines of the text, or the picture, as they stand in the file.
-    """
-
-    node: Node
-    around: FloatArray
-    parts: tuple[KeptText | KeptPicture, ...]
-
-    @property
-    def is_own(self) -> bool:
-        """Whether its own element shows it."""
-        return self.node.tag != "use"
-
-
 class Reading:
     """The shapes of a source.
 
@@ -207,8 +202,6 @@ class Reading:
         The elements that are layers, and those of them in which there is no shape.
     nodes, root
         All elements, in the order of the file, and the outermost one as the reader has it.
-    kept
-        The texts and pictures, those that can be shown.
     sheet, guides
         The size of the file, and its guides.
     """
@@ -221,10 +214,6 @@ class Reading:
         of_element = dict(zip(elements, self.nodes, strict=True))
         reader = SvgReader(root)
         self.sheet, drawn = reader.sheet, reader.drawn()
-        self.kept = [
-            KeptFound(of_element[anchor.element], anchor.around.matrix, parts)
-            for anchor, parts in reader.kept_elements
-        ]
         self.guides = [(of_element[each], guide) for each, guide in guides_of(root, reader.sheet)]
         seen = [each for each in drawn if is_seen(each)] or [with_line(each) for each in drawn]
         told = settled(seen, reader.layers)
@@ -263,6 +252,24 @@ class Reading:
                 if told.names[group] in empty:
                     self.empty_layers[node] = empty[told.names[group]]
                 self.layers |= {node} if group.is_layer else set()
+
+
+def _rough_frame(text: Lettering, frame: Outline) -> FloatArray:
+    """Return the sides of the frame that a reader without fonts gives a text."""
+    plane = plane_of(text, frame.corners)
+    left, top, right, bottom = rough_box(text.lines)
+    places = np.array([(left, top), (right, top), (right, bottom), (left, bottom), (left, top)])
+    return lines(places @ (plane.across, plane.down) + (plane.x, plane.y))
+
+
+def same_content(found: Found, wanted: Wanted) -> bool:
+    """Whether a shape of the file is the frame of the same as one of the document, or neither is any."""
+    one, other = found.content, wanted.content
+    if isinstance(one, Lettering) and isinstance(other, Lettering):
+        return one.lines == other.lines
+    if isinstance(one, Picture) and isinstance(other, Picture):
+        return one.link == other.link if one.link or other.link else one.data == other.data
+    return one is other
 
 
 def same_course(one: Sequence[FloatArray], other: Sequence[FloatArray], room: float) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections import defaultdict, deque
+from bisect import bisect
+from collections import defaultdict
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import NamedTuple
 
@@ -75,12 +76,14 @@ def matched(
     pairs: dict[int, int] = {}
     left = set(range(len(found)))
     for key in keys:
-        known: defaultdict[Hashable, deque[int]] = defaultdict(deque)
+        known: defaultdict[Hashable, list[int]] = defaultdict(list)
         for place in sorted(left):
             known[key(found[place])].append(place)
         for place, shape in enumerate(wanted):
             if place not in pairs and (places := known.get(key(shape))):
-                pairs[place] = places.popleft()
+                # Of several alike the one in front of that of the shape behind.
+                at = bisect(places, pairs.get(place - 1, -1))
+                pairs[place] = places.pop(at if at < len(places) else 0)
         left -= set(pairs.values())
         if not left:
             break

@@ -43,8 +43,8 @@ from .courses import (
     redraw,
 )
 from .empty_layers import arrange_empty_layers, has_empty_layers, set_empty_layers
-from .found import Found, Reading, Wanted, runs_as
-from .kept import KeptPlan, blocks_of
+from .found import Found, Reading, Wanted, runs_as, same_content
+from .frames import is_unwritten, write_content
 from .looks import Definitions, Looks, declare_style
 from .lost_clones import lost_clones
 from .matching import origins
@@ -124,8 +124,6 @@ class _Rewriting:
         By how much courses may differ, and how styles are compared.
     layers
         The names of the layers that the document began with.
-    kept
-        What becomes of texts and pictures.
     has_rules
         Whether the file has rules of CSS, which outweigh attributes.
     """
@@ -149,8 +147,6 @@ class _Rewriting:
         self._planner = Planner(
             self.wanted, base, known.pairs, known.taken, document.layers, clones, unlinked
         )
-        before_kept = None if begun is None else blocks_of(_in_file(begun, base.sheet))
-        self.kept = KeptPlan(blocks_of(document), before_kept, base, self.reach)
         self.has_rules = b"<style" in data or b":style" in data
 
     def _begun(self, begun: Document) -> list[Wanted]:
@@ -210,13 +206,12 @@ class _Round:
 
     def __init__(self, job: _Rewriting, source: Source, plan: Plan, ways: dict[int, Way]) -> None:
         self._job, self._source, self._plan = job, source, plan
-        self._all, removed = list(source.root.walk()), (*plan.removed, *job.kept.removed)
-        self._placing = Placing(source, plan.entries, plan.groups, removed, plan.dissolved)
+        self._all = list(source.root.walk())
+        self._placing = Placing(source, plan.entries, plan.groups, plan.removed, plan.dissolved)
         set_page(source, job.base.sheet, job.document.page, job.document.unit)
         placed = Reading(source)
         if self._move_groups(placed):
             placed = Reading(source)
-        job.kept.move(self._all, placed)
         set_guides(source, placed, job.document.guides)
         self._definitions = Definitions(Names(source.ids, between="_"))
         self.wrong: list[int | None] = []
@@ -273,6 +268,11 @@ class _Round:
             return False
         by, matrix = np.eye(2, 3), found[0].drawn[0].state.matrix
         is_own = len(wanted) == 1 and not found[0].is_used
+        if not all(same_content(*pair) for pair in zip(found, wanted, strict=True)):
+            if not is_unwritten(node):
+                return False
+            matrix = write_content(self._source, node, found[0], wanted[0])
+            return self._show_as(node, found[0], wanted[0], by, way, is_alone=True, matrix=matrix)
         if all(runs_as(*pair, self._job.room) for pair in zip(found, wanted, strict=True)):
             if is_own and node.tag == "path" and found[0].letters != wanted[0].letters:
                 note_kinds(self._source, node, wanted[0])
@@ -297,15 +297,29 @@ class _Round:
         if way is not Way.IN_ITS_PLACE or (len(found) == 1 and is_plain_path(node, found[0])):
             return None
         by = motion_of(found, wanted, self._job.room)
-        # Where no line shows it, a clone may be stretched.
+        # Where no line shows it, a clone may be stretched; what has its own frame may always.
         has_line = not found[0].is_used or any(each.style.has_stroke for each in wanted)
-        return None if by is None or (has_line and is_uneven(by)) else by
+        stays = found[0].content is None and has_line
+        return None if by is None or (stays and is_uneven(by)) else by
 
     def _show_as(
-        self, node: Node, found: Found, wanted: Wanted, by: FloatArray, way: Way, *, is_alone: bool
+        self,
+        node: Node,
+        found: Found,
+        wanted: Wanted,
+        by: FloatArray,
+        way: Way,
+        *,
+        is_alone: bool,
+        matrix: FloatArray | None = None,
     ) -> bool:
-        """Give an element that was moved the look of a shape of the document; return whether it can be."""
+        """Give an element that was moved the look of a shape of the document; return whether it can be.
+
+        One that was written new may have another map to the plane of the file.
+        """
         drawn, stretch = found.drawn[0], mean_scale(by)
+        scale = drawn.scale if matrix is None else mean_scale(matrix)
+        matrix = drawn.state.matrix if matrix is None else matrix
         style = (
             found.style
             if found.style.width is None
@@ -318,10 +332,10 @@ class _Round:
         if (parts or found.visible != wanted.visible) and not own:
             return False
         if parts:
-            inverse = inverse_of(combined(by, drawn.state.matrix))
+            inverse = inverse_of(combined(by, matrix))
             around = drawn.anchor.around.properties
             values = self._job.looks.properties(
-                wanted.style, parts, inverse, drawn.scale * stretch, around.opacity, self._definitions
+                wanted.style, parts, inverse, scale * stretch, around.opacity, self._definitions
             )
             declare_style(node, parts, values, around.values, has_rules=self._job.has_rules)
         if found.visible != wanted.visible:
@@ -354,13 +368,13 @@ class _Round:
             if around != [groups[name] for name in entry.groups]:
                 return [None]
         job = self._job
-        is_right = has_empty_layers(reading, job.document.empty_layers, job.layers)
-        return [] if is_right and job.kept.is_done(self._all, reading) else [None]
+        return [] if has_empty_layers(reading, job.document.empty_layers, job.layers) else [None]
 
     def _is_right(self, node: Node, found: list[Found], wanted: list[Wanted]) -> bool:
         job = self._job
         return len(found) == len(wanted) and all(
             runs_as(shape, other, job.room)
+            and same_content(shape, other)
             and not job.looks.differing_of(node, shape.style, other.style)
             and (shape.visible, shape.locked) == (other.visible, other.locked)
             for shape, other in zip(found, wanted, strict=True)

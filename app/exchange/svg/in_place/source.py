@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ..escapes import quoted
 from ..names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
-from ..tree import quoted
 
 _TOKEN = re.compile(
     r"""(?P<other><!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|<!(?>[^>"']|"[^"]*"|'[^']*')*>)"""
@@ -158,6 +158,15 @@ class Node:
             else:
                 into.append(each)
         into.append(self._end)
+
+    def take_over(self, other: Node) -> None:
+        """Become what another one is that is nowhere: with its name, its attributes and what is in it."""
+        self.name, self._end, self._is_empty = other.name, other._end, other._is_empty
+        self.children = other.children
+        for each in self.elements:
+            each.parent = self
+        for name in other.names:
+            self.set(name, other.get(name) or "")
 
     def close_with(self, end: str) -> None:
         """Take note of the tag that ends it, as it is written."""

@@ -1,4 +1,4 @@
-"""Texts of an SVG file as lines that can be shown: where each begins, in which fonts and paints.
+"""Texts of an SVG file: where each line begins, in which fonts and paints.
 
 Letters are laid out by whoever has the fonts; here they are only put together and anchored.
 
@@ -12,10 +12,11 @@ import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
-from ...document.kept import MOST_LETTERS, Anchor, KeptRun, KeptText
+from ...document.content import MOST_LETTERS, Anchor, Inner, Lettering, RunPaint, TextLine, TextRun, rough_box
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
 from .gradients import Ground
@@ -65,9 +66,20 @@ class _Line:
     runs: list[_Run] = field(default_factory=list)
     down: float = 0.0
 
+    @property
+    def words(self) -> str:
+        return "".join("".join(run.letters) for run in self.runs)
 
-class KeptTexts:
-    """The texts of one file that are shown.
+
+class TextFound(NamedTuple):
+    """A text, and the properties of its first letters."""
+
+    form: Lettering
+    properties: Properties
+
+
+class Texts:
+    """The texts of one file.
 
     Parameters
     ----------
@@ -80,16 +92,28 @@ class KeptTexts:
     def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
         self._paints, self._declared, self._left = paints, declared, MOST_LETTERS
 
-    def lines(self, element: ET.Element, state: State) -> list[KeptText]:
-        """Return the lines of a text; none where they cannot be shown."""
+    def text(self, element: ET.Element, state: State) -> TextFound | None:
+        """Return a text; None where it cannot be shown."""
         if state.properties.values["writing-mode"].lower()[:2] in ("tb", "ve"):
-            return []
+            return None
         letters = list(_collapsed(self._letters(element, state.properties, (element,), 0.0)))
         self._left -= len(letters)
-        if self._left < 0:
-            return []
-        found = [self._kept(line, state) for line in self._laid(letters, state)]
-        return [each for each in found if each is not None and each.words.strip()]
+        laid = [line for line in self._laid(letters, state) if line.words.strip()] if self._left >= 0 else []
+        if not laid or not np.linalg.det(state.matrix[:, :2]):
+            return None
+        first = next(run.properties for line in laid for run in line.runs if "".join(run.letters).strip())
+        common = self._paint(first, first, state)
+        lines = tuple(
+            TextLine(
+                float(line.x),
+                float(line.y),
+                tuple(self._run(run, first, common, state) for run in line.runs),
+                line.anchor,
+            )
+            for line in laid
+        )
+        box = rough_box(lines)
+        return TextFound(lettering(lines, box), first) if _is_within(box) else None
 
     def _letters(
         self, element: ET.Element, properties: Properties, around: tuple[ET.Element, ...], raised: float
@@ -139,44 +163,56 @@ class KeptTexts:
             before = each.properties
         return lines
 
-    def _kept(self, line: _Line, state: State) -> KeptText | None:
-        matrix = state.matrix
-        place = matrix[:, :2] @ (line.x, line.y) + matrix[:, 2]
-        numbers = np.concatenate([place, matrix[:, :2].ravel()])
-        # Written so that NaN fails.
-        if not (np.abs(numbers) <= MAX_MAGNITUDE).all() or not np.linalg.det(matrix[:, :2]):
-            return None
-        x, y, right, other_right, up, other_up = numbers.tolist()
-        runs = tuple(self._run(each, state) for each in line.runs)
-        return KeptText(x, y, (right, up), (other_right, other_up), runs, line.anchor)
-
     # Looks
 
-    def _run(self, run: _Run, state: State) -> KeptRun:
-        """Return a run in the font and the paint of its letters."""
-        properties, values = run.properties, run.properties.values
+    def _run(self, run: _Run, first: Properties, common: RunPaint, state: State) -> TextRun:
+        """Return a run in the font and the paint of its letters, if that is not the common one."""
+        values = run.properties.values
         size = float(values["font-size"])
-        outline = np.array([[(0.0, -size), (size, -size), (size, 0.0), (0.0, 0.0)]])
-        ground = Ground(state.matrix, state.viewport, [outline])
-        fill, stroke = (
-            self._paints.paint(values[name], values["color"], ground) for name in ("fill", "stroke")
-        )
-        is_seen = properties.is_visible
-        return KeptRun(
+        paint = common if run.properties is first else self._paint(run.properties, first, state)
+        return TextRun(
             "".join(run.letters),
             _families(values["font-family"]),
             size,
             _weight(values["font-weight"].lower()),
             values["font-style"].lower() in ("italic", "oblique"),
             _length(values["letter-spacing"], size),
-            run.right,
-            run.down,
-            fill=fill.colour if is_seen else "none",
-            fill_opacity=_share(fill.opacity, values["fill-opacity"], properties.opacity),
-            stroke=stroke.colour if is_seen else "none",
-            stroke_opacity=_share(stroke.opacity, values["stroke-opacity"], properties.opacity),
-            width=max(_length(values["stroke-width"], size), 0.0),
+            float(run.right),
+            float(run.down),
+            None if paint == common else paint,
         )
+
+    def _paint(self, properties: Properties, first: Properties, state: State) -> RunPaint:
+        """Return the paint of letters, seen through as much more than the first ones as they are."""
+        values = properties.values
+        size = float(values["font-size"])
+        outline = np.array([[(0.0, -size), (size, -size), (size, 0.0), (0.0, 0.0)]])
+        ground = Ground(state.matrix, state.viewport, [outline])
+        fill, stroke = (
+            self._paints.paint(values[name], values["color"], ground) for name in ("fill", "stroke")
+        )
+        # Where the first letters are hidden all of the text is.
+        is_seen = properties.is_visible or not first.is_visible
+        more = min(properties.opacity / first.opacity, 1.0) if first.opacity else 1.0
+        width = max(_length(values["stroke-width"], size), 0.0)
+        return RunPaint(
+            fill.colour if is_seen else "none",
+            _share(fill.opacity, values["fill-opacity"], more),
+            stroke.colour if is_seen and width else "none",
+            _share(stroke.opacity, values["stroke-opacity"], more),
+            width if stroke.colour != "none" else 1.0,
+        )
+
+
+def lettering(lines: tuple[TextLine, ...], box: Inner) -> Lettering:
+    """Return lines of text in a box that they take, y turned up."""
+    left, top, right, bottom = box
+    return Lettering(left, -bottom, right - left, bottom - top, lines, box)
+
+
+def _is_within(box: Inner) -> bool:
+    # Written so that NaN fails.
+    return bool((np.abs(box) <= MAX_MAGNITUDE).all()) and box[0] < box[2] and box[1] < box[3]
 
 
 def _collapsed(letters: Iterable[_Letter]) -> Iterator[_Letter]:

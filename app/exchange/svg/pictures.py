@@ -1,42 +1,54 @@
-"""Pictures of an SVG file as they can be shown: those that are in it, and the places of others."""
+"""Pictures of an SVG file: those that are in it, and the places of others."""
 
 from __future__ import annotations
 
 import binascii
-import struct
 import xml.etree.ElementTree as ET
 from base64 import b64decode, b64encode
+from typing import NamedTuple
 from urllib.parse import unquote
 
 import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.kept import MOST_DATA, KeptPicture
+from ...document.content import LONGEST_LINK, MOST_DATA, Picture
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
-from .clips import clip_of_box
+from ..picture_sizes import size_of
 from .matrices import Box, combined, fitted_box, moved
 from .shapes import length_of
-from .state import State
+from .state import State, Window
 from .xml_tree import reference_of
 
-_PNG, _JPEG = b"\x89PNG\r\n\x1a\n", b"\xff\xd8"
 _ASKEW = 1e-9
-_FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
-"""Markers in a JPEG file behind which its size stands."""
 
 
-class KeptPictures:
-    """The pictures of one file that are shown."""
+class PictureFound(NamedTuple):
+    """A picture, where it lies, and the boxes that cut it which do not lie along its edges.
+
+    Attributes
+    ----------
+    matrix
+        (2, 3), from its width and height, y downwards, to the document's plane.
+    """
+
+    form: Picture
+    matrix: FloatArray
+    askew: tuple[Window, ...]
+
+
+class Pictures:
+    """The pictures of one file."""
 
     def __init__(self) -> None:
         self._left = MOST_DATA
 
-    def picture(self, element: ET.Element, state: State) -> KeptPicture | None:
+    def picture(self, element: ET.Element, state: State) -> PictureFound | None:
         """Return a picture; None where it has no place."""
-        data = _content_of(reference_of(element))
-        size = _size_of(data)
+        reference = reference_of(element)
+        data = _content_of(reference)
+        size = size_of(data)
         text = b64encode(data).decode() if size is not None else ""
         if len(text) > self._left:
             text = ""
@@ -56,11 +68,13 @@ class KeptPictures:
         part = _seen(matrix, state)
         if part is None:
             return None
-        (right, other_right, x), (up, other_up, y) = matrix.tolist()
-        opacity = round(state.properties.opacity, 6)
-        askew = (each for each in state.windows if not _is_along(combined(_inverse(matrix), each.matrix)))
-        clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in askew))
-        return KeptPicture(x, y, (right, up), (other_right, other_up), text, part, opacity, clips=clips)
+        inverse = _inverse(matrix)
+        askew = tuple(each for each in state.windows if not _is_along(combined(inverse, each.matrix)))
+        (x, y), (width, height) = part[:2], (part[2] - part[0], part[3] - part[1])
+        link = "" if text or reference.startswith("data:") else reference[:LONGEST_LINK]
+        is_stretched = bool(link) and element.get("preserveAspectRatio", "").strip().startswith("none")
+        form = Picture(x, -(y + height), width, height, text, part, link, is_stretched)
+        return PictureFound(form, matrix, askew)
 
 
 def _seen(matrix: FloatArray, state: State) -> tuple[float, float, float, float] | None:
@@ -117,29 +131,3 @@ def _content_of(reference: str) -> bytes:
         return b64decode(unquote(content) if "%" in content else content)
     except (binascii.Error, ValueError):
         return b""
-
-
-def _size_of(data: bytes) -> tuple[float, float] | None:
-    """Return width and height in pixels of a PNG or JPEG file; None of every other."""
-    try:
-        if data.startswith(_PNG):
-            width, height = struct.unpack(">II", data[16:24])
-        elif data.startswith(_JPEG):
-            height, width = _size_in_jpeg(data)
-        else:
-            return None
-    except struct.error:
-        return None
-    return (float(width), float(height)) if width and height else None
-
-
-def _size_in_jpeg(data: bytes) -> tuple[int, int]:
-    place = 2
-    while True:
-        mark, kind, length = struct.unpack(">BBH", data[place : place + 4])
-        if mark != 0xFF or length < 2:
-            raise struct.error
-        if kind in _FRAMES:
-            height, width = struct.unpack(">HH", data[place + 5 : place + 9])
-            return height, width
-        place += 2 + length

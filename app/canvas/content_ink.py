@@ -1,0 +1,76 @@
+"""Texts and pictures painted in their frames."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QPainter, QTransform
+
+from ..appearance.colours import curve_colour
+from ..appearance.theme import Theme
+from ..document.content import Lettering, Picture
+from ..document.contents import corners_of
+from ..document.model import Curve
+from ..document.style import Style
+from ..plotting.pixel_map import PixelMap
+from ..plotting.printed import to_pixels
+from ..qt.clips import clipped
+from ..qt.contents import inked, paint_picture
+from ..qt.gradients import brush_of
+from ..qt.strokes import pen_of, with_opacity
+
+_SHORTEST_DASHES = 0.5
+"""Pixels of a pattern below which dashes cannot be told apart."""
+
+
+def paint_content(
+    painter: QPainter, curve: Curve, style: Style, shown: PixelMap, theme: Theme, width: float
+) -> None:
+    """Paint what a curve is the frame of, in a style; `width` is that of its line in pixels."""
+    way = to_pixels(shown)
+    if style.clips:
+        area, whole = QRectF(0, 0, shown.width, shown.height), replace(style, clips=())
+        with clipped(painter, style.clips, way, area):
+            paint_content(painter, curve, whole, shown, theme, width)
+    elif isinstance(curve.form, Picture):
+        paint_picture(painter, curve.form, corners_of(curve), way, style.opacity, theme.muted)
+    elif isinstance(curve.form, Lettering):
+        _paint_text(painter, curve, curve.form, style, shown, theme, width)
+
+
+def _paint_text(
+    painter: QPainter,
+    curve: Curve,
+    text: Lettering,
+    style: Style,
+    shown: PixelMap,
+    theme: Theme,
+    width: float,
+) -> None:
+    way: QTransform = to_pixels(shown)
+    for path, own in inked(text, corners_of(curve), way, style):
+        if not path.boundingRect().intersects(QRectF(-1, -1, shown.width + 2, shown.height + 2)):
+            continue
+        if own.has_fill:
+            opacity = own.fill_opacity * style.opacity
+            painter.fillPath(
+                path,
+                with_opacity(_seen(own.fill, theme), opacity)
+                if own.fill_gradient is None
+                else brush_of(own.fill_gradient, theme.curve, opacity, lambda place: shown.point(*place)),
+            )
+        wide = width if own is style or own.width is None else own.width * shown.sx
+        if own.has_stroke and wide > 0:
+            opacity = own.stroke_opacity * style.opacity
+            colour = with_opacity(_seen(own.stroke, theme), opacity)
+            pen = pen_of(own, colour, wide, is_dashed=sum(own.dash) * wide >= _SHORTEST_DASHES)
+            if own.stroke_gradient is not None:
+                pen.setBrush(
+                    brush_of(own.stroke_gradient, theme.curve, opacity, lambda place: shown.point(*place))
+                )
+            painter.strokePath(path, pen)
+
+
+def _seen(code: str, theme: Theme) -> QColor:
+    """Return a colour as it is seen: on dark paper what is written for light paper, too."""
+    return curve_colour(code, theme)

@@ -1,0 +1,254 @@
+"""Forms that show something in a frame: a text, a picture.
+
+What is in the frame has units of its own, y downwards: those of the text, or of a picture its width and its
+height. `inner` is the part of that which the frame shows, and the map from there is found from the frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Annotated, Final
+
+from .box_form import InBox
+from .fields import SHARE, Requirement, above, at_least, between, few, matching
+from .form import FormField, FormHandle, Piece
+from .value import Value
+from .words import NamedEnum
+
+MOST_LETTERS: Final = 20_000
+"""Letters of all texts of a drawing that are read."""
+
+MOST_DATA: Final = 24_000_000
+"""Characters that the files of all pictures of a drawing take."""
+
+LONGEST_LINK: Final = 4096
+"""Characters of the place of a picture's file."""
+
+_COLOUR = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
+_WORDS = Requirement(
+    lambda words: len(words) <= MOST_LETTERS and not any(each < " " for each in words),
+    f"be a line of at most {MOST_LETTERS} letters",
+    shown=len,
+)
+_MANY = few(MOST_LETTERS, f"be at most {MOST_LETTERS}")
+_DATA = matching("[A-Za-z0-9+/]*={0,2}", "be the file of a picture in Base64")
+_LINK = Requirement(lambda link: len(link) <= LONGEST_LINK, f"be at most {LONGEST_LINK} characters")
+
+Inner = tuple[float, float, float, float]
+"""Left and upper, right and lower edge, in the units of what a frame shows."""
+
+_BOX = Requirement(
+    lambda box: len(box) == 4 and box[0] < box[2] and box[1] < box[3],
+    "hold a left and an upper edge, and a right and a lower one beyond them",
+    of_all=True,
+)
+
+WHOLE: Final[Inner] = (0.0, 0.0, 1.0, 1.0)
+"""All of a picture."""
+
+_NARROW, _WIDE = "iljtfrI.,:;'|!()[] ", "mwMW@%"
+_WIDTHS = (0.3, 0.9, 0.68, 0.56)
+"""What narrow, wide, large and other letters take of an em, about."""
+
+_ASCENT, _DESCENT = 0.75, 0.22
+
+
+class Anchor(NamedEnum):
+    """Where the place of a line of text lies along it.
+
+    Attributes
+    ----------
+    share
+        How much of the line lies before it.
+    """
+
+    def __init__(self, value: str, label: str = "", share: float = 0.0) -> None:
+        super().__init__(value, label)
+        self.share = share
+
+    START = "start", "Start", 0.0
+    MIDDLE = "middle", "Middle", 0.5
+    END = "end", "End", 1.0
+
+
+class RunPaint(Value, frozen=True):
+    """Paint of letters that have another one than the text; see `Style`. Its width is in units of that."""
+
+    fill: Annotated[str, _COLOUR] = "#000000"
+    fill_opacity: Annotated[float, SHARE] = 1.0
+    stroke: Annotated[str, _COLOUR] = "none"
+    stroke_opacity: Annotated[float, SHARE] = 1.0
+    width: Annotated[float, at_least(0)] = 1.0
+
+
+class TextRun(Value, frozen=True):
+    """A part of a line in one font and one paint; its lengths are in units of the text.
+
+    Attributes
+    ----------
+    words
+        The letters.
+    font
+        Families of fonts, the first that there is counts.
+    size
+        What an em is long.
+    weight, italic
+        The style of the font, 400 being regular.
+    spacing
+        What lies between letters beyond the usual.
+    right, down
+        By how much it is moved from where it would follow.
+    paint
+        How it is painted; None for the style of the text.
+    """
+
+    words: Annotated[str, _WORDS]
+    font: tuple[str, ...] = ()
+    size: Annotated[float, above(0)] = 16.0
+    weight: Annotated[float, between(1, 1000)] = 400.0
+    italic: bool = False
+    spacing: float = 0.0
+    right: float = 0.0
+    down: float = 0.0
+    paint: RunPaint | None = None
+
+
+class TextLine(Value, frozen=True):
+    """A line of a text.
+
+    Attributes
+    ----------
+    x, y
+        Where it is anchored on its baseline, in units of the text.
+    runs
+        Its parts, one after the other.
+    anchor
+        What of it lies there.
+    """
+
+    x: float
+    y: float
+    runs: Annotated[tuple[TextRun, ...], _MANY]
+    anchor: Anchor = Anchor.START
+
+    @property
+    def words(self) -> str:
+        """All of it."""
+        return "".join(run.words for run in self.runs)
+
+
+class _Content(InBox, frozen=True):
+    """What is shown in a frame, from its upper left corner on."""
+
+    stretches = True
+    is_content = True
+    fields = (
+        FormField("width", "W", "Width along its own side"),
+        FormField("height", "H", "Height along its own side"),
+    )
+
+    @property
+    def inner(self) -> Inner:
+        """The part of what is in the frame that this shows, in the units of that."""
+        raise NotImplementedError
+
+    @property
+    def title(self) -> str:
+        """What it is called where nobody has named it."""
+        return self.noun.capitalize()
+
+    @property
+    def pieces(self) -> Sequence[Piece]:
+        """Its frame."""
+        return self.sides
+
+    @property
+    def handles(self) -> Sequence[FormHandle]:
+        """None: it is scaled as all is."""
+        return ()
+
+
+class Lettering(_Content, frozen=True):
+    """A text.
+
+    Attributes
+    ----------
+    lines
+        Its lines.
+    box
+        What the letters take, in units of the text.
+    """
+
+    lines: Annotated[tuple[TextLine, ...], _MANY]
+    box: Annotated[tuple[float, float, float, float], _BOX]
+
+    noun = "text"
+
+    @property
+    def inner(self) -> Inner:
+        """The box of its letters."""
+        return self.box
+
+    @property
+    def words(self) -> str:
+        """All of its words, in a line."""
+        return " ".join(" ".join(line.words for line in self.lines).split())
+
+    @property
+    def title(self) -> str:
+        """Its words."""
+        return self.words
+
+
+class Picture(_Content, frozen=True):
+    """A picture.
+
+    Attributes
+    ----------
+    data
+        A PNG or JPEG file in Base64; empty for one that is not there, whose frame is shown.
+    part
+        What of it the frame shows; beyond 0 and 1 there is nothing.
+    link
+        Where its file lies, as the drawing says that it came with; empty for one that was in it.
+    stretched
+        Whether what its file holds is to fill the frame; else it keeps its proportions.
+    """
+
+    data: Annotated[str, _DATA] = ""
+    part: Annotated[tuple[float, float, float, float], _BOX] = WHOLE
+    link: Annotated[str, _LINK] = ""
+    stretched: bool = False
+
+    noun = "picture"
+
+    @property
+    def inner(self) -> Inner:
+        """What of it is shown."""
+        return self.part
+
+
+Content = Lettering | Picture
+"""What a frame may show."""
+
+
+def rough_box(lines: Iterable[TextLine]) -> Inner:
+    """Return about what lines of text take, in their units: it hangs on no font."""
+    boxes = list[Inner]()
+    for line in lines:
+        x, y, low, high = 0.0, line.y, line.y, line.y
+        for run in line.runs:
+            x, y = x + run.right, y + run.down
+            low, high = min(low, y - _ASCENT * run.size), max(high, y + _DESCENT * run.size)
+            x += sum(_width(letter) * run.size + run.spacing for letter in run.words)
+        left = line.x - x * line.anchor.share
+        boxes.append((left, low, left + max(x, 1e-6), high))
+    lefts, tops, rights, bottoms = zip(*boxes, strict=True)
+    return min(lefts), min(tops), max(rights), max(bottoms)
+
+
+def _width(letter: str) -> float:
+    narrow, wide, large, other = _WIDTHS
+    if letter in _NARROW:
+        return narrow
+    return wide if letter in _WIDE else large if letter.isupper() else other

@@ -1,0 +1,219 @@
+"""Texts and pictures in their frames, as paths and images of Qt: the same on the screen and in print."""
+
+from __future__ import annotations
+
+from base64 import b64decode
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import groupby
+
+import numpy as np
+from msgspec.structs import replace
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QImage,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPolygonF,
+    QTransform,
+)
+
+from ..document.content import WHOLE, Lettering, Picture, RunPaint, TextLine, TextRun
+from ..document.contents import Plane, corners_of, plane_of
+from ..document.form_edits import framed
+from ..document.model import Curve, Document, Vector
+from ..document.style import Style
+from . import glyphs
+from .glyphs import Glyph, has_fonts
+from .picture_data import ImageFileError, decoded
+
+_EM = 1000
+"""Pixels of an em in which outlines of letters are made: next to nothing of them is rounded."""
+
+Corners = Sequence[Vector]
+"""Those of a frame in the plane, from the upper left one on clockwise."""
+
+
+def way_of(plane: Plane) -> QTransform:
+    """Return the way from the units of what a frame shows to the plane."""
+    return QTransform(*plane.across, *plane.down, plane.x, plane.y)
+
+
+# Texts
+
+
+def inked(
+    text: Lettering, corners: Corners, way: QTransform, style: Style
+) -> Iterator[tuple[QPainterPath, Style]]:
+    """Yield the letters of a text where a way leads from the plane, those of one paint with their style."""
+    plane = plane_of(text, corners)
+    whole = way_of(plane) * way
+    for paint, path in painted_letters(text.lines):
+        yield whole.map(path), style if paint is None else _styled(style, paint, plane.scale)
+
+
+def _styled(style: Style, paint: RunPaint, unit: float) -> Style:
+    """Return the style of letters with a paint of their own."""
+    return replace(
+        style,
+        fill=paint.fill,
+        fill_opacity=paint.fill_opacity,
+        fill_gradient=None,
+        stroke=paint.stroke,
+        stroke_opacity=paint.stroke_opacity,
+        stroke_gradient=None,
+        width=paint.width * unit,
+    )
+
+
+@lru_cache(maxsize=2000)
+def painted_letters(lines: tuple[TextLine, ...]) -> tuple[tuple[RunPaint | None, QPainterPath], ...]:
+    """Return the outlines of letters in the units of the text, those of one paint in one path."""
+    runs = [each for line in lines for each in outlines_of(line)]
+    found = list[tuple[RunPaint | None, QPainterPath]]()
+    for paint, together in groupby(runs, lambda each: each[0].paint):
+        path = QPainterPath()
+        path.setFillRule(Qt.FillRule.WindingFill)
+        for _, outline in together:
+            path.addPath(outline)
+        found.append((paint, path))
+    return tuple(found)
+
+
+def outlines_of(line: TextLine) -> list[tuple[TextRun, QPainterPath]]:
+    """Return the outlines of each run of a line, in the units of the text; none where there are no fonts."""
+    found = list[tuple[TextRun, QPainterPath]]()
+    for run, (x, y) in _placed_runs(line):
+        path, scale = QPainterPath(), run.size / _EM
+        path.addText(0.0, 0.0, _font_of(run), run.words)
+        found.append((run, QTransform(scale, 0, 0, scale, x, y).map(path)))
+    return found
+
+
+def _placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
+    """Return where each run of a line begins, in the units of the text; none where there are no fonts."""
+    if not has_fonts():
+        return []
+    found, x, y = list[tuple[TextRun, Vector]](), 0.0, 0.0
+    for run in line.runs:
+        x, y = x + run.right, y + run.down
+        found.append((run, (x, y)))
+        x += QFontMetricsF(_font_of(run)).horizontalAdvance(run.words) * run.size / _EM
+    # What follows the last letter is none of the text: so Inkscape has it.
+    x -= line.runs[-1].spacing if line.runs else 0.0
+    left = line.x - x * line.anchor.share
+    return [(run, (left + right, line.y + down)) for run, (right, down) in found]
+
+
+def letters_of(text: Lettering, corners: Corners, style: Style) -> Iterator[tuple[Glyph, Style]]:
+    """Yield the outlines of the letters of a text in the plane, each with its style."""
+    plane = plane_of(text, corners)
+    for run, place in (each for line in text.lines for each in _placed_runs(line)):
+        own = style if run.paint is None else _styled(style, run.paint, plane.scale)
+        across, down = np.array(plane.across) * run.size / _EM, np.array(plane.down) * run.size / _EM
+        origin = np.array(plane.place(*place))
+        for glyph in glyphs.letters_of(run.words, _font_of(run)):
+            # Outlines have y upwards, texts downwards.
+            contours = tuple(
+                origin + each[..., :1] * across - each[..., 1:] * down for each in glyph.contours
+            )
+            yield Glyph(glyph.letters, contours), own
+
+
+def _font_of(run: TextRun) -> QFont:
+    font = QFont()
+    font.setFamilies(list(run.font) or ["sans-serif"])
+    font.setPixelSize(_EM)
+    font.setWeight(QFont.Weight(min(max(round(run.weight / 100), 1), 9) * 100))
+    font.setItalic(run.italic)
+    font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
+    if run.spacing:
+        font.setLetterSpacing(QFont.SpacingType.AbsoluteSpacing, run.spacing * _EM / run.size)
+    return font
+
+
+def measured(document: Document) -> Document:
+    """Return the document with frames around the letters of its texts, as the fonts here have them.
+
+    A text that is read somewhere else comes in a frame that is about as large.
+    """
+    curves = tuple(map(_measured, document.curves))
+    is_same = all(new is old for new, old in zip(curves, document.curves, strict=True))
+    return document if is_same else replace(document, curves=curves)
+
+
+def _measured(curve: Curve) -> Curve:
+    text = curve.form
+    if not isinstance(text, Lettering):
+        return curve
+    box = QRectF()
+    for _, path in painted_letters(text.lines):
+        box = box.united(path.boundingRect())
+    if box.width() <= 0 or box.height() <= 0:
+        return curve
+    inner = (box.left(), box.top(), box.right(), box.bottom())
+    return curve if inner == text.box else in_box(curve, text, inner)
+
+
+def in_box(curve: Curve, text: Lettering, inner: tuple[float, float, float, float]) -> Curve:
+    """Return the curve of a text with another frame: the letters stay where they are."""
+    plane = plane_of(text, corners_of(curve))
+    left, top, right, bottom = inner
+    places = ((left, top), (right, top), (right, bottom), (left, bottom))
+    before = text.box
+    across, down = (text.width / (before[2] - before[0]), text.height / (before[3] - before[1]))
+    new = replace(
+        text,
+        box=inner,
+        x=text.x + (left - before[0]) * across,
+        y=text.y + (before[3] - bottom) * down,
+        width=(right - left) * across,
+        height=(bottom - top) * down,
+    )
+    frame = framed(new, [plane.place(*each) for each in places], curve.name)
+    return replace(curve, form=new, points=frame.points, parametrization=frame.parametrization)
+
+
+# Pictures
+
+
+def paint_picture(
+    painter: QPainter,
+    picture: Picture,
+    corners: Corners,
+    way: QTransform,
+    opacity: float,
+    frame: QColor | None,
+) -> None:
+    """Paint a picture where a way leads from the plane; of one that is not there a frame in a colour."""
+    image = image_of(picture.data) if picture.data else None
+    painter.save()
+    if image is not None:
+        left, top, right, bottom = picture.part
+        painter.setTransform(way_of(plane_of(picture, corners)) * way, True)
+        painter.setOpacity(painter.opacity() * opacity)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        if picture.part != WHOLE:
+            painter.setClipRect(QRectF(left, top, right - left, bottom - top), Qt.ClipOperation.IntersectClip)
+        painter.drawImage(QRectF(0, 0, 1, 1), image)
+    elif frame is not None:
+        box = way.map(QPolygonF([QPointF(*place) for place in corners]))
+        painter.setPen(QPen(frame, 1, Qt.PenStyle.DashLine))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPolygon(box)
+        for start, end in ((0, 2), (1, 3)):
+            painter.drawLine(QLineF(box.at(start), box.at(end)))
+    painter.restore()
+
+
+@lru_cache(maxsize=16)
+def image_of(data: str) -> QImage | None:
+    """Return a picture that a file holds; None where it cannot be read."""
+    try:
+        return decoded(b64decode(data), "A picture")
+    except ImageFileError:
+        return None

@@ -1,0 +1,189 @@
+"""Texts and pictures of an opened drawing are objects among the curves: chosen, moved, recoloured."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor
+
+from app.document.contents import corners_of, is_content
+from app.document.edits import move_points
+from app.document.several_curves import with_appearance
+from app.document.style_edits import with_style
+from app.qt import contents
+from tests.effort import noted_calls
+from tests.gui.pixels import is_colour
+
+DRAWING = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
+    '<path id="area" d="M5 5H60V55H5Z" fill="#ffffee"/>'
+    '<text id="t" x="10" y="30" font-size="20" font-weight="900" fill="#ff0000">MMM</text>'
+    '<path id="line" d="M10 50L90 50" stroke="#0000ff"/></svg>'
+)
+AREA, TEXT, LINE = range(3)
+RED = QColor("#ff0000")
+
+
+@pytest.fixture
+def drawing(open_drawing):
+    """An SVG opened as a document."""
+    return open_drawing(DRAWING)
+
+
+def red(editor):
+    """Return the box of what is red on the canvas, in the plane; None where nothing is."""
+    canvas = editor.window.context.central.canvas
+    viewport = canvas.viewport()
+    found = is_colour(viewport.grab().toImage().scaled(viewport.size() * 1 or QSize()), RED)
+    if not found.any():
+        return None
+    rows, columns = np.nonzero(found)
+    origin, shown = canvas.camera.origin, canvas.pixel_map
+    left, top = shown.plane(columns.min() - origin.x(), rows.min() - origin.y())
+    right, bottom = shown.plane(columns.max() + 1 - origin.x(), rows.max() + 1 - origin.y())
+    return np.array([left, bottom, right, top])
+
+
+def frame(editor):
+    """Return the box of the frame of the text."""
+    corners = corners_of(editor.session.document.curves[TEXT])
+    return np.array([*np.min(corners, axis=0), *np.max(corners, axis=0)])
+
+
+def test_a_text_is_seen_in_its_frame_and_hidden_as_a_curve_is(drawing):
+    before = red(drawing)
+    shown = drawing.window.context.central.canvas.pixel_map
+    # On the page, which hangs at the lower left: the baseline lies 30 mm above that.
+    assert before[:2] == pytest.approx([11, 30], abs=1 + 2 / shown.sx)
+    assert frame(drawing) == pytest.approx(before, abs=0.1 + 2 / shown.sx)
+    drawing.session.change("Hide", lambda now: with_appearance(now, {TEXT}, visible=False))
+    assert red(drawing) is None
+    drawing.trigger("undo")
+    assert red(drawing) == pytest.approx(before)
+
+
+def test_a_drag_beside_it_measures_and_paints_no_letter(drawing, monkeypatch):
+    drawing.session.selected.activate(LINE)
+    drawing.settle()
+    red(drawing)
+    painted = noted_calls(monkeypatch, contents, "painted_letters")
+    steps = [(10 + step, 12) for step in range(1, 6)]
+    drawing.press((10, 10))
+    for step in steps:
+        drawing.move(step)
+        red(drawing)
+    drawing.release(steps[-1])
+    assert drawing.session.document.curves[LINE].points[0].x != 10.0
+    assert painted == []
+
+
+def test_it_is_chosen_and_dragged_and_nudged_and_deleted_with_curves(drawing):
+    session = drawing.session
+    begun, home = session.document, frame(drawing)
+    drawing.click((15, 35))
+    assert session.selected.chosen == {TEXT}
+    drawing.click((75, 10), keys=Qt.KeyboardModifier.ShiftModifier)
+    assert session.selected.chosen == {TEXT, LINE}
+    drawing.press((15, 35))
+    drawing.move((20, 39))
+    assert frame(drawing)[:2] == pytest.approx(np.add(home[:2], (5, 4)), abs=0.3)
+    assert red(drawing)[:2] == pytest.approx([16, 34], abs=1.5)
+    drawing.key(Qt.Key.Key_Escape)
+    drawing.release((20, 39))
+    assert session.document is begun
+    drawing.drag((15, 35), (20, 39))
+    assert session.document.curves[LINE].points[0].x > begun.curves[LINE].points[0].x
+    there = frame(drawing)
+    drawing.key(Qt.Key.Key_Right)
+    assert frame(drawing)[0] > there[0]
+    drawing.trigger("deleteSelection")
+    assert [each.name for each in session.document.curves] == ["area"]
+    for _ in range(3):
+        drawing.trigger("undo")
+    assert session.document == begun
+    assert not session.undo_stack.canUndo()
+
+
+def test_it_is_copied_duplicated_cloned_grouped_and_put_behind(drawing):
+    session = drawing.session
+    session.selected.choose({TEXT})
+    drawing.trigger("copyPoints")
+    for action in ("pastePoints", "duplicateSelection", "clone"):
+        count = len(session.document.curves)
+        drawing.trigger(action)
+        drawing.wait_for_work()
+        assert len(session.document.curves) == count + 1, action
+        session.selected.choose({TEXT})
+    assert sum(map(is_content, session.document.curves)) == 4
+    drawing.trigger("lowerToBottom")
+    assert session.document.curves[0].name == "MMM"
+    session.selected.choose({0, len(session.document.curves) - 1})
+    drawing.trigger("groupCurves")
+    assert len({curve.groups for curve in session.document.curves if curve.groups}) == 1
+
+
+def test_its_points_are_not_edited_and_its_frame_stays_one(drawing):
+    session = drawing.session
+    begun = session.document
+    session.selected.activate(TEXT)
+    assert not session.selected.is_editing
+    assert session.selected.chosen == {TEXT}
+    session.selected.choose({TEXT, LINE})
+    session.selected.edit_chosen()
+    assert session.selected.curves == {LINE}
+    torn = session.change("Open", lambda now: now.with_curve(TEXT, replace(now.curves[TEXT], closed=False)))
+    assert torn.refusal == "“MMM” is a text: Object to Path makes outlines of it."
+    assert not session.preview(move_points(begun, TEXT, [0], (1.0, 0.0)))
+    assert session.document is begun
+
+
+def test_a_style_is_that_of_its_letters(drawing):
+    session = drawing.session
+    session.selected.choose({TEXT})
+    session.change("Blue", lambda now: with_style(now, {TEXT}, fill="#0000ff"))
+    assert red(drawing) is None
+
+
+def test_it_goes_and_comes_back_with_the_document(drawing, tmp_path):
+    curves = drawing.session.document.curves
+    drawing.session.save(tmp_path / "a.curve.json")
+    drawing.session.new()
+    drawing.settle()
+    assert red(drawing) is None
+    drawing.session.open(tmp_path / "a.curve.json")
+    drawing.settle()
+    assert drawing.session.document.curves == curves
+    drawing.trigger("fitView")
+    assert red(drawing) is not None
+
+
+def test_object_to_path_makes_outlines_of_its_letters_where_they_are(drawing):
+    session = drawing.session
+    session.selected.choose({TEXT})
+    before = red(drawing)
+    drawing.trigger("objectToPath")
+    assert [curve.form for curve in session.document.curves] == [None] * 5
+    assert [curve.groups for curve in session.document.curves[1:4]] == [("MMM",)] * 3
+    assert session.selected.chosen == {1, 2, 3}
+    assert red(drawing) == pytest.approx(before, abs=0.3)
+    # They are paths now, and can be combined.
+    drawing.trigger("pathUnion")
+    drawing.wait_for_work()
+    drawing.trigger("undo")
+    drawing.trigger("undo")
+    assert session.document.curves[TEXT].form.noun == "text"
+
+
+def test_what_wants_an_outline_says_that_it_has_none(drawing):
+    session = drawing.session
+    begun = session.document
+    for action in ("pathUnion", "strokeToPath"):
+        session.selected.choose({AREA, TEXT})
+        drawing.trigger(action)
+        drawing.wait_for_work()
+        assert session.document is begun
+    session.selected.choose({TEXT, LINE})
+    drawing.trigger("combineCurves")
+    assert session.document is begun
