@@ -141,12 +141,13 @@ def measured(document: Document) -> Document:
 
     A text that is read somewhere else comes in a frame that is about as large.
     """
-    curves = tuple(map(_measured, document.curves))
+    curves = tuple(map(fitted, document.curves))
     is_same = all(new is old for new, old in zip(curves, document.curves, strict=True))
     return document if is_same else replace(document, curves=curves)
 
 
-def _measured(curve: Curve) -> Curve:
+def fitted(curve: Curve) -> Curve:
+    """Return a curve with the frame that fits the letters which it is around; any other as it is."""
     text = curve.form
     if not isinstance(text, Lettering):
         return curve

@@ -106,7 +106,7 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     """Return what a click on a curve does, and what Shift would change of drag and click."""
     host = context.host
     name, is_editing = _name(context, hit), host.selected.is_editing
-    is_whole = is_content(host.document.curves[hit.index])
+    is_whole = not is_editing and is_content(host.document.curves[hit.index])
     if context.pointer.shift:
         return "click to take it out" if is_chosen else "click to choose it too"
     if is_chosen:
@@ -116,6 +116,8 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
         if host.document.curves[hit.index].text is not None:
             return f"{click}Double-click to edit the text, with Ctrl the points of a letter"
+        if text_around(host.document, hit.index):
+            return f"{click}Double-click to edit its words · Shift: one axis, a click takes it out"
         edit = "" if is_whole else f"Double-click to edit “{name}” · "
         return f"{click}{edit}Shift: one axis, a click takes it out"
     later = "" if is_editing or is_whole else ", double-click to edit it"
