@@ -8,7 +8,7 @@
 - ``document_files``: opening and saving, with their questions.  ``file_work``: files beside the window.
   ``file_names``: what documents are called.  ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.
-  ``contents_here``: texts in the fonts of this computer, pictures beside their drawing.
+  ``contents_here``: texts in the fonts of this computer.
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
   ``form_edits``: changes by a form.
