@@ -248,7 +248,7 @@ def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
         path.write_text(text, encoding="utf-8")
         assert main(["render", str(path), "-o", str(drawn)]) == 0
         said = capsys.readouterr().err
-        assert ("image" in said) is (name == "in.svg")
+        assert ("x.png" in said) is (name == "in.svg")
         assert main(["convert", str(path), str(converted)]) == 0
         assert drawn.read_bytes() == converted.read_bytes()
         capsys.readouterr()
@@ -278,7 +278,7 @@ def test_a_folder_is_refused_as_one(tmp_path, capsys):
 @pytest.mark.usefixtures("drawings_read_here")
 def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
     path = tmp_path / "a.svg"
-    path.write_text('<svg><text id="t">Hi</text><path d="M0 0L1 1"/></svg>', encoding="utf-8")
+    path.write_text('<svg><flowRoot id="t">Hi</flowRoot><path d="M0 0L1 1"/></svg>', encoding="utf-8")
     assert main(["convert", "--json", str(path), str(tmp_path / "a.curve.json")]) == 0
     output = capsys.readouterr()
     assert output.err == ""
@@ -287,11 +287,11 @@ def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
         "deviation": 0.0,
         "missed": [
             {
-                "element": "<text>",
+                "element": "<flowRoot>",
                 "name": "t",
                 "number": 2,
-                "why": "text is no curve",
-                "instead": "shown in a new document, but not edited",
+                "why": "it has no letters that can be read here",
+                "instead": "left out, but as paths it would come in",
             }
         ],
         "remarks": [],
@@ -440,7 +440,8 @@ def test_convert_says_what_it_leaves_out(tmp_path, capsys):
     path.write_text('<svg><text/><path d="M0 0L1 1"/></svg>', encoding="utf-8")
     assert main(["convert", str(path), str(tmp_path / "a.py")]) == 0
     assert capsys.readouterr().err == (
-        "curvebench: <text> (element 2): text is no curve; left out, but as paths it would come in.\n"
+        "curvebench: <text> (element 2): it has no letters that can be read here; "
+        "left out, but as paths it would come in.\n"
     )
 
 

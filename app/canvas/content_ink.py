@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QPainter, QTransform
+from PySide6.QtGui import QColor, QPainter
 
 from ..appearance.colours import curve_colour
 from ..appearance.theme import Theme
@@ -47,10 +47,8 @@ def _paint_text(
     theme: Theme,
     width: float,
 ) -> None:
-    way: QTransform = to_pixels(shown)
-    for path, own in inked(text, corners_of(curve), way, style):
-        if not path.boundingRect().intersects(QRectF(-1, -1, shown.width + 2, shown.height + 2)):
-            continue
+    area = QRectF(0, 0, shown.width, shown.height)
+    for path, own in inked(text, corners_of(curve), to_pixels(shown), style, area):
         if own.has_fill:
             opacity = own.fill_opacity * style.opacity
             painter.fillPath(

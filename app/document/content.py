@@ -182,7 +182,7 @@ class Lettering(_Content, frozen=True):
     lines: Annotated[tuple[TextLine, ...], _MANY]
     box: Annotated[tuple[float, float, float, float], _BOX]
 
-    noun = "text"
+    noun, icon = "text", "type"
 
     @property
     def inner(self) -> Inner:
@@ -220,7 +220,7 @@ class Picture(_Content, frozen=True):
     link: Annotated[str, _LINK] = ""
     stretched: bool = False
 
-    noun = "picture"
+    noun, icon = "picture", "image"
 
     @property
     def inner(self) -> Inner:

@@ -78,6 +78,8 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
         Whether it is one of its kind still when it is wider than high; else it grows alike both ways.
     is_content
         Whether it shows something in a frame, and is no outline: a text, a picture.
+    icon
+        A file of resources/icons, without suffix, that stands for such in lists; empty for the paint alone.
     """
 
     x: Length
@@ -87,6 +89,7 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     fields: ClassVar[tuple[FormField, ...]] = ()
     stretches: ClassVar[bool] = True
     is_content: ClassVar[bool] = False
+    icon: ClassVar[str] = ""
 
     @property
     def word(self) -> str:

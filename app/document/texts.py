@@ -6,6 +6,7 @@ from collections.abc import Collection
 
 from msgspec.structs import replace
 
+from .content import Lettering
 from .curve_edits import with_each
 from .model import Curve, Document
 from .text import Text
@@ -14,8 +15,11 @@ from .text import Text
 def text_around(document: Document, curve: int) -> range:
     """Return the places of the letters of the text that a curve is of; none where it is of no text.
 
-    What was put between them or taken from them by hand is not among them.
+    What was put between them or taken from them by hand is not among them. The frame of a text stands for all
+    of its letters.
     """
+    if isinstance(document.curves[curve].form, Lettering):
+        return range(curve, curve + 1)
     curves, (groups, text) = document.curves, _known(document.curves[curve])
     if text is None:
         return range(0)
@@ -51,6 +55,6 @@ def words_of(document: Document, curve: int) -> str:
 
 
 def text_chosen(document: Document, chosen: Collection[int]) -> int:
-    """Return the place of the first letter of the text that is chosen, all of it and nothing else; or −1."""
+    """Return the place of the text, or of its first letter, that is chosen and nothing else; or −1."""
     first = min(chosen, default=-1)
     return first if first >= 0 and frozenset(text_around(document, first)) == frozenset(chosen) else -1

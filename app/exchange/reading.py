@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import exchange
+from ..document.contents import has_contents
 from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ..storage.files import document_in, read_content
 from ..storage.format_error import FormatError
@@ -87,5 +88,10 @@ def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, rep
         return exchange.cubics_in.Imported(document_in(data, path))
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
-        return exchange.child.limited(form.read, data, options.tolerance, report=report)
+        found = exchange.child.limited(form.read, data, options.tolerance, report=report)
+        if not has_contents(found.document.curves):
+            return found
+        document = exchange.linked.with_files(found.document, path.parent)
+        missing = exchange.linked.words_about_missing(document)
+        return replace(found, document=document, remarks=(*found.remarks, *missing))
     return table.read.read_table(path, ending_in(path, form), data, options, report)

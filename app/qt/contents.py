@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from base64 import b64decode
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from itertools import groupby
+from unicodedata import bidirectional
 
 import numpy as np
 from msgspec.structs import replace
@@ -31,6 +32,9 @@ from . import glyphs
 from .glyphs import Glyph, has_fonts
 from .picture_data import ImageFileError, decoded
 
+_WIDEST = 4.0
+"""Widths of its line that a letter may reach beyond its outline, by miters."""
+
 _EM = 1000
 """Pixels of an em in which outlines of letters are made: next to nothing of them is rounded."""
 
@@ -47,13 +51,31 @@ def way_of(plane: Plane) -> QTransform:
 
 
 def inked(
-    text: Lettering, corners: Corners, way: QTransform, style: Style
+    text: Lettering, corners: Corners, way: QTransform, style: Style, area: QRectF
 ) -> Iterator[tuple[QPainterPath, Style]]:
-    """Yield the letters of a text where a way leads from the plane, those of one paint with their style."""
+    """Yield the words of a text where a way leads from the plane, each with its style; not those far away.
+
+    That is as far beyond an area as the lines of letters may reach.
+    """
     plane = plane_of(text, corners)
     whole = way_of(plane) * way
-    for paint, path in painted_letters(text.lines):
-        yield whole.map(path), style if paint is None else _styled(style, paint, plane.scale)
+    linear = (whole.m11(), whole.m12(), whole.m21(), whole.m22())
+    seen = area.translated(-whole.dx(), -whole.dy())
+    for paint, path, box in _letters_along(text.lines, linear):
+        own = style if paint is None else _styled(style, paint, plane.scale)
+        reach = _WIDEST * (own.width or 0.0) * way.m11() + 1.0 if own.has_stroke else 1.0
+        if box.adjusted(-reach, -reach, reach, reach).intersects(seen):
+            yield path.translated(whole.dx(), whole.dy()), own
+
+
+@lru_cache(maxsize=200)
+def _letters_along(
+    lines: tuple[TextLine, ...], linear: tuple[float, float, float, float]
+) -> tuple[tuple[RunPaint | None, QPainterPath, QRectF], ...]:
+    """Return the outlines of words, turned and scaled, and their boxes; under a drag they are only moved."""
+    way = QTransform(*linear, 0.0, 0.0)
+    mapped = ((paint, way.map(path)) for paint, path in painted_letters(lines))
+    return tuple((paint, path, path.controlPointRect()) for paint, path in mapped)
 
 
 def _styled(style: Style, paint: RunPaint, unit: float) -> Style:
@@ -72,26 +94,27 @@ def _styled(style: Style, paint: RunPaint, unit: float) -> Style:
 
 @lru_cache(maxsize=2000)
 def painted_letters(lines: tuple[TextLine, ...]) -> tuple[tuple[RunPaint | None, QPainterPath], ...]:
-    """Return the outlines of letters in the units of the text, those of one paint in one path."""
-    runs = [each for line in lines for each in outlines_of(line)]
-    found = list[tuple[RunPaint | None, QPainterPath]]()
-    for paint, together in groupby(runs, lambda each: each[0].paint):
+    """Return the outlines of words in the units of the text, each with the paint of its own."""
+    runs = (each for line in lines for each in _placed_runs(line))
+    return tuple((run.paint, path) for run, place in runs for path in _words(run, place))
+
+
+def _runs_left(letter: str) -> bool:
+    return bidirectional(letter) in ("R", "AL")
+
+
+def _words(run: TextRun, place: Vector) -> Iterator[QPainterPath]:
+    """Yield the outlines of the words of a run: Qt fills many short paths far sooner than a long one."""
+    font, scale, (x, y) = _font_of(run), run.size / _EM, place
+    metrics = QFontMetricsF(font)
+    # Where it runs from right to left the first word is not the leftmost.
+    pattern = ".+" if any(map(_runs_left, run.words)) else r"\S+"
+    for each in re.finditer(pattern, run.words):
+        start, word = each.start(), each[0]
         path = QPainterPath()
         path.setFillRule(Qt.FillRule.WindingFill)
-        for _, outline in together:
-            path.addPath(outline)
-        found.append((paint, path))
-    return tuple(found)
-
-
-def outlines_of(line: TextLine) -> list[tuple[TextRun, QPainterPath]]:
-    """Return the outlines of each run of a line, in the units of the text; none where there are no fonts."""
-    found = list[tuple[TextRun, QPainterPath]]()
-    for run, (x, y) in _placed_runs(line):
-        path, scale = QPainterPath(), run.size / _EM
-        path.addText(0.0, 0.0, _font_of(run), run.words)
-        found.append((run, QTransform(scale, 0, 0, scale, x, y).map(path)))
-    return found
+        path.addText(metrics.horizontalAdvance(run.words[:start]) if start else 0.0, 0.0, font, word)
+        yield QTransform(scale, 0, 0, scale, x, y).map(path)
 
 
 def _placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
@@ -141,12 +164,13 @@ def measured(document: Document) -> Document:
 
     A text that is read somewhere else comes in a frame that is about as large.
     """
-    curves = tuple(map(_measured, document.curves))
+    curves = tuple(map(fitted, document.curves))
     is_same = all(new is old for new, old in zip(curves, document.curves, strict=True))
     return document if is_same else replace(document, curves=curves)
 
 
-def _measured(curve: Curve) -> Curve:
+def fitted(curve: Curve) -> Curve:
+    """Return a curve with the frame that fits the letters which it is around; any other as it is."""
     text = curve.form
     if not isinstance(text, Lettering):
         return curve

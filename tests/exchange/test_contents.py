@@ -186,7 +186,8 @@ def test_files_of_before_have_them_among_their_curves():
                 text % ('"behind": true,', run % "three", ""),
             ]
         )
-        + '], "kept_pictures": [{"x": 1.0, "y": 2.0, "across": [4.0, 0.0], "down": [0.0, -3.0], "opacity": 0.5}]}'
+        + '], "kept_pictures": [{"x": 1.0, "y": 2.0, "across": [4.0, 0.0], '
+        + '"down": [0.0, -3.0], "opacity": 0.5}]}'
     )
     document = decode(data.encode())
     assert [each.name for each in document.curves] == ["three", "a", "one two", "b", "Picture"]

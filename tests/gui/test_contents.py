@@ -12,9 +12,11 @@ from app.document.contents import corners_of, is_content
 from app.document.edits import move_points
 from app.document.several_curves import with_appearance
 from app.document.style_edits import with_style
+from app.features.text.commands import TextCommands
 from app.qt import contents
 from tests.effort import noted_calls
 from tests.gui.pixels import is_colour
+from tests.gui.test_text import press
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
@@ -187,3 +189,35 @@ def test_what_wants_an_outline_says_that_it_has_none(drawing):
     session.selected.choose({TEXT, LINE})
     drawing.trigger("combineCurves")
     assert session.document is begun
+
+
+def test_a_double_click_edits_its_words_and_it_stays_a_text(drawing):
+    """Letters keep their own fonts and colours, other lines their places."""
+    session = drawing.session
+    session.change("Runs", lambda now: with_style(now, {TEXT}, opacity=0.5))
+    begun, before = session.document, frame(drawing)
+    field = drawing.window.commands[TextCommands].field
+    drawing.window.activateWindow()
+    drawing.click((15, 35))
+    drawing.double_click((15, 35))
+    assert field.isVisible()
+    assert field.text == "MMM"
+    field.words.setPlainText("MM\nm")
+    curve = session.document.curves[TEXT]
+    assert [(line.words, line.x) for line in curve.form.lines] == [("MM", 10.0), ("m", 10.0)]
+    assert curve.form.lines[1].runs[0].weight == 900.0
+    assert curve.style == begun.curves[TEXT].style
+    assert curve.name == "MM m"
+    assert frame(drawing)[1] < before[1]
+    assert frame(drawing)[2] < before[2]
+    press(drawing, Qt.Key.Key_Return)
+    assert session.undo_stack.undoText() == "Edit Text “MM m”"
+    assert session.selected.chosen == {TEXT}
+    drawing.trigger("undo")
+    assert session.document == begun
+    # Nothing changed, no step.
+    count = session.undo_stack.index()
+    drawing.trigger("editText")
+    press(drawing, Qt.Key.Key_Return)
+    assert session.undo_stack.index() == count
+    assert session.document == begun

@@ -40,7 +40,7 @@ from app.view_model.curve.curve_view import view_of
 from app.widgets.field_edit import FieldEdit
 
 SVG = (
-    '<svg xmlns="http://www.w3.org/2000/svg"><text>hi</text>'
+    '<svg xmlns="http://www.w3.org/2000/svg"><flowRoot>hi</flowRoot>'
     '<path id="a" stroke="#d55e00" d="M0 0C1 1 2 1 3 0"/><path id="b" d="M0 5H9"/></svg>'
 )
 
@@ -476,7 +476,11 @@ def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     assert dialog.summary.text() == "2 curves with 4 points, exact."
     rows = [dialog.missed.topLevelItem(row) for row in range(dialog.missed.topLevelItemCount())]
     assert [[row.text(column) for column in range(3)] for row in rows] == [
-        ["<text> “hi”", "text is no curve", "shown in a new document, but not edited"]
+        [
+            "<flowRoot> “hi”",
+            "it has no letters that can be read here",
+            "left out, but as paths it would come in",
+        ]
     ]
     assert not dialog.remarks.isVisible()
     QTest.keyClick(dialog, Qt.Key.Key_Return)

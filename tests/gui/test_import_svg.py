@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
 
 from app.document.clones import original_of
+from app.document.contents import is_content
 from app.document.edits import move_points, set_family, set_position
 from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Page, make_curve
@@ -342,15 +343,13 @@ def test_overwrite_keeps_what_did_not_come_in(editor, tmp_path):
     for x, data in ((0.25, "M 1 4 "), (0.5, "M 2 4 ")):
         move_first_point(editor, x)
         overwrite(editor)
-        assert editor.status.startswith(
-            "Wrote layers.svg, exact; 2 things that had not come in are as before."
-        )
+        assert editor.status.startswith("Wrote layers.svg, exact; 1 thing that had not come in is as before.")
         assert (tmp_path / "layers.svg.before.bak").read_text(encoding="utf-8") == whole
         found = path.read_text(encoding="utf-8")
         before, after = whole.split(' d="')[0], whole.split(' d="')[1].partition('"')[2]
         assert found.startswith(f'{before} d="{data}')
         assert found.endswith(after)
-    (back,), (mine,) = import_file(path).document.curves, editor.session.document.curves
+    (_, back), (_, mine) = import_file(path).document.curves, editor.session.document.curves
     assert [each.position for each in back.points] == [each.position for each in mine.points]
 
 
@@ -403,8 +402,8 @@ def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
     # What has no page is written anew, as large as its curves.
     editor.session.change("Page", lambda document: replace(document, page=None))
     told = (
-        "2 things in layers.svg did not come in as drawn and would be lost: <text> “Title” (text is no "
-        "curve) and <path> “a” (a clip path cuts some of it off). Overwrite again to write it without them."
+        "1 thing in layers.svg did not come in as drawn and would be lost: "
+        "<path> “a” (a clip path cuts some of it off). Overwrite again to write it without it."
     )
     for x in (0.25, 0.5):
         # Asked anew of another drawing.
@@ -417,12 +416,11 @@ def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     editor.wait_for_work()
     assert editor.status == (
-        "Wrote layers.svg without 2 things that had not come in. "
-        "What it was is kept as layers.svg.before.bak."
+        "Wrote layers.svg without 1 thing that had not come in. What it was is kept as layers.svg.before.bak."
     )
     assert editor.message == ""
     assert "deviation" not in path.read_text(encoding="utf-8")
-    (back,), (mine,) = import_file(path).document.curves, editor.session.document.curves
+    (_, back), (_, mine) = import_file(path).document.curves, editor.session.document.curves
     assert [each.position for each in back.points] == [each.position for each in mine.points]
     # Now there is nothing left to lose.
     overwrite(editor)
@@ -438,7 +436,8 @@ def test_what_was_not_opened_from_a_file_has_none_to_overwrite(editor, tmp_path)
 
 
 def move_first_point(editor, x):
-    editor.session.change("Move", lambda document: set_position(document, 0, 0, (x, 0.0)))
+    place = next(at for at, each in enumerate(editor.session.document.curves) if not is_content(each))
+    editor.session.change("Move", lambda document: set_position(document, place, 0, (x, 0.0)))
 
 
 def test_very_many_shapes_without_a_group_come_together(editor, tmp_path):

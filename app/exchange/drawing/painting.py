@@ -111,7 +111,8 @@ class Painting:
         if isinstance(content, Picture):
             paint_picture(self._painter, content, frame.corners, way, frame.style.opacity, None)
         elif isinstance(content, Lettering):
-            for path, style in inked(content, frame.corners, way, frame.style):
+            area = QRectF(0, 0, self._drawing.frame.width, self._height)
+            for path, style in inked(content, frame.corners, way, frame.style, area):
                 brush = self._brush(style) if style.has_fill else None
                 self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush)
 

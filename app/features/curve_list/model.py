@@ -37,6 +37,7 @@ class Row(NamedTuple):
     locked: bool
     facts: str
     is_clone: bool = False
+    icon: str = ""
 
 
 class Entry(NamedTuple):
@@ -358,13 +359,17 @@ def _rows_around(entries: Sequence[Entry]) -> Iterator[int | None]:
 
 
 def _row_of_curve(curve: Curve) -> Row:
-    family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
-    facts = f"{family}, {count_of(len(curve.points), 'point')}"
-    if curve.is_closed:
-        facts += ", closed"
+    form, drawn = curve.form, ""
+    if form is not None and form.is_content:
+        facts, drawn = form.noun.capitalize(), form.icon
+    else:
+        family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
+        facts = f"{family}, {count_of(len(curve.points), 'point')}"
+        if curve.is_closed:
+            facts += ", closed"
     if is_clone := curve.clone is not None:
         facts += ", clone"
-    return Row(curve.name, curve.style, curve.visible, curve.locked, facts, is_clone)
+    return Row(curve.name, curve.style, curve.visible, curve.locked, facts, is_clone, drawn)
 
 
 def _state(row: Row, entry: Entry) -> str:

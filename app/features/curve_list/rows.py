@@ -12,10 +12,9 @@ from ...appearance.icons import icon
 from ...appearance.swatches import draw_style
 from ...appearance.theme import Theme, mix, theme_of
 from ...document.curve_tree import NodeKind
-from ...document.style import Style
 from ...qt.overrides import Guarded
 from ...widgets.controls import named
-from .model import Entry
+from .model import Entry, Row
 from .row_parts import ICON, SWATCH, Spot, spot_rect
 
 if TYPE_CHECKING:
@@ -44,7 +43,7 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         if entry.opens:
             opener = "fold-open" if entry.is_open else "fold"
             self._paint_switch(painter, self._view.parts.opener_rect(number), opener, True)
-        self._paint_swatch(painter, spot_rect(rect, Spot.SWATCH), entry, row.style, theme)
+        self._paint_swatch(painter, spot_rect(rect, Spot.SWATCH), entry, row, theme)
         font = painter.font()
         font.setBold(model.is_edited(entry))
         painter.setFont(font)
@@ -78,9 +77,7 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         if model.is_edited(entry) and model.is_chosen_whole(entry):
             painter.fillRect(QRect(line.left(), line.top(), _BAR, line.height()), theme.accent)
 
-    def _paint_swatch(
-        self, painter: QPainter, swatch: QRect, entry: Entry, style: Style, theme: Theme
-    ) -> None:
+    def _paint_swatch(self, painter: QPainter, swatch: QRect, entry: Entry, row: Row, theme: Theme) -> None:
         model = self._view.curves
         if model.is_chosen_whole(entry):
             self._paint_ring(painter, swatch, theme.accent)
@@ -90,8 +87,10 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         elif entry.node.kind is NodeKind.GROUP:
             # What is in a group need not look the same.
             self._paint_switch(painter, swatch, "group", True)
+        elif row.icon:
+            self._paint_switch(painter, swatch, row.icon, True)
         else:
-            draw_style(painter, QRectF(swatch).center(), SWATCH, style, theme, self._view.parts.paper)
+            draw_style(painter, QRectF(swatch).center(), SWATCH, row.style, theme, self._view.parts.paper)
 
     @staticmethod
     def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:

@@ -106,7 +106,7 @@ class ImportCommands:
         def work(report: Report) -> Imported | _OpenTable:
             form = format_of(path, FORMATS.read)
             if form.kind is not ContentKind.TABLE:
-                return as_here(exchange.reading.import_file(path, report=report), path.parent)
+                return as_here(exchange.reading.import_file(path, report=report))
             report(0.0, "Reading")
             data = read(path)
             if is_document(data):

@@ -3,3 +3,4 @@ from . import field as field
 from . import letters as letters
 from . import outlined as outlined
 from . import rewriting as rewriting
+from . import wording as wording

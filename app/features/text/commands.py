@@ -41,7 +41,9 @@ class TextCommands:
         self._made: text.field.TextField | None = None
         self._place: Vector = (0.0, 0.0)
         # The text that is edited; None for one that is new.
-        self._edited: text.rewriting.Written | None = None
+        self._edited: text.rewriting.Written | text.wording.Worded | None = None
+        # What the field said of it when it was opened.
+        self._begun: Text | None = None
         self._before = self._session.selected.choice
         self._model = self._session.model
         # Left, bottom and top of its letters.
@@ -88,7 +90,7 @@ class TextCommands:
         "editText",
         "Edit Text",
         CURVE_NAME,
-        needs=Need("letters of one text", lambda now: _letter_meant(now.session) >= 0),
+        needs=Need("a text, or letters of one", lambda now: _letter_meant(now.session) >= 0),
         keywords="words letters font size type typo",
     )
     @also(CHOSEN_MENU(2))
@@ -99,13 +101,21 @@ class TextCommands:
     def _begin_again(self, curve: int) -> None:
         """Ask for other words of the text that a curve is a letter of."""
         session = self._session
-        written = text.rewriting.written_at(session.committed, curve) if self._has_fonts() else None
+        if not self._has_fonts():
+            return
+        written: text.rewriting.Written | text.wording.Worded | None
+        try:
+            written = text.wording.worded_at(session.committed, curve)
+        except EditError as reason:
+            session.refuse(str(reason))
+            return
+        written = written or text.rewriting.written_at(session.committed, curve)
         if written is None:
             return
         if locked := [each.name for each in session.committed.curves[_slice(written.places)] if each.locked]:
             session.refuse(locked_sentence(locked))
             return
-        self._edited = written
+        self._edited, self._begun = written, None
         self.field.begin_with(written.text.words, written.face)
         self.field.set_setting(written.text.setting)
         self._open((written.text.x, written.text.y), written.text.size)
@@ -122,6 +132,7 @@ class TextCommands:
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
         self.field.open_beside(self._area, size, self._session.document.unit)
+        self._begun = self._text
         self._show()
 
     @property
@@ -186,7 +197,9 @@ class TextCommands:
     def _written(self, name: str) -> tuple[Document, range]:
         """Return the document with the text, and the places of its curves."""
         session = self._session
-        if self._edited is not None:
+        if isinstance(self._edited, text.wording.Worded) and self._begun is not None:
+            return text.wording.reworded(session.committed, self._edited, self._begun, self._text)
+        if isinstance(self._edited, text.rewriting.Written):
             return text.rewriting.rewritten(session.committed, self._edited, self._text, self._outlines)
         return text.letters.with_text(
             session.committed, self._model, name, self._outlines, self._text, session.selected.layer
@@ -211,11 +224,14 @@ class TextCommands:
             self._session.selected.restore(self._before)
             return
         document, places = made
-        document = with_text_known(document, places, known)
+        stays_text = isinstance(edited, text.wording.Worded)
+        document = document if stays_text else with_text_known(document, places, known)
         verb = "Add" if edited is None else "Edit"
         if not self._session.change(f"{verb} Text “{name}”", lambda _: document, active=places.start):
             return
         self._session.selected.choose(places)
+        if stays_text:
+            return
         self._session.say(
             "The letters are chosen, and curves now; a double click with the arrow (V) edits the text again."
         )
@@ -225,6 +241,8 @@ class TextCommands:
     def _is_as_it_was(self) -> bool:
         """Whether the text that is edited is the same still, and tells what its letters are."""
         edited = self._edited
+        if isinstance(edited, text.wording.Worded):
+            return self._text == self._begun
         if edited is None or edited.is_changed:
             return False
         return self._text == edited.text
@@ -265,7 +283,7 @@ def _remark(field: text.field.TextField, outlines: Outlines) -> str:
     return f"“{field.face.family}” has no bold letters." if outlines.lacks_bold else ""
 
 
-def _remark_of(edited: text.rewriting.Written | None) -> str:
+def _remark_of(edited: text.rewriting.Written | text.wording.Worded | None) -> str:
     """Say what of a text that is edited is not as it was written."""
     if edited is None or not edited.is_changed:
         return ""
