@@ -752,7 +752,7 @@ def test_what_is_drawn_next_has_its_paints_swapped_where_nothing_is_chosen(edito
 
 
 def test_used_colours_stand_below_the_others_and_move_nothing(editor, panel):
-    """In one row they pushed ends of rows out of the dock; a row that came pushed Width from under a click."""
+    """In one row they pushed ends of rows out of the dock; a new row pushed Width from under a click."""
     editor.select([])
     edit, before = panel.findChild(QLineEdit, "fillPaintHex"), panel.minimumSizeHint()
     rows = [child(panel, QWidget, name) for name in ("strokePaint_Blue", "strokeWidth", "styleOpacity")]
