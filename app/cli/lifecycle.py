@@ -92,7 +92,7 @@ class Lifecycle(QObject):
         self._show(session)
 
     def _open_empty(self, beside: MainWindow) -> None:
-        """Open an empty document of the same kind in another window, which leaves a part of this one in sight."""
+        """Open an empty document of the same kind in another window, which leaves a part of this in sight."""
         window = self._show(Session())
         is_drawing = kind_of(beside.session.document) is DocumentKind.DRAWING
         window.context.actions["newDrawing" if is_drawing else "newDocument"].trigger()
