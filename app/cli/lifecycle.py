@@ -22,6 +22,7 @@ from ..diagnostics.crash_handler import CrashHandler
 from ..diagnostics.crash_report import versions
 from ..diagnostics.slow_frames import SlowFrames
 from ..document.model import Document
+from ..document.paper import DocumentKind, kind_of
 from ..features.recovery.autosave import Autosave, snapshot_folder, state_folder
 from ..features.recovery.commands import RecoveryCommands
 from ..session import Beginning, Session
@@ -91,9 +92,10 @@ class Lifecycle(QObject):
         self._show(session)
 
     def _open_empty(self, beside: MainWindow) -> None:
-        """Open an empty document in another window, which leaves a part of the one before in sight."""
+        """Open an empty document of the same kind in another window, which leaves a part of this in sight."""
         window = self._show(Session())
-        window.session.new()
+        is_drawing = kind_of(beside.session.document) is DocumentKind.DRAWING
+        window.context.actions["newDrawing" if is_drawing else "newDocument"].trigger()
         window.move(beside.pos() + QPoint(_ASIDE, _ASIDE))
 
     def _show(self, session: Session) -> MainWindow:

@@ -22,6 +22,11 @@ class DocumentKind(Enum):
     SKETCH = "sketches"
     DRAWING = "drawings"
 
+    @property
+    def noun(self) -> str:
+        """The word for one of them."""
+        return self.name.lower()
+
 
 def kind_of(document: Document) -> DocumentKind:
     """Return the kind of a document: a drawing has a page, a sketch or a lesson has none."""

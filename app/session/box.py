@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from ..view_model.boxes.pivot import Pivot
+
+_MOST_PIVOTS = 24
+"""Pivots that are remembered: each is taken along by every step."""
 
 
 class SelectionBox:
@@ -13,25 +16,25 @@ class SelectionBox:
     Parameters
     ----------
     pivot_changed, grips_changed
-        Told when the pivot is elsewhere, and when the grips do something else.
+        Told when a pivot is elsewhere, and when the grips do something else.
 
     Attributes
     ----------
-    pivot
-        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
+    pivots
+        What was chosen to turn, scale and mirror about, each with what it was chosen for; the last one first.
     turns
         Whether its grips rotate and skew; until something else is selected.
     """
 
     def __init__(self, pivot_changed: Callable[[], None], grips_changed: Callable[[], None]) -> None:
         self._pivot_changed, self._grips_changed = pivot_changed, grips_changed
-        self.pivot: Pivot | None = None
+        self.pivots: tuple[Pivot, ...] = ()
         self.turns = False
 
-    def set_pivot(self, pivot: Pivot | None) -> None:
-        """Turn, scale and mirror about another place, or about the middle (None)."""
-        before, self.pivot = self.pivot, pivot
-        if (before and before.place) != (pivot and pivot.place):
+    def set_pivots(self, pivots: Iterable[Pivot]) -> None:
+        """Turn, scale and mirror about other places, the latest of them; what has none about its middle."""
+        before, self.pivots = self.pivots, tuple(pivots)[:_MOST_PIVOTS]
+        if [each.place for each in before] != [each.place for each in self.pivots]:
             self._pivot_changed()
 
     def set_turns(self, turns: bool) -> None:

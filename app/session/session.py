@@ -302,7 +302,7 @@ class Session(SessionSignals):
             self.undo_stack.resetClean()
         self._following.leave()
         self.scrub.set(None)
-        self.box.set_pivot(None)
+        self.box.set_pivots(())
         # Another document's curves are nobody's last good shape.
         self._views.take()
 

@@ -98,7 +98,7 @@ class Preferences:
         "Snap on pages to",
         "What is dragged in a document with a page snaps to this: {}",
         "page_snap_{}",
-        usual=(SnapKind.GUIDES, SnapKind.PAGE, SnapKind.POINTS),
+        usual=tuple(kind for kind in SnapKind if kind not in (SnapKind.GRID, SnapKind.LEVEL)),
     )
     """Targets that they snap to in drawings."""
 
@@ -152,7 +152,7 @@ class Preferences:
     snap_on = SwitchOfAction("snap/on", default=False)
     """Whether dragged and added points snap where there is no page."""
 
-    page_snap_on = SwitchOfAction("snap/page_on", default=True)
+    page_snap_on = SwitchOfAction("snap/page_on", default=False)
     """Whether they snap in drawings."""
 
     transform_box = SwitchOfAction("view/transform_box", default=True)

@@ -112,7 +112,7 @@ class WindowState(msgspec.Struct, frozen=True):
     scale: float = 1.0
     snap_on: bool = False
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
-    page_snap_on: bool = True
+    page_snap_on: bool = False
     page_snap_kinds: frozenset[SnapKind] = frozenset()
     nudge: float = 0.0
     transform_box: bool = True
@@ -158,7 +158,7 @@ class WindowState(msgspec.Struct, frozen=True):
 
     @property
     def snapping(self) -> Snapping:
-        """What is snapped to in documents of this kind; in drawings, from the start."""
+        """What is snapped to in documents of this kind."""
         if self.kind is DocumentKind.DRAWING:
             return Snapping(self.page_snap_on, self.page_snap_kinds)
         return Snapping(self.snap_on, self.snap_kinds)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Hashable
+from collections.abc import Callable, Collection, Hashable, Iterable
 from typing import Protocol
 
 import msgspec
@@ -97,11 +97,11 @@ class SelectionHost(Protocol):
 class BoxHost(Protocol):
     """Box around what is selected in a session, as the tools use it."""
 
-    pivot: Pivot | None
+    pivots: tuple[Pivot, ...]
     turns: bool
 
-    def set_pivot(self, pivot: Pivot | None) -> None:
-        """Turn, scale and mirror about another place, or about the middle (None)."""
+    def set_pivots(self, pivots: Iterable[Pivot]) -> None:
+        """Turn, scale and mirror about other places; what has none about its middle."""
 
     def set_turns(self, turns: bool) -> None:
         """Have grips that rotate and skew, or such that scale."""

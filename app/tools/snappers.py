@@ -11,7 +11,16 @@ from .drag import minus
 from .drag_machine import EditingHost
 from .pointer import Pointer
 from .snap_targets import targets_of, targets_of_handle, targets_of_side, with_boxes
-from .snapping import Snap, SnapKind, Snapper, Snapping, Targets, lines_of_guides, lines_of_page
+from .snapping import (
+    Snap,
+    SnapKind,
+    Snapper,
+    Snapping,
+    Targets,
+    centre_of_page,
+    lines_of_guides,
+    lines_of_page,
+)
 from .transform_box import Grip
 
 
@@ -65,13 +74,14 @@ class Snappers:
                 carried = tuple(minus(at, held) for at in nine_places(bounds).values())
             return with_boxes(targets, views, moving, strokes, carried)
 
-        return self._make(collect)
+        return self._make(collect, middles=group.is_whole)
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
         """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
         views, active = self._host.views, self._host.active_index
         return self._make(
-            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_places(bounds))
+            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_places(bounds)),
+            middles=True,
         )
 
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
@@ -86,20 +96,38 @@ class Snappers:
             is_boxed = group.is_whole and SnapKind.BOXES in self._kinds
             return with_boxes(targets, views, moving, strokes) if is_boxed else targets
 
-        return self._make(collect)
+        return self._make(collect, middles=group.is_whole)
 
     def for_guide(self) -> Snapper:
         """Return the snapper of a guide: points that it meets, the page and the grid."""
         host = self._host
-        return self._make(lambda: targets_of_side(host.views, host.active_index, {}, self._kinds), guides=())
+        return self._make(
+            lambda: targets_of_side(host.views, host.active_index, {}, self._kinds), guides=(), middles=True
+        )
 
-    def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
+    def _make(
+        self,
+        collect: Callable[[], Targets],
+        guides: Sequence[Guide] | None = None,
+        *,
+        middles: bool = False,
+    ) -> Snapper:
+        """Return a snapper; what is aligned snaps to the `middles` of the page, a point but to its centre.
+
+        A line across the whole page would draw points that are traced to it.
+        """
         # Guides and page as they are at the press.
         document = self._host.document
-        guides = document.guides if guides is None else guides
-        drawn = (*lines_of_guides(guides), *lines_of_page(document.page))
+        page, guides = document.page, document.guides if guides is None else guides
+        drawn = (*lines_of_guides(guides), *lines_of_page(page, middles=middles))
         leaning = [guide for guide in guides if guide.lean]
-        self.now = Snapper(self._settings, self._grid, collect, drawn, leaning)
+
+        def with_centre() -> Targets:
+            if page is None or middles or SnapKind.PAGE not in self._kinds:
+                return collect()
+            return collect().with_places({"page centre": centre_of_page(page)})
+
+        self.now = Snapper(self._settings, self._grid, with_centre, drawn, leaning)
         return self.now
 
     @property

@@ -140,14 +140,21 @@ def lines_of_guides(guides: Sequence[Guide]) -> Iterator[DrawnLine]:
             )
 
 
-def lines_of_page(page: Page | None) -> Iterator[DrawnLine]:
-    """Yield the edges and the middles of a page: where two meet are its corners and its centre."""
+def lines_of_page(page: Page | None, *, middles: bool) -> Iterator[DrawnLine]:
+    """Yield the edges of a page, and its `middles`: where two meet are its corners and its centre."""
     if page is None:
         return
     of_axes = ((page.x, page.width, ("left", "right")), (page.y, page.height, ("bottom", "top")))
     for axis, (start, size, (first, last)) in enumerate(of_axes):
-        for name, way in ((first, 0.0), ("middle", size / 2), (last, size)):
-            yield DrawnLine(SnapKind.PAGE, axis, decimal_sum(start, way), f"page {name}")
+        yield DrawnLine(SnapKind.PAGE, axis, start, f"page {first}")
+        if middles:
+            yield DrawnLine(SnapKind.PAGE, axis, decimal_sum(start, size / 2), "page middle")
+        yield DrawnLine(SnapKind.PAGE, axis, decimal_sum(start, size), f"page {last}")
+
+
+def centre_of_page(page: Page) -> Vector:
+    """Return the centre of a page."""
+    return (decimal_sum(page.x, page.width / 2), decimal_sum(page.y, page.height / 2))
 
 
 class Edges(msgspec.Struct, frozen=True, eq=False):

@@ -133,42 +133,66 @@ class TransformTarget:
 
     @property
     def pivot(self) -> Vector | None:
-        """The pivot that was chosen, where it is by now; None for the middle."""
-        pivot = self._pivot() if self._host.box.pivot is not None else None
-        return pivot.place if pivot is not None else None
+        """The pivot that was chosen, where it is by now; None for the middle.
+
+        Whole curves have that of any of them, the latest: a pair is mirrored about the foot of one.
+        """
+        pivots = [each for each in self._host.box.pivots if not each.is_waiting]
+        if not pivots or self.is_nothing:
+            return None
+        now = self.anchored()
+        found = next(filter(None, (each.at(now) for each in pivots)), None)
+        if found is None and now.group.is_whole:
+            whole = now.group.curves
+            shared = (each for each in pivots if not whole.isdisjoint(each.anchor.group.curves))
+            found = next(filter(None, map(self._where_it_is, shared)), None)
+        return found.place if found is not None else None
 
     @pivot.setter
     def pivot(self, place: Vector | None) -> None:
-        pivot = Pivot(place, self.anchored()) if place is not None else None
-        self._host.box.set_pivot(pivot)
-
-    def _pivot(self) -> Pivot | None:
-        chosen = self._host.box.pivot
-        if chosen is None or self.is_nothing:
-            return None
-        return chosen.at(self.anchored())
+        now = self.anchored()
+        rest = [each for each in self._host.box.pivots if not _is_put_off(each, now, place)]
+        self._host.box.set_pivots([*([Pivot(place, now)] if place is not None else []), *rest])
 
     def anchored(self) -> Anchor:
         """Return what keys transform as it is now."""
+        return self._anchored(self.for_keys)
+
+    def _anchored(self, group: PointGroup) -> Anchor:
         host = self._host
-        return anchored(host.views, self.for_keys, self._strokes(), live=host.is_previewing)
+        return anchored(host.views, group, self._strokes(), live=host.is_previewing)
 
-    def keep_pivot(self) -> None:
-        """Take the pivot along: the document has changed, and it belongs to what it was chosen for.
+    def _where_it_is(self, pivot: Pivot) -> Pivot | None:
+        """Return a pivot with what it was chosen for, as that is now; None where that is gone."""
+        own = pivot.anchor.group_in(self._host.document.curves)
+        return (pivot.at(self._anchored(own)) or pivot) if own is not None else None
 
-        It goes with the last of that, so that what is drawn in its place has none; copies have it, too.
+    def keep_pivots(self) -> None:
+        """Take the pivots along: the document has changed, and each belongs to what it was chosen for.
+
+        It waits for undo after the last of that has gone, so that what is drawn in its place has none; copies
+        have it, too.
         """
-        host, chosen = self._host, self._host.box.pivot
-        if chosen is None or host.is_previewing:
+        host = self._host
+        if not host.box.pivots or host.is_previewing:
             return
-        now = None if self.is_nothing else self.anchored()
-        own = chosen.anchor.group_in(host.document.curves)
-        if now is not None and (own is not None or chosen.anchor.has_same_points(now)):
-            found = chosen.at(now)
+        now, kept = None if self.is_nothing else self.anchored(), list[Pivot]()
+        for pivot in host.box.pivots:
+            own = self._where_it_is(pivot)
+            is_meant = now is not None and (own is not None or pivot.anchor.has_same_points(now))
+            found = pivot.at(now) if now is not None and is_meant else None
             if found is not None:
-                host.box.set_pivot(found)
-                return
-        if own is None:
-            host.box.set_pivot(None)
-        else:
-            host.box.set_pivot(chosen.at(anchored(host.views, own, self._strokes())) or chosen)
+                kept.append(found)
+            kept.append(own or pivot.waiting)
+        there = {each.anchor.group.parts: each for each in reversed(kept) if not each.is_waiting}
+        host.box.set_pivots(
+            each for each in kept if each.is_waiting or there[each.anchor.group.parts] is each
+        )
+
+
+def _is_put_off(pivot: Pivot, now: Anchor, place: Vector | None) -> bool:
+    """Whether another pivot, or none, for what is meant now puts one away."""
+    if pivot.is_waiting or pivot.at(now) is not None:
+        return not pivot.is_waiting
+    mine, meant = pivot.anchor.group.curves, now.group.curves
+    return now.group.is_whole and (mine <= meant if place is not None else not mine.isdisjoint(meant))

@@ -87,11 +87,14 @@ class PaintField(FollowsTheme, QWidget):
         tip = f"{label}: #rrggbb, a name, “ink” or “none” (Enter to set)"
         self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)
         self.edit.entered.connect(lambda paint: self.chosen.emit(paint))  # noqa: PLW0108 - of other types
-        self._always, self._used = row_of(1, spacing=2), row_of(1, spacing=2)
         pick = action_button(dropper, name=f"{name}Dropper")
         top = row_of(self._button, (self.edit, 1), pick, margins=0, spacing=6)
-        # Used colours have a row of their own: beside the others they would make the panel too wide.
-        column_of(top, self._always, self._used, margins=0, spacing=4, parent=self)
+        # Used colours have a row of their own: beside the others they would make the panel too wide. It is
+        # there from the start, for the first one moves nothing under the pointer.
+        used = QWidget()
+        used.setFixedHeight(_SIDE)
+        self._always, self._used = row_of(1, spacing=2), row_of(1, margins=0, spacing=2, parent=used)
+        column_of(top, self._always, used, margins=0, spacing=4, parent=self)
         for word, paint in _PAINTS.items():
             self._add_swatch(self._always, word, paint)
         self.follow_theme()

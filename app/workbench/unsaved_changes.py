@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 from .. import exchange
 from ..document.model import Document
+from ..document.paper import kind_of
 from ..qt.labels import breakable
 from ..session import Session
 from ..storage.foreign import Foreign
@@ -54,7 +55,7 @@ def _question_about(session: Session, lost: str) -> tuple[str, str]:
     if lost:
         return f"Save the changes to {short_name(title_of(session))}?", lost
     is_named = files.path is not None or files.foreign is not None or files.beginning.title
-    name = short_name(title_of(session)) if is_named else "the sketch"
+    name = short_name(title_of(session)) if is_named else f"the {kind_of(session.document).noun}"
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if files.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."

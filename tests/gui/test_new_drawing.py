@@ -81,7 +81,9 @@ def test_it_asks_about_changes_first(editor):
     assert editor.session.document is before
 
 
-def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(editor, qapp):
+@pytest.mark.parametrize("page", [None, Page(0.0, 0.0, 210.0, 297.0)])
+def test_a_second_window_has_an_empty_document_of_its_kind_and_is_kept_as_the_first(editor, qapp, page):
+    editor.session.commit(replace(editor.session.document, page=page), "Begin")
     lifecycle, before = Lifecycle(qapp, [editor.window]), set(qapp.topLevelWidgets())
     lifecycle.start()
     try:
@@ -92,6 +94,7 @@ def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(editor, 
         assert other.isVisible()
         assert other.session is not editor.session
         assert other.session.active_curve.points == ()
+        assert other.session.document.page == page
         assert other in lifecycle._autosaves
         assert other.pos() != editor.window.pos()
         assert len(editor.curve.points) > 1

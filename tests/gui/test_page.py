@@ -101,7 +101,11 @@ def test_points_and_guides_snap_to_its_edges_corners_and_centre(drawn):
     assert drawn.point(1) == (6.3, 2.7)
     drawn.press((6.3, 2.7))
     drawn.move((3.2 - off, 1.0 + off))
-    assert drawn.status.endswith("snapped to: page middle · page middle")
+    assert drawn.status.endswith("snapped to: page centre")
+    # Near one of its middles alone a point is left where it is traced: that is the width of the page away.
+    drawn.move((3.2 - off, 2.0))
+    assert "snapped" not in drawn.status
+    drawn.move((3.2 - off, 1.0 + off))
     drawn.release((3.2 - off, 1.0 + off))
     assert drawn.point(1) == (3.2, 1.0)
     canvas = drawn.window.canvas
@@ -237,26 +241,27 @@ def test_a_page_is_seen_as_it_prints_until_the_person_chooses_otherwise(drawn, m
     drawn.window.store.change(theme_mode=ThemeMode.SYSTEM, page_as_printed=True, grid=True)
 
 
-def test_drawings_snap_from_the_start_and_remember_their_own_choice(drawn):
+def test_drawings_snap_when_asked_and_remember_their_own_choice(drawn):
+    """Traced points went to the page's middle and to each other before anyone had asked for snapping."""
     page = replace(drawn.session.document, page=Page(0.0, 0.0, 10.0, 8.0), guides=(Guide(Axis.X, 5.123),))
     store = drawn.window.store
     assert not drawn.action("toggleSnap").isChecked()
     store.change(kind=kind_of(page))
     drawn.session.commit(page, "Begin")
-    assert drawn.action("toggleSnap").isChecked()
-    assert store.state.snapping.kinds == {SnapKind.GUIDES, SnapKind.PAGE, SnapKind.POINTS}
-    drawn.drag_point(1, (5.123 + 4 * drawn.pixel, 1.377))
-    assert drawn.point(1)[0] == 5.123
-    drawn.trigger("toggleSnap")
+    assert not drawn.action("toggleSnap").isChecked()
     drawn.drag_point(1, (5.123 + 4 * drawn.pixel, 1.377))
     assert drawn.point(1)[0] != 5.123
-    store.change(snap_on=True, kind=DocumentKind.SKETCH)
-    assert drawn.action("toggleSnap").isChecked()
-    assert not drawn.window.preferences.page_snap_on
-    store.change(kind=DocumentKind.DRAWING)
-    assert not drawn.action("toggleSnap").isChecked()
     drawn.trigger("toggleSnap")
-    store.change(snap_on=False, kind=DocumentKind.SKETCH)
+    assert store.state.snapping.kinds == {*SnapKind} - {SnapKind.GRID, SnapKind.LEVEL}
+    drawn.drag_point(1, (5.123 + 4 * drawn.pixel, 1.733))
+    assert drawn.point(1)[0] == 5.123
+    store.change(kind=DocumentKind.SKETCH)
+    assert not drawn.action("toggleSnap").isChecked()
+    assert drawn.window.preferences.page_snap_on
+    store.change(kind=DocumentKind.DRAWING)
+    assert drawn.action("toggleSnap").isChecked()
+    drawn.trigger("toggleSnap")
+    store.change(kind=DocumentKind.SKETCH)
 
 
 def test_in_the_dark_only_the_paper_is_light_and_ink_is_black_wherever_it_is_shown(editor):

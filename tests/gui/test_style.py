@@ -564,10 +564,13 @@ def test_paper_as_printed_has_the_very_colours_in_the_dark(editor, panel):
     editor.settle()
     assert seen(editor, 0, 2.5) not in (dim, LIGHT.paper.name())
     assert f"drawn lighter than its {dim}" in child(panel, QLabel, "styleNote").text()
+    place = child(panel, QLineEdit, "strokeWidth").mapTo(panel, QPoint())
     editor.trigger("paperAsPrinted")
     assert seen(editor, 0, 2.5) == dim
     assert seen(editor, 2, 2) == "#ffffff"
+    editor.settle()
     assert child(panel, QLabel, "styleNote").isHidden()
+    assert child(panel, QLineEdit, "strokeWidth").mapTo(panel, QPoint()) == place
     editor.trigger("paperAsPrinted")
     editor.window.context.store.change(theme_mode=ThemeMode.SYSTEM)
 
@@ -748,10 +751,13 @@ def test_what_is_drawn_next_has_its_paints_swapped_where_nothing_is_chosen(edito
     assert editor.session.document is before
 
 
-def test_used_colours_stand_below_the_others_and_the_panel_is_as_wide_as_before(editor, panel):
-    """They came into the one row, and the ends of all rows below went out of the dock."""
+def test_used_colours_stand_below_the_others_and_move_nothing(editor, panel):
+    """In one row they pushed ends of rows out of the dock; a new row pushed Width from under a click."""
     editor.select([])
-    edit, before = panel.findChild(QLineEdit, "fillPaintHex"), panel.minimumSizeHint().width()
+    edit, before = panel.findChild(QLineEdit, "fillPaintHex"), panel.minimumSizeHint()
+    rows = [child(panel, QWidget, name) for name in ("strokePaint_Blue", "strokeWidth", "styleOpacity")]
+    places = [row.mapTo(panel, QPoint()) for row in rows]
+    assert panel.findChild(QToolButton, "fillPaint_#102030") is None
     used = ["#102030", "#405060", "#708090", "#a0b0c0", "#d0e0f0"]
     for colour in used:
         edit.setFocus()
@@ -761,8 +767,10 @@ def test_used_colours_stand_below_the_others_and_the_panel_is_as_wide_as_before(
         editor.settle()
     swatches = [panel.findChild(QToolButton, f"fillPaint_{colour}") for colour in used]
     always = panel.findChild(QToolButton, "fillPaint_Blue")
-    assert all(each.isVisible() and each.y() > always.y() for each in swatches)
-    assert panel.minimumSizeHint().width() == before
+    level = always.mapTo(panel, QPoint()).y()
+    assert all(each.isVisible() and each.mapTo(panel, QPoint()).y() > level for each in swatches)
+    assert panel.minimumSizeHint() == before
+    assert [row.mapTo(panel, QPoint()) for row in rows] == places
     QTest.mouseClick(swatches[0], Qt.MouseButton.LeftButton)
     editor.settle()
     assert edit.text() == used[0]

@@ -12,6 +12,7 @@ from pathlib import Path
 from PySide6.QtCore import QDateTime, QLocale
 
 from ...document.model import Document
+from ...document.paper import kind_of
 from ...document.words import count_of
 from ...storage.reasons import shown
 from ...storage.recovery import Snapshot
@@ -82,7 +83,7 @@ def _offer(snapshot: Snapshot) -> Offer:
     elif not snapshot.origin.is_unchanged:
         words.append("file changed since")
     first = document.curves[0].name
-    untitled = snapshot.origin.title or ("Untitled sketch" if first == NEW_NAME else first)
+    untitled = snapshot.origin.title or (f"Untitled {kind_of(document).noun}" if first == NEW_NAME else first)
     name = shown(path.name) if path is not None else untitled
     return Offer(name, " · ".join(words), shown(path) if path is not None else "", document)
 

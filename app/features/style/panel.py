@@ -163,7 +163,7 @@ class StylePanel(FieldForm):
             ("Width", self._width),
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
-            ("Dashes", column_of(dashes, self._no_dots, margins=0, spacing=4)),
+            ("Dashes", dashes),
             ("Markers", self.markers),
             ("Opacity", self.opacities["stroke_opacity"]),
             ("", _rule_line()),
@@ -172,11 +172,10 @@ class StylePanel(FieldForm):
         )
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        # What is wrong comes below all else: the rows must not move away under the pointer.
+        # What is told comes below all else: the rows must not move away under the pointer.
         below = row_of(*(action_button(action, beside=True) for action in buttons), 1)
-        column_of(
-            self._subject, self._note, self._form, below, self.problem, 1, margins=12, spacing=8, parent=self
-        )
+        told = (self._note, self._no_dots, self.problem)
+        column_of(self._subject, self._form, below, *told, 1, margins=12, spacing=8, parent=self)
 
     def _connect(self) -> None:
         numbers = (self._width, self._limit, self._offset, self._dash.edit)

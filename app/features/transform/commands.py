@@ -100,7 +100,7 @@ class SelectionCommands:
         self._session = context.session
         self._target = context.central.canvas.tools.target
         context.store.changed.connect(self._follow_state)
-        self._session.history_changed.connect(self._target.keep_pivot)
+        self._session.history_changed.connect(self._target.keep_pivots)
         for changed in (self._session.pivot_changed, self._session.grips_changed):
             changed.connect(context.central.canvas.show_marks)
 
@@ -119,8 +119,8 @@ class SelectionCommands:
         }
         if any(getattr(settings, name) != value for name, value in now.items()):
             self._context.central.canvas.change_tool_settings(**now)
-            # A pivot goes with the box as it is measured from now on.
-            self._target.keep_pivot()
+            # Pivots go with the box as it is measured from now on.
+            self._target.keep_pivots()
 
     @action_for_each(
         _TRANSFORMS,

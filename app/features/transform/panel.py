@@ -178,15 +178,16 @@ class TransformPanel(FieldForm):
         parts: list[Part] = [
             self.what,
             top,
-            self.form_row,
             turn,
             strokes,
             row_of(
                 "Skew", (self.skew_edit, 1), *self.skew_buttons, *map(_button, actions.transforms), spacing=6
             ),
-            self.problem,
             align,
             row_of(*rest, 1, spacing=8),
+            # What comes and goes with what is chosen moves no row.
+            self.form_row,
+            self.problem,
             1,
         ]
         column_of(*parts, margins=12, spacing=10, parent=self)
