@@ -7,8 +7,10 @@ from enum import Enum, auto
 
 from msgspec.structs import replace
 
+from ..document.contents import is_content
 from ..document.model import Document
 from ..document.paper import drawn_style, line_width
+from ..document.selection import with_points
 from ..document.style import Style
 
 
@@ -48,7 +50,8 @@ class NextStyle:
     ) -> Style:
         """Return the style of what is drawn next; `blank` tells that of new documents."""
         style = document.curves[active].style
-        if document.curves[active].points and not self.is_of_active(marked):
+        is_lent = self.is_of_active(marked) and not is_content(document.curves[active])
+        if document.curves[active].points and not is_lent:
             style = self.last or blank().curves[0].style
             if self.last is not None and self._usual != line_width(document):
                 # A width in another unit would be any width here.
@@ -56,9 +59,12 @@ class NextStyle:
         return drawn_style(document, style)
 
     def note(self, document: Document, marked: Collection[int], active: int) -> None:
-        """Take note of the style of what was chosen until now; of several, of the active or front one."""
-        if marked and self.marked is Marked.ASKED:
-            self.take(document, document.curves[active if active in marked else max(marked)].style)
+        """Take note of the style of what was chosen until now; of several, of the active or front one.
+
+        Texts and pictures are painted otherwise than curves.
+        """
+        if self.marked is Marked.ASKED and (lending := with_points(document.curves, marked)):
+            self.take(document, document.curves[active if active in lending else max(lending)].style)
 
     def take(self, document: Document, style: Style) -> None:
         """Draw with a style of a document from now on."""

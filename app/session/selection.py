@@ -82,9 +82,8 @@ class Selection:
     @property
     def chosen(self) -> frozenset[int]:
         """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
-        if not self.is_editing:
-            return self._chosen
-        return self.curves if len(self.curves) > 1 else frozenset()
+        several = self.curves if len(self.curves) > 1 else frozenset[int]()
+        return several if self.is_editing else self._chosen
 
     @property
     def marked(self) -> frozenset[int]:
@@ -93,8 +92,7 @@ class Selection:
 
     @property
     def means_curve(self) -> bool:
-        """Whether there is a curve to act on: edited or chosen, or that of a blank document."""
-        # A blank document has nothing to choose from: its curve is the one that is about to be drawn.
+        """Whether there is a curve to act on: edited or chosen, or that of a document that is blank."""
         return bool(self.marked) or is_blank(self._session.document)
 
     def highlight(self, *, whole_curves: bool = False) -> Highlight:
@@ -147,9 +145,8 @@ class Selection:
         self._put(existing if existing.of(self._session.active_index) else NO_POINTS)
 
     def _existing(self, group: PointGroup) -> PointGroup:
-        return (
-            existing_points(group, self._session.document.curves, self.edited) if group.parts else NO_POINTS
-        )
+        curves = self._session.document.curves
+        return existing_points(group, curves, self.edited) if group.parts else NO_POINTS
 
     def _put(self, group: PointGroup) -> None:
         if group != self.group:
@@ -224,13 +221,12 @@ class Selection:
     def begin_opened(self) -> None:
         """Begin with a document that was opened: nobody chose its curves.
 
-        None hidden or locked is edited, nor any on a page, where one chooses first; nor one without points.
+        None hidden or locked is edited, nor any on a page, where one chooses first.
         """
         document, self.next_style.marked = self._session.document, Marked.OPENED
         is_drawing = document.page is not None and not is_blank(document)
-        if is_drawing or not (
-            self._session.active_curve.is_free and with_points(document.curves, self.curves)
-        ):
+        is_safe = not (self._session.active_curve.is_free and with_points(document.curves, self.curves))
+        if is_drawing or is_safe:
             self.choose(())
             self.next_style.marked = Marked.OPENED
 
@@ -260,8 +256,7 @@ class Selection:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
         self._note_style(session.document)
-        before, places = self.choice, range(len(session.document.curves))
-        layer = self.layer
+        before, places, layer = self.choice, range(len(session.document.curves)), self.layer
         wanted = active if active is not None and active in places else session.active_index
         existing = frozenset(index for index in indices if index in places)
         if is_editing and (points := with_points(session.document.curves, existing)) != existing:
@@ -378,8 +373,7 @@ class Selection:
 
     def select_returned(self, before: Sequence[Curve]) -> None:
         """Select the points, or the curves, that undo or redo has brought back."""
-        session = self._session
-        curves = session.committed.curves
+        curves = self._session.committed.curves
         returned = returned_curves(before, curves)
         if len(returned) > 1 or (returned and not self.is_editing):
             self.set_curves(returned)
