@@ -39,7 +39,7 @@ class CurvePicker:
         else:
             return context
         if not pointer.shift:
-            host.say(f"Editing “{host.active_view.source.name}” now.")
+            host.say(f"Editing “{host.active_view.source.seen_name}” now.")
         return context
 
     def press(self, context: ToolContext, hit: Hit) -> None:
@@ -60,7 +60,7 @@ class CurvePicker:
             host.selected.choose(())
         elif had_others:
             host.selected.set_curves((host.active_index,))
-            host.say(f"Only “{host.active_view.source.name}” is chosen.")
+            host.say(f"Only “{host.active_view.source.seen_name}” is chosen.")
         if locked := _words_of_locked(context):
             host.refuse(locked)
 
@@ -224,12 +224,12 @@ def select_hit(context: ToolContext) -> None:
     if hit is not None and hit.part is Part.POINT:
         host.selected.set_group(points_of(hit.curve if hit.curve >= 0 else host.active_index, [hit.index]))
     several = named(host.document, host.selected.chosen) if host.selected.chosen else ""
-    host.say(f"Editing {several} now." if several else f"Editing “{host.active_view.source.name}” now.")
+    host.say(f"Editing {several} now." if several else f"Editing “{host.active_view.source.seen_name}” now.")
 
 
 def chosen_curves(host: EditingHost) -> str:
     """Return a sentence about the curves that the tools act on."""
-    chosen, active = host.selected.chosen, host.active_view.source.name
+    chosen, active = host.selected.chosen, host.active_view.source.seen_name
     if not host.selected.is_editing:
         if name := name_of(host.document, chosen):
             return f"“{name}” is chosen"

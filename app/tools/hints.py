@@ -36,7 +36,7 @@ def to_select(hit: Hit | None, view: CurveView, dragged: str, pointer: Pointer, 
     if hit is None:
         return Hint(_ON_EMPTY)
     if view.source.locked:
-        return Hint(LOCKED.format(view.source.name))
+        return Hint(LOCKED.format(view.source.seen_name))
     if hit.part is Part.CURVE:
         return to_bend(view, pointer)
     hint = on_part(hit, view, dragged, pointer, snaps=snaps)
