@@ -168,17 +168,17 @@ def refuse_locked(before: Document, after: Document) -> None:
         only_looks = same_places and without_looks(after.curves[place]) == without_looks(curve)
         # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
         if not only_looks and not any(other is curve for other in after.curves):
-            names.append(curve.name)
+            names.append(curve.seen_name)
     if names:
         raise EditError(locked_sentence(names))
 
 
 def locked_sentence(names: Sequence[str]) -> str:
     """Say that the curves with these names are locked, and what to do."""
-    locked = enumerated([f"“{name}”" for name in names])
-    if len(names) == 1:
-        return f"{locked} is locked; unlock it in the list of curves to change it."
-    return f"{locked} are locked; unlock them in the list of curves to change them."
+    locked = [f"“{name}”" for name in dict.fromkeys(names)]
+    if len(locked) == 1:
+        return f"{locked[0]} is locked; unlock it in the list of curves to change it."
+    return f"{enumerated(locked)} are locked; unlock them in the list of curves to change them."
 
 
 def without_looks(curve: Curve) -> Curve:

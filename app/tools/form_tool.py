@@ -239,7 +239,7 @@ class FormTool(Tool):
         for curve in context.surface.curves_at(context.pointer):
             if formed(host.document.curves[curve]) is not None:
                 host.selected.activate(curve)
-                host.say(f"Editing “{host.document.curves[curve].name}” now.")
+                host.say(f"Editing “{host.document.curves[curve].seen_name}” now.")
                 return
         host.say(f"{self.how}.")
 
