@@ -216,7 +216,13 @@ def test_a_double_click_edits_its_words_and_it_stays_a_text(drawing):
     assert session.selected.chosen == {TEXT}
     drawing.trigger("undo")
     assert session.document == begun
-    # Nothing changed, no step.
+    # With the tool for texts a click does so. Nothing changed, no step.
+    drawing.trigger("textTool")
+    drawing.click((15, 35))
+    assert field.text == "MMM"
+    press(drawing, Qt.Key.Key_Escape)
+    drawing.trigger("selectTool")
+    session.selected.choose({TEXT})
     count = session.undo_stack.index()
     drawing.trigger("editText")
     press(drawing, Qt.Key.Key_Return)
