@@ -114,7 +114,7 @@ class MarksLayer(Layer):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         # On whole pixels, where dashes are sharp.
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        # Paper between the dashes, no wider than they are: seen on any colour, and hardly anything is covered.
+        # Paper between the dashes, no wider than they are: seen on any colour, and little is covered.
         for pen in (QPen(self.theme.paper, self.scale), self._pen(style=Qt.PenStyle.DashLine)):
             painter.setPen(pen)
             painter.drawRect(frame)

@@ -40,8 +40,8 @@ _HOVERED = 0.4
 """Share of the accent in a plain point under the pointer."""
 
 _FACING, _SEEN, _STEP = 0.6, 3.0, 0.05
-"""Least share of ink in the handles of points that are not selected, the rest is paper; contrast between the two
-that it is raised for; and by what steps."""
+"""Least share of ink in the handles of points that are not selected, the rest is paper; the contrast between
+the two that it is raised for; and by what steps."""
 
 _LINE, _FACING_LINE = 1.2, 0.9
 """Pixels of the lines of handles, and of those of points that are not selected."""
