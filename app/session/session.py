@@ -286,7 +286,7 @@ class Session(SessionSignals):
             if is_other:
                 self._following.begin_opened()
             elif not self.history.is_pushing:
-                self._following.select_returned(before.curves, state.choice)
+                self._following.select_returned(before, state.choice)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()
