@@ -70,10 +70,13 @@ def proposed_ending(document: Document) -> str:
 
     A drawing of which an SVG keeps everything is one: others can open it, too.
     """
-    path = Path(f"drawing{_SVG}")
-    lasting = exchange.lasting
+    counts = {len(curve.points) for curve in document.curves}
+    # A point alone is nothing to draw.
+    if kind_of(document) is not DocumentKind.DRAWING or 1 in counts or counts == {0}:
+        return SUFFIX
+    path, lasting = Path(f"drawing{_SVG}"), exchange.lasting
     is_kept = not lasting.words_about_loss(document, path) and not lasting.words_about_plain(document, path)
-    return _SVG if kind_of(document) is DocumentKind.DRAWING and is_kept else SUFFIX
+    return _SVG if is_kept else SUFFIX
 
 
 def kind_to_save(path: Path) -> str:

@@ -102,17 +102,20 @@ def test_a_drawing_that_an_svg_keeps_is_proposed_as_one(editor, save_as, tmp_pat
     # One with a file of ours stays that.
     save_as("again.curve.json", OWN)
     assert (save_as.proposed[-1], save_as.kinds[-1]) == (str(tmp_path / "own.curve.json"), OWN)
-    drawn = session.document
-    for family, page, ending in (
-        (LAGRANGE, drawn.page, ""),
-        (HERMITE, None, ""),
-        (HERMITE, drawn.page, "svg"),
+    drawn, places = session.document, [(10.0, 10.0), (20.0, 40.0), (60.0, 20.0)]
+    for family, page, count, kind in (
+        (LAGRANGE, drawn.page, 3, OWN),
+        (HERMITE, None, 3, OWN),
+        (HERMITE, drawn.page, 3, SVG),
+        (HERMITE, drawn.page, 1, OWN),
+        (HERMITE, drawn.page, 0, OWN),
     ):
-        curve = make_curve([(10.0, 10.0), (20.0, 40.0), (60.0, 20.0)], family=family)
+        curve = make_curve(places[:count], family=family)
         session.files.begin(replace(drawn, curves=(curve,), page=page))
-        save_as("other", ANY)
-        assert save_as.kinds[-1] == (SVG if ending else OWN)
-        assert save_as.proposed[-1].endswith(ending or ".curve.json")
+        save_as(f"{count} {family.name}.json", OWN)
+        assert save_as.kinds[-1] == kind
+        assert save_as.proposed[-1].endswith(".svg" if kind == SVG else ".curve.json")
+    session.files.begin(drawn)
 
 
 def test_what_an_svg_has_as_plain_paths_is_told(editor, save_as):
