@@ -343,23 +343,41 @@ def test_an_exported_drawing_has_them_and_reads_back_the_same():
 
 
 @pytest.mark.usefixtures("qapp")
-def test_a_picture_is_cut_by_an_upright_box_and_stays_so():
-    image = f'<image x="10" y="10" width="40" height="40" href="data:image/png;base64,{png(4, 4, "red")}"'
-    clip = '<clipPath id="c"><rect x="20" y="0" width="100" height="30"/></clipPath>'
-    document = kept(f'{clip}{image} clip-path="url(#c)"/>')
+@pytest.mark.parametrize(
+    ("around", "is_clip"),
+    [
+        (
+            '<clipPath id="c"><rect x="20" width="100" height="30"/></clipPath><g clip-path="url(#c)">%s</g>',
+            True,
+        ),
+        ('<svg x="20" y="0" width="100" height="30" viewBox="20 0 100 30">%s</svg>', False),
+    ],
+)
+def test_a_picture_is_cut_by_an_upright_box_and_stays_so(around, is_clip):
+    """A clip stays one, which Release Clip takes away; of what a view box cuts off nothing is there."""
+    image = f'<image x="10" y="10" width="40" height="40" href="data:image/png;base64,{png(4, 4, "red")}"%s/>'
+    document = kept(around % (image % ""))
     picture = document.curves[1]
-    assert picture.form.part == (0.25, 0.0, 1.0, 0.5)
-    assert corners_of(picture) == [(20.0, -10.0), (50.0, -10.0), (50.0, -30.0), (20.0, -30.0)]
+    left, top, right, bottom = (10.0, -10.0, 50.0, -50.0) if is_clip else (20.0, -10.0, 50.0, -30.0)
+    assert corners_of(picture) == [(left, top), (right, top), (right, bottom), (left, bottom)]
+    assert (picture.form.part, len(picture.style.clips)) == (
+        (WHOLE, 1) if is_clip else ((0.25, 0.0, 1.0, 0.5), 0)
+    )
     written = QImage.fromData(png_file(document, Options(width=200, style=LIGHT.on_page())).data)
     red = [place for place in range(200) if written.pixelColor(place, 20) == QColor("red")]
     assert (red[0], red[-1]) == (20, 49)
     assert written.pixelColor(30, 31) == QColor("white")
     again = read_svg(svg_of(document, Options(unit="mm")).data).document
-    assert again.curves[1].form.part == picture.form.part
+    assert (again.curves[1].form.part, again.curves[1].style.clips) == (
+        picture.form.part,
+        picture.style.clips,
+    )
     assert places(again) == [pytest.approx(each) for each in places(document)]
-    # What a box hides as a whole is not there.
-    assert frames(f'{clip}{image} transform="translate(150 0)" clip-path="url(#c)"/>')
-    assert not frames(f'{clip}<g clip-path="url(#c)">{image} transform="translate(0 50)"/></g>')
+    # What a box hides as a whole is not there; what a clip leaves whole has none.
+    hidden = frames(around % (image % ' transform="translate(0 50)"'))
+    assert bool(hidden) == is_clip
+    ((whole, *_),) = frames(around % (image % ' transform="translate(21 0) scale(.5)"'))
+    assert (whole.form.part, whole.style.clips) == (WHOLE, ())
 
 
 def test_what_else_would_change_its_look_is_told():

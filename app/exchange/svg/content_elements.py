@@ -14,6 +14,8 @@ from ...document.style import NO_PAINT, Style
 from .escapes import escaped, quoted
 from .numbers import number
 
+_NOISE = 1e-13
+
 
 def content_element(content: Content, plane: Plane, said: str) -> str:
     """Return a text or a picture that lies so; `said` are attributes of it, each after a blank."""
@@ -43,10 +45,18 @@ def in_units_of(plane: Plane, style: Style) -> Style:
 
 def _matrix(plane: Plane) -> str:
     (right, up), (other_right, other_up) = plane.across, plane.down
-    values = (right, -up, other_right, -other_up, plane.x, -plane.y)
+    linear = _without_noise(right, -up, other_right, -other_up)
+    values = (*linear, *_without_noise(plane.x, -plane.y))
     if values == (1, 0, 0, 1, 0, 0):
         return ""
     return f' transform="matrix({" ".join(map(number, values))})"'
+
+
+def _without_noise(*values: float) -> tuple[float, ...]:
+    """Return numbers that are next to each other without the digits that rounding left of the larger ones."""
+    least = _NOISE * max(1.0, *map(abs, values))
+    plain = [float(f"{each:.12g}") for each in values]
+    return tuple(0.0 if abs(each) < least else each for each in plain)
 
 
 def _picture(picture: Picture, matrix: str, said: str) -> str:
@@ -82,37 +92,50 @@ def _linked(picture: Picture, plane: Plane, said: str) -> str:
 
 
 def _text(text: Lettering, plane: Plane, said: str) -> str:
-    lines = "".join(
+    # What its first letters are in is said once.
+    font = replace(text.lines[0].runs[0], words="", right=0.0, down=0.0, paint=None)
+    looks = "".join(f" {each}" for each in _font(font, TextRun("")))
+    lines = lines_of(text, font)
+    return f'<text{said}{_matrix(plane)} xml:space="preserve"{looks}>{lines}</text>'
+
+
+def lines_of(text: Lettering, font: TextRun) -> str:
+    """Return the lines of a text as spans, within what is in a font."""
+    return "".join(
         f'<tspan x="{number(line.x)}" y="{number(line.y)}"{_anchored(line.anchor.value)}>'
-        + "".join(map(_run, line.runs))
+        + "".join(_run(run, font) for run in line.runs)
         + "</tspan>"
         for line in text.lines
     )
-    return f'<text{said}{_matrix(plane)} xml:space="preserve">{lines}</text>'
 
 
 def _anchored(anchor: str) -> str:
     return "" if anchor == "start" else f' text-anchor="{anchor}"'
 
 
-def _run(run: TextRun) -> str:
+def _run(run: TextRun, font: TextRun) -> str:
     ways = {"dx": run.right, "dy": run.down}
-    moved = "".join(f' {name}="{number(way)}"' for name, way in ways.items() if way)
-    return f"<tspan{moved} {' '.join(_looks(run))}>{escaped(run.words)}</tspan>"
-
-
-def _looks(run: TextRun) -> Iterator[str]:
-    if run.font:
-        families = ", ".join(f"'{each}'" if " " in each else each for each in run.font)
-        yield f'font-family="{quoted(families)}"'
-    yield f'font-size="{number(run.size)}"'
-    yield f'font-weight="{run.weight:g}"'
-    if run.italic:
-        yield 'font-style="italic"'
-    if run.spacing:
-        yield f'letter-spacing="{number(run.spacing)}"'
+    said = [f'{name}="{number(way)}"' for name, way in ways.items() if way]
+    said += _font(run, font)
     if run.paint is not None:
-        yield from _paint(run.paint)
+        said += _paint(run.paint)
+    words = escaped(run.words)
+    return f"<tspan {' '.join(said)}>{words}</tspan>" if said else words
+
+
+def _font(run: TextRun, around: TextRun) -> Iterator[str]:
+    """Yield attributes of the font of letters, where it is another one than around them."""
+    if run.font != around.font:
+        families = ", ".join(f"'{each}'" if " " in each else each for each in run.font)
+        yield f'font-family="{quoted(families) or "sans-serif"}"'
+    if run.size != around.size:
+        yield f'font-size="{number(run.size)}"'
+    if run.weight != around.weight:
+        yield f'font-weight="{run.weight:g}"'
+    if run.italic != around.italic:
+        yield f'font-style="{"italic" if run.italic else "normal"}"'
+    if run.spacing != around.spacing:
+        yield f'letter-spacing="{number(run.spacing)}"'
 
 
 def _paint(paint: RunPaint) -> Iterator[str]:

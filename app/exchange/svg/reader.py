@@ -216,7 +216,7 @@ class SvgReader:
             if not np.isfinite(matrix).all():
                 raise self._broken(element, "its transform is beyond all numbers.")
         if (box := self._clips.box(declared, state.viewport)) is not None:
-            windows = (*windows, Window(box, matrix))
+            windows = (*windows, Window(box, matrix, is_clip=True))
         else:
             clips = (*clips, *(self._clips.of(declared, matrix, state.viewport) or ()))
         return replace(
@@ -225,7 +225,8 @@ class SvgReader:
             windows=windows,
             clips=clips,
             properties=state.properties.entered(declared),
-            is_locked=state.is_locked or element.get(INSENSITIVE) == "true",
+            # What is locked where it is drawn is not so where it is used.
+            is_locked=state.is_locked or (state.anchor is None and element.get(INSENSITIVE) == "true"),
         )
 
     def _contained(
