@@ -7,9 +7,10 @@ from itertools import chain, repeat
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QRect, Qt
 
-from ...actions.declaration import action
+from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_NAME
+from ...actions.strips import CHOSEN_MENU
 from ...document.curve_edits import locked_sentence
 from ...document.edits import EditError
 from ...document.model import Document, Vector
@@ -92,6 +93,7 @@ class TextCommands:
         needs=Need("a text, or letters of one", lambda now: _letter_meant(now.session) >= 0),
         keywords="words letters font size type typo",
     )
+    @also(CHOSEN_MENU(2))
     def _edit(self) -> None:
         """Change words, font or size of the text that the chosen letters are of."""
         self._begin_again(_letter_meant(self._session))
