@@ -84,6 +84,11 @@ def combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
     return result
 
 
+def moving(x: float, y: float) -> FloatArray:
+    """Return the matrix that moves."""
+    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
+
+
 def moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
     """Return points (…, 2) where a matrix puts them."""
     with np.errstate(all="ignore"):

@@ -15,12 +15,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.box_form import InBox
-from ...document.contents import shortened
-from ...document.marker import MarkerKind
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
-from ...document.style import NO_PAINT, FillRule, Style
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
 from ..missed import Missed
@@ -40,6 +36,7 @@ from .matrices import (
     largest_scale,
     mean_scale,
     moved,
+    moving,
     transform_of,
 )
 from .names import GROUP_MODE, INSENSITIVE, label_of, name_of, shown_name
@@ -249,11 +246,11 @@ class SvgReader:
         )
         box = box_of(element.get("viewBox", ""))
         if width is None or height is None or width <= 0 or height <= 0:
-            return replace(state, matrix=combined(state.matrix, _moving(*corner)))
+            return replace(state, matrix=combined(state.matrix, moving(*corner)))
         place: Box = (*corner, width, height)
         windows = (*state.windows, Window(place, state.matrix))
         if box is None:
-            matrix = combined(state.matrix, _moving(*corner))
+            matrix = combined(state.matrix, moving(*corner))
             return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
         fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
         matrix = combined(state.matrix, fit)
@@ -276,7 +273,7 @@ class SvgReader:
             entered = self._entered(target, self._cascade.of(target), state)
             yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
         else:
-            state = replace(state, matrix=combined(state.matrix, _moving(x, y)))
+            state = replace(state, matrix=combined(state.matrix, moving(x, y)))
             yield from self._drawn(target, state, depth + 1)
 
     def _shape(
@@ -328,25 +325,12 @@ class SvgReader:
             return
         self._shapes.append(element)
         self._count()
-        scale = mean_scale(found.matrix)
-        frame = _frame_of(found.form)
-        look = self._look(
-            element,
+        scale, inner = (
+            mean_scale(found.matrix),
             replace(state, properties=found.properties, matrix=found.matrix),
-            scale,
-            [frame],
-            keeps_width=False,
         )
-        style = msgspec.structs.replace(
-            look.style, clips=found.clips, fill_rule=FillRule.NONZERO,
-            start_marker=MarkerKind.NONE, end_marker=MarkerKind.NONE,
-        )  # fmt: skip
-        if tag == "image":
-            style = Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips)
-        name = state.clone or label_of(element) or shortened(found.form.title)
-        path = ImportedPath(
-            name, replace(look, style=style), moved(frame, found.matrix), True, form=found.form
-        )
+        look = self._look(element, inner, scale, [found.frame], keeps_width=not found.is_painted)
+        path = found.path(state.clone or label_of(element), look)
         yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale)
 
     def _count(self) -> None:
@@ -405,11 +389,6 @@ class SvgReader:
         return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
 
 
-def _frame_of(form: InBox) -> FloatArray:
-    """Return the sides of a frame, (4, 4, 2), y downwards."""
-    return np.array(form.sides) * (1.0, -1.0)
-
-
 def _has_length(subpath: Subpath) -> bool:
     """Whether a subpath is more than a point."""
     controls = subpath.controls
@@ -422,7 +401,3 @@ def _speaks_to_us(element: ET.Element) -> bool:
     return not element.get("requiredExtensions") and any(
         each.strip().startswith("en") for each in language.split(",")
     )
-
-
-def _moving(x: float, y: float) -> FloatArray:
-    return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
