@@ -17,7 +17,17 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from ...document.content import MOST_LETTERS, Anchor, Inner, Lettering, RunPaint, TextLine, TextRun, rough_box
+from ...document.content import (
+    MOST_LETTERS,
+    Anchor,
+    Inner,
+    Lettering,
+    RunPaint,
+    TextLine,
+    TextRun,
+    lettering,
+    rough_box,
+)
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
 from .gradients import Ground
@@ -212,12 +222,6 @@ def font_of(properties: Properties) -> TextRun:
         values["font-style"].lower() in ("italic", "oblique"),
         _length(values["letter-spacing"], size),
     )
-
-
-def lettering(lines: tuple[TextLine, ...], box: Inner) -> Lettering:
-    """Return lines of text in a box that they take, y turned up."""
-    left, top, right, bottom = box
-    return Lettering(left, -bottom, right - left, bottom - top, lines, box)
 
 
 def _is_within(box: Inner) -> bool:
