@@ -13,6 +13,8 @@ from ...document.selection import with_points
 from ...document.shapes import whole_shapes
 from ...session import Session
 
+AN_OBJECT: Final = Need("a curve", lambda now: bool(meant(now.session)) and not now.is_blank)
+
 A_SHAPE: Final = Need(
     "a shape",
     lambda now: bool(with_points(now.session.document.curves, meant(now.session))) and not now.is_blank,
