@@ -42,6 +42,7 @@ from app.exchange.options import Options
 from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.in_place.source import Source
 from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
 from app.features.text import outlined, wording
 from app.qt.contents import measured
 from app.qt.glyphs import has_fonts
@@ -204,6 +205,21 @@ def test_what_is_changed_is_all_that_changes_and_it_looks_as_here(
         # A stroke that is stretched is as wide all along here.
         room = 25 if name.startswith("in a turned group str") else 6
         assert difference(result.data, after, tmp_path) <= as_begun + room
+
+
+def test_a_new_file_has_the_same_texts_and_pictures_and_looks_as_here(letter, as_begun, tmp_path):
+    """What a frame shows of a picture that fits its place otherwise is all of that; its file is in it."""
+    document = add_imported(letter, opened(OTHER.encode()))[0]
+    data = svg_of(document, Options(unit="mm")).data
+    again = opened(data)
+    for mine, read in zip(document.curves, again.curves, strict=True):
+        if mine.form != document.curves[LINKED].form:
+            assert is_near(summary(mine), summary(read))
+    assert again.curves[LINKED].form.data == document.curves[LINKED].form.data
+    assert difference(data, document, tmp_path) <= as_begun + 6
+    # A font that nobody has is asked for wherever the text goes.
+    assert b"font-family=\"'No Such Font', 'DejaVu Sans'\"" in data
+    assert rewritten(data, again, again).data == data
 
 
 def summary(curve):

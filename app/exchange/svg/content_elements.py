@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
 from msgspec.structs import replace
 
 from ...document.content import WHOLE, Content, Lettering, Picture, RunPaint, TextRun
-from ...document.contents import Plane
+from ...document.contents import Plane, plane_of
 from ...document.model import Vector
 from ...document.style import NO_PAINT, Style
+from ..cubics_in import lines
+from ..drawing.outlines import Outline
+from .clips import clip_of_box
 from .escapes import escaped, quoted
 from .numbers import number
 
@@ -24,6 +28,24 @@ def content_element(content: Content, plane: Plane, said: str) -> str:
     if content.link and not content.data:
         return _linked(content, plane, said)
     return _picture(content, _matrix(plane), said)
+
+
+def uncut(frame: Outline) -> Outline:
+    """Return all of a picture of which a frame shows a part, cut by a clip; anything else as it is."""
+    picture = frame.content
+    if not isinstance(picture, Picture) or not picture.data or picture.part == WHOLE:
+        return frame
+    plane, (left, top, right, bottom) = plane_of(picture, frame.corners), picture.part
+    places = [plane.place(*each) for each in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
+    style = frame.style
+    if left > 0 or top > 0 or right < 1 or bottom < 1:
+        (a, b), (c, d) = plane.across, plane.down
+        matrix = np.array([[a, c, plane.x], [b, d, plane.y]])
+        clip = clip_of_box((left, top, right - left, bottom - top), matrix)
+        style = replace(style, clips=(*style.clips, clip))
+    return replace(
+        frame, control_points=lines(np.array(places)), style=style, content=replace(picture, part=WHOLE)
+    )
 
 
 def in_units_of(plane: Plane, style: Style) -> Style:
@@ -60,15 +82,7 @@ def _without_noise(*values: float) -> tuple[float, ...]:
 
 
 def _picture(picture: Picture, matrix: str, said: str) -> str:
-    """Return a picture; one that is cut in a box of its own, which shows nothing beyond."""
-    if picture.part != WHOLE:
-        left, top, right, bottom = picture.part
-        across, down = right - left, bottom - top
-        box = " ".join(map(number, (left, top, across, down)))
-        places = zip(("x", "y", "width", "height"), (left, top, across, down), strict=True)
-        numbers = " ".join(f'{name}="{number(value)}"' for name, value in places)
-        inner = _picture(replace(picture, part=WHOLE), "", "")
-        return f'<g{said}{matrix}><svg {numbers} viewBox="{box}" overflow="hidden">{inner}</svg></g>'
+    """Return all of a picture that is in the file."""
     kind = "png" if picture.data.startswith("iVBOR") else "jpeg"
     return (
         f'<image{said}{matrix} width="1" height="1" preserveAspectRatio="none" '

@@ -27,6 +27,7 @@ from ...cubics_in import imported, lines
 from ...drawing.outlines import Outline
 from ...errors import ExchangeError
 from ...node_types import guessed
+from ..content_elements import uncut
 from ..groups import Drawn, Group, Settled, is_seen, settled, with_line
 from ..guides import guides_of
 from ..reader import SvgReader
@@ -53,6 +54,8 @@ class Wanted:
         content = self.content
         if isinstance(content, Lettering):
             object.__setattr__(self, "outlines", (_roughly_framed(self.outlines[0], content),))
+        elif isinstance(content, Picture) and not content.link:
+            object.__setattr__(self, "outlines", (uncut(self.outlines[0]),))
 
     @property
     def content(self) -> Content | None:
