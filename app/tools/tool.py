@@ -283,7 +283,7 @@ class Tool:
         """Drop what belongs to one gesture: it has ended, or another begins."""
         self.gesture = None
 
-    def dismiss(self) -> bool:
+    def dismiss(self, context: ToolContext) -> bool:
         """Remove what was left on the plot; return whether there was something."""
         return False
 

@@ -16,7 +16,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...document.content import MOST_LETTERS, Anchor, Inner, Lettering, RunPaint, TextLine, TextRun, rough_box
+from ...document.content import (
+    MOST_LETTERS,
+    Anchor,
+    Inner,
+    Lettering,
+    RunPaint,
+    TextLine,
+    TextRun,
+    lettering,
+    rough_box,
+)
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
 from .gradients import Ground
@@ -202,12 +212,6 @@ class Texts:
             _share(stroke.opacity, values["stroke-opacity"], more),
             width if stroke.colour != "none" else 1.0,
         )
-
-
-def lettering(lines: tuple[TextLine, ...], box: Inner) -> Lettering:
-    """Return lines of text in a box that they take, y turned up."""
-    left, top, right, bottom = box
-    return Lettering(left, -bottom, right - left, bottom - top, lines, box)
 
 
 def _is_within(box: Inner) -> bool:

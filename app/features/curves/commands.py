@@ -165,7 +165,7 @@ class CurveCommands:
         # The next one is the one below in the list, hence behind.
         session = self._session
         session.selected.activate((session.active_index + step) % len(session.document.curves))
-        session.say(f"Editing “{session.active_curve.name}”.")
+        session.say(f"Editing “{session.active_curve.seen_name}”.")
 
     # Shape
 

@@ -47,8 +47,7 @@ class Wanted:
     def __post_init__(self) -> None:
         content = self.content
         if isinstance(content, Lettering):
-            frame = replace(self.outlines[0], control_points=_rough_frame(content, self.outlines[0]))
-            object.__setattr__(self, "outlines", (frame,))
+            object.__setattr__(self, "outlines", (_roughly_framed(self.outlines[0], content),))
 
     @property
     def content(self) -> Content | None:
@@ -254,12 +253,13 @@ class Reading:
                 self.layers |= {node} if group.is_layer else set()
 
 
-def _rough_frame(text: Lettering, frame: Outline) -> FloatArray:
-    """Return the sides of the frame that a reader without fonts gives a text."""
-    plane = plane_of(text, frame.corners)
-    left, top, right, bottom = rough_box(text.lines)
+def _roughly_framed(frame: Outline, text: Lettering) -> Outline:
+    """Return a text in the frame that a reader without fonts gives it; the letters stay where they are."""
+    plane, box = plane_of(text, frame.corners), rough_box(text.lines)
+    left, top, right, bottom = box
     places = np.array([(left, top), (right, top), (right, bottom), (left, bottom), (left, top)])
-    return lines(places @ (plane.across, plane.down) + (plane.x, plane.y))
+    sides = lines(places @ (plane.across, plane.down) + (plane.x, plane.y))
+    return replace(frame, control_points=sides, content=replace(text, box=box))
 
 
 def same_content(found: Found, wanted: Wanted) -> bool:
