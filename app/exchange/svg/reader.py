@@ -334,7 +334,7 @@ class SvgReader:
     def _content(self, element: ET.Element, tag: str, state: State, anchor: Anchor) -> Iterator[Drawn]:
         """Yield the frame of a text or of a picture."""
         found = self._shown.found(tag, element, state)
-        flaw = NO_CURVES[tag] if found is None else found.flaw
+        flaw = self._shown.why_not(tag) if found is None else found.flaw
         if flaw is not None and state.properties.is_visible:
             self._miss(element, flaw)
         if found is None:
