@@ -35,6 +35,9 @@ _LEAST = 2.0
 _SHARE = 0.42
 """Part of the way to the next mark that half a mark takes at most: a gap is left between the two."""
 
+_FAINT_SIZE = 0.8
+"""Size of the fainter marks, as a share of the others'."""
+
 _STEPS = 4
 """Steps within a pixel in which marks grow."""
 
@@ -148,12 +151,12 @@ class ShownHandles:
         arms[:facing] = [arm[:2] for arm in arms[:facing]]
         for number, (arm, given) in enumerate(zip(arms, handles.explicit.tolist(), strict=True)):
             shade = Shade.FAINT if number < facing else Shade.STRONG
-            sizes = mark_sizes(arm, ink.scale, share)
+            sizes = mark_sizes(arm, ink.scale, share if shade is Shade.STRONG else share * _FAINT_SIZE)
             for order, ((x0, y0), (x, y)) in enumerate(pairwise(arm)):
                 if abs(x0) + abs(y0) + abs(x) + abs(y) < _FAR:
                     lines.setdefault((shade, order), []).append(QLineF(x0, y0, x, y))
                     marks.append((HandleLook(order, _stepped(sizes[order]), given[order], shade), x, y))
-        if ink.over_picture:
+        if ink.has_paper_beneath:
             # Paper under handles and their lines.
             painter.setPen(ink.beneath)
             painter.drawLines([line for alike in lines.values() for line in alike])

@@ -26,6 +26,9 @@ _GRIP, _FAR = 3.5, 1e6
 _SLANT = 0.8
 """Of the grips that skew, across their height."""
 
+_BENEATH = 3.0
+"""Pixels of paper below a line over artwork."""
+
 _PIVOT_ARM = 6.5
 """Pixels from the pivot to the ends of its cross."""
 
@@ -108,15 +111,22 @@ class MarksLayer(Layer):
         frame = _rectangle(shown, box.low, box.high)
         if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
             return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
-        painter.drawRect(frame)
-        for grip, place in box.grips(shown.sx) if has_grips else ():
-            pixel = QPointF(*shown.point(*place))
+        # On whole pixels, where dashes are sharp.
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        # Paper between the dashes, no wider than they are: seen on any colour, and little is covered.
+        for pen in (QPen(self.theme.paper, self.scale), self._pen(style=Qt.PenStyle.DashLine)):
+            painter.setPen(pen)
+            painter.drawRect(frame)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        grips = [(grip, QPointF(*shown.point(*place))) for grip, place in box.grips(shown.sx) if has_grips]
+        for grip, pixel in grips:
             if grip.does is TransformKind.ROTATE and not box.turns:
-                painter.setPen(self._pen())
-                painter.drawLine(QPointF(pixel.x(), frame.top()), pixel)
+                # Below the grips: it passes one of them.
+                for pen in (QPen(self.theme.paper, _BENEATH * self.scale), self._pen(1.2)):
+                    painter.setPen(pen)
+                    painter.drawLine(QPointF(pixel.x(), frame.top()), pixel)
+        for grip, pixel in grips:
             self._paint_grip(painter, pixel, grip)
 
     def _paint_grip(self, painter: QPainter, pixel: QPointF, grip: Grip) -> None:

@@ -22,6 +22,7 @@ from ..plotting.fonts import Sizes
 from ..plotting.halo import with_halo
 from ..plotting.pens import diamond, triangle
 from ..plotting.sprites import Sprites
+from ..view_model.look.palette import contrast
 from .point_density import RADIUS
 from .point_marks import paint_mark
 from .point_stamps import PLAIN_RIM
@@ -38,8 +39,18 @@ _REACH = 11.0
 _HOVERED = 0.4
 """Share of the accent in a plain point under the pointer."""
 
-_FACING = 0.6
-"""Share of ink in the handles of points that are not selected; the rest is paper."""
+_FACING, _SEEN, _STEP = 0.6, 3.0, 0.05
+"""Least share of ink in the handles of points that are not selected, the rest is paper; the contrast between
+the two that it is raised for; and by what steps."""
+
+_LINE, _FACING_LINE = 1.2, 0.9
+"""Pixels of the lines of handles, and of those of points that are not selected."""
+
+_BENEATH_PICTURE, _BENEATH_DRAWING = 1.4, 0.9
+"""Pixels of paper beside the line of a handle: over a picture that is traced, and over a drawing."""
+
+_RIM_OF_HANDLE = (2.5, 2.25)
+"""The same around its mark, from the middle of its line."""
 
 
 HANDLE_SIZES = (4.0, 5.5, 5.5)
@@ -59,6 +70,14 @@ class Shade(enum.IntEnum):
     STRONG = 0
     FAINT = 1
     PAPER = 2
+
+
+def _faint(ink: QColor, paper: QColor) -> QColor:
+    """Return ink with as much paper in it as lets it be seen."""
+    share = _FACING
+    while share < 1.0 and contrast(mix(ink, paper, share).name(), paper.name()) < _SEEN:
+        share += _STEP
+    return mix(ink, paper, min(share, 1.0))
 
 
 class HandleLook(NamedTuple):
@@ -136,7 +155,9 @@ class PointInk:
     """Pens and fonts of points under one theme, in one scale: they stay from frame to frame."""
 
     def __init__(self, theme: Theme, scale: float, fonts: Sizes, *, over_picture: bool) -> None:
-        self.scale, self.over_picture = scale, over_picture
+        self.scale = scale
+        # What is drawn over pictures and fills of whatever colour has paper beneath it.
+        self.has_paper_beneath = over_picture or theme.is_as_printed
         # In the grey of a faded letter grey handles cannot be seen.
         ink = theme.curve if over_picture else theme.handle
         self._theme, self._rim, self._ring = (
@@ -144,13 +165,15 @@ class PointInk:
             QPen(theme.paper, 1.5 * scale),
             QPen(theme.accent, 2 * scale),
         )
-        self._greys = {Shade.STRONG: ink, Shade.FAINT: mix(ink, theme.paper, _FACING)}
+        self._greys = {Shade.STRONG: ink, Shade.FAINT: _faint(ink, theme.paper)}
         self.lines = {
-            (shade, order): QPen(grey, 1.2 * scale, style)
+            (shade, order): QPen(grey, (_FACING_LINE if shade is Shade.FAINT else _LINE) * scale, style)
             for shade, grey in self._greys.items()
             for order, style in enumerate(_LINES)
         }
-        self.beneath = QPen(theme.paper, 4 * scale)
+        beside = _BENEATH_PICTURE if over_picture else _BENEATH_DRAWING
+        self.beneath = QPen(theme.paper, (_LINE + 2 * beside) * scale)
+        self._rim_of_handle = _RIM_OF_HANDLE[not over_picture] * scale
         self.handles = Sprites(self._paint_handle, _REACH * scale)
         self.points = Sprites(self._paint_point, _REACH * scale)
         self.font = fonts.times(0.95 * scale)
@@ -192,7 +215,7 @@ class PointInk:
         if look.shade is Shade.PAPER:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self._theme.paper)
-            size += 2.5 * self.scale
+            size += self._rim_of_handle
         else:
             grey = self._greys[look.shade]
             painter.setPen(QPen(grey, 1.5 * self.scale))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QRectF, QSizeF
-from PySide6.QtGui import QFontMetricsF, QPainter
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QPainter
 
-from ..plotting.halo import Halo
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
+from ..plotting.plates import size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 
 
@@ -24,7 +24,6 @@ class UnitLayer(Layer):
         super().__init__(plot)
         self._plot = plot
         self._unit = ""
-        self._halo = Halo()
 
     def render(self, unit: str) -> None:
         """Write this name from the next paint on; empty for none."""
@@ -40,6 +39,6 @@ class UnitLayer(Layer):
         """Write it."""
         painter.setFont(self.fonts.less(1.5, 1.0))
         if text := self.words(shown):
-            # Paper around the letters: a dark desk may lie below.
-            box = QRectF(QPointF(6, 4), QSizeF(QFontMetricsF(painter.font()).horizontalAdvance(text), 18))
-            self._halo.write(painter, box, text, self.theme.paper, self.theme.muted, 2 * self.scale)
+            # In the colours of the axes, which it belongs to: white paper on a dark desk would be a blot.
+            plate = QRectF(QPointF(3, 4), size_of(painter, text, 8.0, 2.0))
+            write_on_plate(painter, plate, text, self.frame.surface, self.frame.muted)

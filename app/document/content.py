@@ -232,6 +232,12 @@ Content = Lettering | Picture
 """What a frame may show."""
 
 
+def lettering(lines: tuple[TextLine, ...], box: Inner) -> Lettering:
+    """Return lines of text in a box that they take, y turned up."""
+    left, top, right, bottom = box
+    return Lettering(left, -bottom, right - left, bottom - top, lines, box)
+
+
 def rough_box(lines: Iterable[TextLine]) -> Inner:
     """Return about what lines of text take, in their units: it hangs on no font."""
     boxes = list[Inner]()

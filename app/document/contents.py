@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from .content import Content, Lettering, Picture, RunPaint
 from .limits import EditError
-from .model import Curve, Document, ParametrizationKind, Point, Vector
+from .model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from .style import NO_PAINT, Style
 from .words import count_of
 
@@ -64,6 +64,11 @@ def content_of(curve: Curve) -> Content | None:
 def is_content(curve: Curve) -> bool:
     """Whether a curve is the frame of a text or a picture."""
     return curve.form is not None and curve.form.is_content
+
+
+def as_model(curve: Curve) -> Curve:
+    """Return a curve as one that others are made like: the rules of a frame are nobody's choice."""
+    return replace(curve, form=None, parametrization=Parametrization()) if is_content(curve) else curve
 
 
 def has_contents(curves: tuple[Curve, ...]) -> bool:
@@ -175,7 +180,9 @@ def repainted(document: Document, before: Document) -> Document:
 
 def _repainted(curve: Curve, before: Curve) -> Curve:
     form, style, was = curve.form, curve.style, before.style
-    if style is was or form is not before.form or not isinstance(form, Lettering):
+    is_moved = curve.points is not before.points
+    # What is moved takes its gradient along, which is no other paint for that.
+    if style is was or is_moved or form is not before.form or not isinstance(form, Lettering):
         return curve
     changed = {name for name in _PAINTS if getattr(style, name) != getattr(was, name)}
     if not changed:

@@ -11,6 +11,7 @@ from itertools import chain, count
 
 from msgspec.structs import replace
 
+from .contents import as_model
 from .derivatives import DERIVATIVES
 from .edits import EditError, delete_points, freeze_parameters, interval, refuse_equal_parameters, set_points
 from .model import Curve, Document, Parametrization, Point, Vector
@@ -93,6 +94,7 @@ def unstyled_model(curve: Curve) -> Curve:
 
     Parameters set by hand say nothing about other points; the interval that they span is that curve's own.
     """
+    curve = as_model(curve)
     rule = curve.parametrization
     usual = Parametrization() if curve.is_manual else Parametrization(rule.kind, rule.alpha)
     return replace(fresh_curve(Document(()), curve, usual), style=PLAIN_STYLE)
@@ -166,17 +168,17 @@ def refuse_locked(before: Document, after: Document) -> None:
         only_looks = same_places and without_looks(after.curves[place]) == without_looks(curve)
         # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
         if not only_looks and not any(other is curve for other in after.curves):
-            names.append(curve.name)
+            names.append(curve.seen_name)
     if names:
         raise EditError(locked_sentence(names))
 
 
 def locked_sentence(names: Sequence[str]) -> str:
     """Say that the curves with these names are locked, and what to do."""
-    locked = enumerated([f"“{name}”" for name in names])
-    if len(names) == 1:
-        return f"{locked} is locked; unlock it in the list of curves to change it."
-    return f"{locked} are locked; unlock them in the list of curves to change them."
+    locked = [f"“{name}”" for name in dict.fromkeys(names)]
+    if len(locked) == 1:
+        return f"{locked[0]} is locked; unlock it in the list of curves to change it."
+    return f"{enumerated(locked)} are locked; unlock them in the list of curves to change them."
 
 
 def without_looks(curve: Curve) -> Curve:

@@ -7,6 +7,7 @@ to one curve of a shape is done to all of it.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -18,6 +19,14 @@ from .words import NamedEnum
 
 BoxOf = Callable[[range], Box]
 """Tells the box around the curves of a shape, by their places."""
+
+
+class PaintedStop(NamedTuple):
+    """A stop, by the first curve of its shape, the paint, "fill" or "stroke", and its place there."""
+
+    curve: int
+    paint: str
+    stop: int
 
 
 class PaintKind(NamedEnum):

@@ -285,6 +285,11 @@ class Curve(Value, frozen=True, dict=True):
         return self.style if self.form is None or not self.form.is_content else NO_LINE
 
     @property
+    def seen_name(self) -> str:
+        """The name that people see of it: that of its shape, or its own where it is alone."""
+        return self.shape or self.name
+
+    @property
     def is_free(self) -> bool:
         """Whether it is seen and not locked."""
         return self.visible and not self.locked

@@ -108,7 +108,7 @@ class PointGroup(msgspec.Struct, frozen=True):
 
     def refuse_locked(self, document: Document) -> None:
         """Raise EditError if curves that it is of are locked."""
-        names = [document.curves[curve].name for curve, _ in self.parts if document.curves[curve].locked]
+        names = [document.curves[curve].seen_name for curve, _ in self.parts if document.curves[curve].locked]
         if names:
             raise EditError(locked_sentence(names))
 

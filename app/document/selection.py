@@ -146,8 +146,9 @@ def followed_choice(choice: Choice, before: Sequence[Curve], after: Sequence[Cur
     kept = followed_curves(choice.chosen, before, after)
     if is_editing and _are_left(choice.curves, active, before, after):
         is_editing, kept = False, frozenset()
-    elif active not in kept and kept and not is_editing and len(after) == len(before):
-        # Undo and redo of a drag that has chosen something leave that chosen, whatever was before it.
+    elif active not in kept and kept and not is_editing and len(after) <= len(before):
+        # Undo and redo of a drag that has chosen something leave that chosen, whatever was before it. What
+        # was chosen since copies were made stays so when these go.
         active = min(kept, key=lambda place: abs(place - active))
     elif active not in kept:
         # A curve that was added is what is worked on now; where one has gone nobody has chosen another.

@@ -50,7 +50,9 @@ def with_text_known(document: Document, places: range, text: Text) -> Document:
 
 def words_of(document: Document, curve: int) -> str:
     """Return the first line of the text that a curve is a letter of; empty for no text."""
-    text = document.curves[curve].text
+    text, form = document.curves[curve].text, document.curves[curve].form
+    if isinstance(form, Lettering):
+        return form.words
     return " ".join(text.words.split()) if text is not None else ""
 
 

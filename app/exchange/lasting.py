@@ -49,6 +49,6 @@ def _other_curves(document: Document) -> list[str]:
     others = [curve for curve in document.curves if curve.points and curve.family != FAMILY]
     if not others:
         return []
-    what = f"“{others[0].name}”" if len(others) == 1 else count_of(len(others), "curve")
+    what = f"“{others[0].seen_name}”" if len(others) == 1 else count_of(len(others), "curve")
     kinds = {curve.family.title for curve in others}
     return [f"{what} as {kinds.pop()}" if len(kinds) == 1 else f"the families of {what}"]

@@ -136,7 +136,8 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
     ExchangeError
         If there is none.
     """
-    hidden = [f"“{curve.name}” is hidden." for curve in document.curves if not curve.visible]
+    names = dict.fromkeys(curve.seen_name for curve in document.curves if not curve.visible)
+    hidden = [f"“{name}” is hidden." for name in names]
     curves, unusable = drawable(document, report)
     remarks = hidden + unusable
     if not curves:

@@ -57,6 +57,11 @@ class Layer:
         return self._stack.theme
 
     @property
+    def frame(self) -> Theme:
+        """The theme of what lies beside the plot area."""
+        return self._stack.frame
+
+    @property
     def scale(self) -> float:
         """The size of lines and numbers; 1 as usual."""
         return self._stack.scale

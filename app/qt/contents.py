@@ -159,6 +159,11 @@ def _font_of(run: TextRun) -> QFont:
     return font
 
 
+def line_step(run: TextRun) -> float:
+    """Return the way from line to line that the font of a run has, in its units."""
+    return QFontMetricsF(_font_of(run)).lineSpacing() * run.size / _EM
+
+
 def measured(document: Document) -> Document:
     """Return the document with frames around the letters of its texts, as the fonts here have them.
 

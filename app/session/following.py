@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from ..document.model import Curve, Document
+from ..document.model import Document
 from ..document.point_group import NO_POINTS
 from ..document.selection import (
     Choice,
@@ -21,6 +21,7 @@ from ..document.steps import reshaped
 from .next_style import Marked
 
 if TYPE_CHECKING:
+    from .selection import Selection
     from .session import Session
 
 
@@ -37,6 +38,7 @@ class Following:
         selected = self._session.selected
         selected.set_points([])
         selected.take_up()
+        selected.stop.choose(None)
         selected.next_style.marked = Marked.LENT
 
     def begin_opened(self) -> None:
@@ -107,13 +109,28 @@ class Following:
         if (new.curves, new.chosen, new.is_editing) != (old.curves, old.chosen, old.is_editing):
             session.selected_curves_changed.emit(selected.curves)
 
-    def select_returned(self, before: Sequence[Curve], then: Choice | None) -> None:
-        """Select the points, or the curves, that undo or redo has brought back; edit what was `then`."""
-        selected, curves = self._session.selected, self._session.committed.curves
+    def select_returned(self, document: Document, then: Choice | None) -> None:
+        """Select points, or curves, that undo or redo has brought back; edit or choose what was `then`.
+
+        That is chosen, too, where what was chosen since goes with the step, as copies and an empty layer do.
+        """
+        selected, now, before = self._session.selected, self._session.committed, document.curves
+        curves = now.curves
         returned = returned_curves(before, curves)
-        if then is not None and then.is_editing and not selected.is_editing and returned & then.curves:
+        is_left = len(before) > len(curves) or document.layers != now.layers
+        if then is not None and _comes_back(then, returned, selected, is_left=is_left):
             selected.restore(then)
         elif len(returned) > 1 or (returned and not selected.is_editing):
             selected.set_curves(returned)
         elif selected.is_editing and not selected.group.parts and len(before) == len(curves):
             selected.keep_group(returned_points(selected.edited, before, curves))
+
+
+def _comes_back(then: Choice, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
+    """Whether what was selected before a step is selected again, for undo has brought back some of it.
+
+    Likewise where it was chosen whole and nothing is selected any more, for what the step has made is gone.
+    """
+    if then.is_editing:
+        return not now.is_editing and not then.curves.isdisjoint(returned)
+    return not then.chosen.isdisjoint(returned) or (is_left and bool(then.chosen) and not now.marked)

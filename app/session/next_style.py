@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from ..document.contents import is_content
 from ..document.model import Document
 from ..document.paper import drawn_style, line_width
+from ..document.selection import with_points
 from ..document.style import Style
 
 if TYPE_CHECKING:
@@ -58,7 +60,8 @@ class NextStyle:
     ) -> Style:
         """Return the style of what is drawn next; `blank` tells that of new documents."""
         style = document.curves[active].style
-        if document.curves[active].points and not self._is_as_active(marked):
+        is_lent = self._is_as_active(marked) and not is_content(document.curves[active])
+        if document.curves[active].points and not is_lent:
             style = self.last or blank().curves[0].style
             if self.last is not None and self._usual != line_width(document):
                 # A width in another unit would be any width here.
@@ -66,9 +69,12 @@ class NextStyle:
         return drawn_style(document, style)
 
     def note(self, document: Document, marked: Collection[int], active: int) -> None:
-        """Take note of the style of what was chosen until now; of several, of the active or front one."""
-        if marked and self.marked is Marked.ASKED:
-            self.take(document, document.curves[active if active in marked else max(marked)].style)
+        """Take note of the style of what was chosen until now; of several, of the active or front one.
+
+        Texts and pictures are painted otherwise than curves.
+        """
+        if self.marked is Marked.ASKED and (lending := with_points(document.curves, marked)):
+            self.take(document, document.curves[active if active in lending else max(lending)].style)
 
     def follow(self, before: Document, after: Document, active: int) -> None:
         """Take note of what a step has made of the active curve: begun or worked on, it is chosen.

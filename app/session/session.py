@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from PySide6.QtGui import QUndoStack
 
 from ..document.clones import followed, settled, words_about_unlinked
-from ..document.contents import repainted
+from ..document.contents import as_model, is_content, repainted
 from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
@@ -78,8 +78,7 @@ class Session(SessionSignals):
     def _follow_history(self) -> None:
         """Turn to what the history says is there, where undo or redo has failed on its way to it.
 
-        The history goes on whatever a step raises: whoever undoes next would land somewhere else. What a step
-        does besides may be what failed; here it is made anew.
+        The history goes on whatever a step raises; what a step does besides may be what failed.
         """
         state = self.history.state
         if state is None or state.document is self._committed or state.document == self._committed:
@@ -148,12 +147,12 @@ class Session(SessionSignals):
         selected = self.selected
         shown = self._shown, selected.marked, self.active_index
         style = selected.next_style.in_document(*shown, self.files.blank)
-        return replace(self.active_curve, style=style)
+        return replace(as_model(self.active_curve), style=style)
 
     @property
     def meant_view(self) -> CurveView | None:
         """The view-model of the active curve; None while no curve is edited and none chosen."""
-        return self.active_view if self.selected.means_curve else None
+        return self.active_view if self.selected.means_curve and not is_content(self.active_curve) else None
 
     @property
     def undo_stack(self) -> QUndoStack:
@@ -177,8 +176,7 @@ class Session(SessionSignals):
     ) -> Change:
         """Make what `edit` returns for the document the current one, as the step `text` of the history.
 
-        A gesture in flight is dropped first, so `edit` gets the history's last state. Where it raises
-        `EditError` nothing changes and the status line says why.
+        A gesture in flight is dropped first. Where `edit` raises `EditError` the status line says why.
 
         Parameters
         ----------
@@ -288,7 +286,7 @@ class Session(SessionSignals):
             if is_other:
                 self._following.begin_opened()
             elif not self.history.is_pushing:
-                self._following.select_returned(before.curves, state.choice)
+                self._following.select_returned(before, state.choice)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()

@@ -13,11 +13,11 @@ from ..document.content import (
     Anchor,
     Content,
     Inner,
-    Lettering,
     Picture,
     RunPaint,
     TextLine,
     TextRun,
+    lettering,
     rough_box,
 )
 from ..document.contents import Plane, shortened
@@ -137,8 +137,7 @@ def _text(lines: Sequence[KeptText]) -> tuple[_Kept, Curve]:
     common = next(chain.from_iterable(line.runs for line in lines), _Run("")).paint
     made = tuple(_line(line, first, common) for line in lines)
     box = rough_box(made)
-    left, top, right, bottom = box
-    content = Lettering(left, -bottom, right - left, bottom - top, made, box)
+    content = lettering(made, box)
     style = Style(
         stroke=common.stroke,
         stroke_opacity=common.stroke_opacity,

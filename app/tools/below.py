@@ -53,7 +53,7 @@ def click_below(context: ToolContext, below: Below) -> None:
     host = context.host
     if host.selected.is_editing:
         edit_curve(context, below.curve)
-        said = f"Editing “{host.active_view.source.name}” now"
+        said = f"Editing “{host.active_view.source.seen_name}” now"
     else:
         host.selected.choose(below.meant)
         said = chosen_curves(host)

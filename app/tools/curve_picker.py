@@ -40,7 +40,7 @@ class CurvePicker:
         else:
             return context
         if not pointer.shift:
-            host.say(f"Editing “{host.active_view.source.name}” now.")
+            host.say(f"Editing “{host.active_view.source.seen_name}” now.")
         return context
 
     def press(self, context: ToolContext, hit: Hit) -> None:
@@ -61,7 +61,7 @@ class CurvePicker:
             host.selected.choose(())
         elif had_others:
             host.selected.set_curves((host.active_index,))
-            host.say(f"Only “{host.active_view.source.name}” is chosen.")
+            host.say(f"Only “{host.active_view.source.seen_name}” is chosen.")
         if locked := _words_of_locked(context):
             host.refuse(locked)
 
@@ -232,12 +232,12 @@ def select_hit(context: ToolContext) -> None:
     if not host.selected.is_editing:
         host.say(refusal_of(host.document.curves[host.active_index]))
         return
-    host.say(f"Editing {several} now." if several else f"Editing “{host.active_view.source.name}” now.")
+    host.say(f"Editing {several} now." if several else f"Editing “{host.active_view.source.seen_name}” now.")
 
 
 def chosen_curves(host: EditingHost) -> str:
     """Return a sentence about the curves that the tools act on."""
-    chosen, active = host.selected.chosen, host.active_view.source.name
+    chosen, active = host.selected.chosen, host.active_view.source.seen_name
     if not host.selected.is_editing:
         if name := name_of(host.document, chosen):
             return f"“{name}” is chosen"

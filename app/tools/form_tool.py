@@ -237,9 +237,9 @@ class FormTool(Tool):
         """Edit the form under the pointer, or tell how one is drawn."""
         host = context.host
         for curve in context.surface.curves_at(context.pointer):
-            if formed(host.document.curves[curve]) is not None:
+            if (now := formed(host.document.curves[curve])) is not None and now.handles:
                 host.selected.activate(curve)
-                host.say(f"Editing “{host.document.curves[curve].name}” now.")
+                host.say(f"Editing “{host.document.curves[curve].seen_name}” now.")
                 return
         host.say(f"{self.how}.")
 

@@ -1,4 +1,4 @@
-"""The stop of a gradient that was chosen on the canvas: keys move and delete it."""
+"""The stop of a gradient that is chosen, as the canvas shows it: keys move and delete it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from ..document import words
 from ..document.gradient import Gradient, with_stop_at
-from ..document.gradient_edits import gradient_of, with_gradient, without_stop
+from ..document.gradient_edits import PaintedStop, gradient_of, with_gradient, without_stop
 from ..document.model import Vector
 from ..document.several_curves import named
 from ..document.shapes import shape_of
@@ -34,14 +34,6 @@ class PaintedGradient(NamedTuple):
     gradient: Gradient
 
 
-class _Choice(NamedTuple):
-    """A stop, by the first curve of the shape, the paint, and its place among the others."""
-
-    curve: int
-    paint: str
-    stop: int
-
-
 def gradients_of(host: EditingHost) -> Iterator[PaintedGradient]:
     """Yield the gradients of what is chosen."""
     document = host.document
@@ -54,69 +46,72 @@ def gradients_of(host: EditingHost) -> Iterator[PaintedGradient]:
                     yield PaintedGradient(shape, paint, gradient)
 
 
-class StopPicker:
-    """The stop that was clicked, as long as its gradient is one of what is chosen and has it."""
+def choose_stop(host: EditingHost, painted: PaintedGradient, stop: int) -> None:
+    """Choose a stop."""
+    host.selected.stop.choose(PaintedStop(painted.shape.start, painted.paint, stop))
 
-    def __init__(self) -> None:
-        self._choice: _Choice | None = None
 
-    def choose(self, painted: PaintedGradient, stop: int) -> None:
-        """Choose a stop."""
-        self._choice = _Choice(painted.shape.start, painted.paint, stop)
+def let_go(host: EditingHost) -> bool:
+    """Choose no stop any more; return whether one was chosen."""
+    had = host.selected.stop.chosen is not None
+    host.selected.stop.choose(None)
+    return had
 
-    def let_go(self) -> bool:
-        """Choose no stop any more; return whether one was chosen."""
-        had, self._choice = self._choice is not None, None
-        return had
 
-    def marked(self, host: EditingHost) -> tuple[int, int] | None:
-        """Return the gradient, by its place among `gradients_of`, and the stop of it that is chosen."""
-        choice = self._choice
-        if choice is not None:
-            for at, (shape, paint, gradient) in enumerate(gradients_of(host)):
-                if (shape.start, paint) == choice[:2] and choice.stop < len(gradient.stops):
-                    return at, choice.stop
-        return None
+def marked_stop(host: EditingHost) -> tuple[int, int] | None:
+    """Return the gradient, by its place among `gradients_of`, and the stop of it that is chosen.
 
-    def _chosen(self, host: EditingHost) -> tuple[PaintedGradient, int] | None:
-        marked = self.marked(host)
-        return (list(gradients_of(host))[marked[0]], marked[1]) if marked is not None else None
+    None where its gradient is not one of what is chosen, or does not have it.
+    """
+    chosen = host.selected.stop.chosen
+    if chosen is not None:
+        for at, (shape, paint, gradient) in enumerate(gradients_of(host)):
+            if (shape.start, paint) == chosen[:2] and chosen.stop < len(gradient.stops):
+                return at, chosen.stop
+    return None
 
-    def delete(self, host: EditingHost) -> bool:
-        """Delete the stop, and choose the one before it; return whether there was one to delete."""
-        chosen = self._chosen(host)
-        if chosen is None:
-            return False
-        painted, stop = chosen
-        what = named(host.document, painted.shape)
-        if host.change(
-            f"Delete stop of {what}", lambda now: without_stop(now, painted.shape, painted.paint, stop)
-        ):
-            left = len(painted.gradient.stops) - 1
-            if left > 1:
-                self.choose(painted, max(stop - 1, 0))
-                host.say(f"Deleted a stop of {what}; {left} are left.")
-            else:
-                self._choice = None
-                host.say(f"Deleted a stop of {what}; it has the colour of the other one now.")
-        return True
 
-    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
-        """Move the stop along its line, one at an end in any direction; return whether one is chosen."""
-        host, chosen = context.host, self._chosen(context.host)
-        if chosen is None:
-            return False
-        painted, stop = chosen
-        moved = _nudged(painted.gradient, stop, direction, stride, context.step_of(stride))
+def _chosen(host: EditingHost) -> tuple[PaintedGradient, int] | None:
+    marked = marked_stop(host)
+    return (list(gradients_of(host))[marked[0]], marked[1]) if marked is not None else None
 
-        is_done = moved != painted.gradient and host.change(
-            f"Nudge stop of {named(host.document, painted.shape)}",
-            lambda now: with_gradient(now, painted.shape, painted.paint, lambda _: moved),
-            run=("stop", self._choice),
-        )
-        if is_done:
-            host.say(f"Stop at {words.number(100 * moved.stops[stop].offset)} %.")
-        return True
+
+def delete_stop(host: EditingHost) -> bool:
+    """Delete the stop, and choose the one before it; return whether there was one to delete."""
+    chosen = _chosen(host)
+    if chosen is None:
+        return False
+    painted, stop = chosen
+    what = named(host.document, painted.shape)
+    if host.change(
+        f"Delete stop of {what}", lambda now: without_stop(now, painted.shape, painted.paint, stop)
+    ):
+        left = len(painted.gradient.stops) - 1
+        if left > 1:
+            choose_stop(host, painted, max(stop - 1, 0))
+            host.say(f"Deleted a stop of {what}; {left} are left.")
+        else:
+            let_go(host)
+            host.say(f"Deleted a stop of {what}; it has the colour of the other one now.")
+    return True
+
+
+def nudge_stop(context: ToolContext, direction: Vector, stride: Stride) -> bool:
+    """Move the stop along its line, one at an end in any direction; return whether one is chosen."""
+    host, chosen = context.host, _chosen(context.host)
+    if chosen is None:
+        return False
+    painted, stop = chosen
+    moved = _nudged(painted.gradient, stop, direction, stride, context.step_of(stride))
+
+    is_done = moved != painted.gradient and host.change(
+        f"Nudge stop of {named(host.document, painted.shape)}",
+        lambda now: with_gradient(now, painted.shape, painted.paint, lambda _: moved),
+        run=("stop", host.selected.stop.chosen),
+    )
+    if is_done:
+        host.say(f"Stop at {words.number(100 * moved.stops[stop].offset)} %.")
+    return True
 
 
 def _nudged(gradient: Gradient, stop: int, direction: Vector, stride: Stride, step: float) -> Gradient:

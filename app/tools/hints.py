@@ -39,7 +39,7 @@ def to_select(
     if hit is None:
         return Hint(_ON_EMPTY)
     if view.source.locked:
-        return Hint(LOCKED.format(view.source.name))
+        return Hint(LOCKED.format(view.source.seen_name))
     if hit.part is Part.CURVE:
         return to_bend(view, pointer)
     hint = on_part(hit, view, document, dragged, pointer, snaps=snaps)

@@ -63,10 +63,12 @@ def _targets(
     if SnapKind.POINTS in kinds:
         points = [
             _points(own, without.get(curve, ())),
-            *(_points(view, without.get(place, ()), view.source.name) for place, view in others),
+            *(_points(view, without.get(place, ()), view.source.seen_name) for place, view in others),
         ]
     if SnapKind.CURVES in kinds:
-        curves = [(NearestPoint(view), view.source.name) for place, view in others if place not in without]
+        curves = [
+            (NearestPoint(view), view.source.seen_name) for place, view in others if place not in without
+        ]
     return Targets(tuple(points), _named(own, level) if SnapKind.LEVEL in kinds else (), tuple(curves))
 
 
@@ -79,7 +81,7 @@ def targets_of_side(
         for index, view in enumerate(views):
             if index == active or view.source.visible:
                 rest = sorted({*range(len(view.points))}.difference(moving.get(index, ())))
-                points += _named(view, rest, "" if index == active else view.source.name)
+                points += _named(view, rest, "" if index == active else view.source.seen_name)
     return Targets(neighbours=points)
 
 
@@ -149,7 +151,7 @@ def _boxes(
         )
         bounds = bounds_of(views, group, strokes)
         if bounds is not None:
-            yield bounds, views[places[0]].source.shape or views[places[0]].source.name
+            yield bounds, views[places[0]].source.seen_name
 
 
 def _box_place(name: str, across: int, up: int) -> str:
@@ -167,7 +169,7 @@ def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, movi
     found = list(_middles(views[curve], frozenset(moving.get(curve, ()))))
     for place, view in enumerate(views):
         if place != curve and view.source.visible:
-            found += _middles(view, moving.get(place), view.source.name)
+            found += _middles(view, moving.get(place), view.source.seen_name)
     return replace(targets, points=(*targets.points, *found))
 
 
@@ -198,4 +200,4 @@ def _middles(view: CurveView, own: Collection[int] | None, of: str = "") -> Iter
     if not own and isinstance(source.form, (Ellipse, Rectangle)):
         # Whatever it was mapped by: its points lie alike about its centre.
         centre = (view_points.min(axis=0) + view_points.max(axis=0)) / 2
-        yield SnapPlaces(centre[None], lambda _: f"centre of {of or source.name}")
+        yield SnapPlaces(centre[None], lambda _: f"centre of {of or source.seen_name}")

@@ -283,7 +283,7 @@ class Tool:
         """Drop what belongs to one gesture: it has ended, or another begins."""
         self.gesture = None
 
-    def dismiss(self) -> bool:
+    def dismiss(self, context: ToolContext) -> bool:
         """Remove what was left on the plot; return whether there was something."""
         return False
 
@@ -311,7 +311,7 @@ class GestureRow(msgspec.Struct, frozen=True):
     Attributes
     ----------
     keys, what
-        How it is made, and what it does.
+        How it is made, and what it does; "{handle}" stands for what people call the velocity there.
     selected, curves
         Whether it is done to selected points; to curves that are chosen as wholes.
     needs_derivatives

@@ -109,7 +109,7 @@ class Toolbox:
     def choose(self, record: ToolRecord) -> None:
         """Use another tool from now on."""
         self.cancel()
-        self._chosen.dismiss()
+        self._chosen.dismiss(self.context)
         self._chosen.put_down(self.context)
         self.record = record
         self._chosen = self._of(record)
@@ -227,7 +227,7 @@ class Toolbox:
         if self.background.cancel():
             self._host.say(CANCELLED)
             return True
-        return self._chosen.dismiss()
+        return self._chosen.dismiss(self.context)
 
     def reset(self) -> None:
         """Forget what concerns the document; another one is open."""

@@ -130,4 +130,4 @@ class Messages(QObject):
             return self._image_problem, True
         if view.source.visible or not self._session.selected.is_editing:
             return self._greeting, False
-        return f"“{view.source.name}” is hidden; it is drawn faintly while you edit it.", False
+        return f"“{view.source.seen_name}” is hidden; it is drawn faintly while you edit it.", False

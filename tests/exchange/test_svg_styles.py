@@ -385,6 +385,11 @@ def test_a_page_and_a_unit_give_the_true_size():
 def test_what_reaches_beyond_the_page_is_told():
     document = drawn(square(2.0, "in"), square(9.0, "out"), page=Page(-1.0, -1.0, 4.0, 4.0))
     assert svg_of(document).remarks == ("out reaches beyond the page; pictures end there.",)
+    # By the name that the list shows, once.
+    ring = drawn(
+        square(9.0, "Curve 1", shape="Ring"), square(8.0, "Curve 2", shape="Ring"), page=document.page
+    )
+    assert svg_of(ring).remarks == ("Ring reaches beyond the page; pictures end there.",)
 
 
 def test_a_wide_line_has_room_in_the_picture():

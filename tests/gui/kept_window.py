@@ -156,6 +156,8 @@ class KeptEditor:
             if isinstance(sheet, ShortcutSheet | CommandPalette):
                 sheet.hide()
         window.context.work.jobs.give_up()
+        # What a menu or the palette has found out of the curve of the sketch, which comes again.
+        window.actions_by_name._seen_of = None
         # Where a menu was opened; it goes with the next movement over the canvas.
         window.canvas._asked_at = None
         for plot in window.central.plots:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor
 
 from app.document.contents import corners_of, is_content
 from app.document.edits import move_points
+from app.document.model import Parametrization
 from app.document.several_curves import with_appearance
 from app.document.style_edits import with_style
 from app.features.text.commands import TextCommands
@@ -88,6 +89,7 @@ def test_it_is_chosen_and_dragged_and_nudged_and_deleted_with_curves(drawing):
     assert session.selected.chosen == {TEXT}
     drawing.click((75, 10), keys=Qt.KeyboardModifier.ShiftModifier)
     assert session.selected.chosen == {TEXT, LINE}
+    assert drawing.status == "2 objects chosen."
     drawing.press((15, 35))
     drawing.move((20, 39))
     assert frame(drawing)[:2] == pytest.approx(np.add(home[:2], (5, 4)), abs=0.3)
@@ -215,9 +217,30 @@ def test_a_double_click_edits_its_words_and_it_stays_a_text(drawing):
     assert session.selected.chosen == {TEXT}
     drawing.trigger("undo")
     assert session.document == begun
-    # Nothing changed, no step.
+    # With the tool for texts a click does so. Nothing changed, no step.
+    drawing.trigger("textTool")
+    drawing.click((15, 35))
+    assert field.text == "MMM"
+    press(drawing, Qt.Key.Key_Escape)
+    drawing.trigger("selectTool")
+    session.selected.choose({TEXT})
     count = session.undo_stack.index()
     drawing.trigger("editText")
     press(drawing, Qt.Key.Key_Return)
     assert session.undo_stack.index() == count
     assert session.document == begun
+
+
+def test_what_is_drawn_next_is_not_like_a_text(drawing):
+    """A line in the style of a picture would not be seen, and its rules are nobody's choice."""
+    session = drawing.session
+    session.selected.choose({LINE})
+    session.selected.choose({TEXT})
+    assert session.model.style.stroke == "#0000ff"
+    assert session.model.form is None
+    assert session.meant_view is None
+    drawing.trigger("addTool")
+    drawing.click((70, 50))
+    new = session.active_curve
+    assert new.parametrization == Parametrization()
+    assert new.form is None

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QToolButton, QWidget
 
-from app.document.gradient import Gradient, GradientKind, Stop
+from app.document.gradient import Gradient, GradientKind, Stop, with_stop_between
 from app.document.model import Document, make_curve
 from app.document.style import NO_PAINT, Style
 from app.families import HERMITE
@@ -337,6 +337,28 @@ def test_arrow_keys_move_the_chosen_stop_and_escape_lets_it_go(striped):
     assert striped.window.context.store.state.tool.name == "gradient"
     striped.key(Qt.Key.Key_Delete)
     assert len(striped.session.document.curves) == 1
+
+
+def test_a_stop_chosen_in_the_panel_is_lit_on_the_canvas_and_the_other_way_round(striped, panel):
+    editor, session = striped, striped.session
+    bar = panel.gradients["fill"].bar
+    editor.click((3.5, 2.0))
+    assert panel.gradients["fill"].stop == session.document.curves[0].style.fill_gradient.stops[2]
+    panel.choose_colour("fill", RED)
+    assert session.document.curves[0].style.fill_gradient.stops[2].colour == RED
+    # And from there.
+    place = bar.place_of(stops(editor)[1][0]).toPoint() + QPoint(0, 4)
+    QTest.mouseClick(bar, Qt.MouseButton.LeftButton, pos=place)
+    assert editor.window.canvas.tools.marks().stop == (0, 1)
+    count = len(stops(editor))
+    editor.key(Qt.Key.Key_Delete)
+    assert len(stops(editor)) == count - 1
+    # A stop that is added there is chosen here, too; of another document none is.
+    bar.wanted.emit(*with_stop_between(session.document.curves[0].style.fill_gradient.stops, 0.7))
+    assert session.selected.stop.chosen == (0, "fill", 1)
+    assert editor.window.canvas.tools.marks().stop == (0, 1)
+    session.new()
+    assert session.selected.stop.chosen is None
 
 
 def test_the_mark_of_the_chosen_stop_is_larger(striped):

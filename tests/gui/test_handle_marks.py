@@ -94,15 +94,16 @@ def test_handles_that_face_the_selected_points_are_fainter_and_dragged_as_well(z
     facing = canvas.drawing.points.shown_handles.facing(canvas.pixel_map)
     assert [(each.index, each.ahead) for each in facing] == [(1, True), (3, False)]
     own, other = (zigzag.handle(ahead=False, index=index).position for index in (2, 3))
-    picture, paper = zigzag.screenshot(), canvas.drawing.points.theme.paper.lightness()
+    picture, paper = zigzag.screenshot(), canvas.drawing.points.theme.paper.name()
 
-    def darkest(place):
-        """How much darker than the paper the mark around a place is."""
+    def strongest(place):
+        """The contrast of the mark around a place with the paper."""
         at = canvas.viewport().mapTo(zigzag.window, canvas.to_pixel(*place))
-        around = [(at.x() + dx, at.y() + dy) for dx in range(-6, 7) for dy in (-4, 4)]
-        return paper - min(picture.pixelColor(x, y).lightness() for x, y in around)
+        around = [(at.x() + dx, at.y() + dy) for dx in range(-6, 7) for dy in (-3, 3)]
+        return max(contrast(picture.pixelColor(x, y).name(), paper) for x, y in around)
 
-    assert 0.4 * darkest(own) < darkest(other) < 0.8 * darkest(own)
+    # It was 1.9.
+    assert 3.0 <= strongest(other) < 0.8 * strongest(own)
     before = zigzag.curve.points
     zigzag.drag_handle((5.0, 4.0), ahead=False, index=3)
     assert [old is new for old, new in zip(before, zigzag.curve.points, strict=True)] == [True] * 3 + [
@@ -207,3 +208,27 @@ def test_numbers_are_read_on_filled_shapes(editor):
             assert seen.count(layer.theme.paper.name()) > 15
             assert min(contrast(each, "#000000") for each in seen) < contrast("#6c757d", "#000000")
     assert inside
+
+
+def test_handles_of_a_drawing_lie_on_paper_whatever_the_shape_is_filled_with(editor):
+    """Grey handles lay on a grey fill with a contrast of 1.1."""
+    editor.session.new()
+    editor.trigger("newDrawing")
+    grey = editor.window.canvas.drawing.points.theme.handle.name()
+    square = make_curve([(20.0, 60.0), (180.0, 60.0), (180.0, 250.0), (20.0, 250.0)], family=HERMITE)
+    points = (replace(square.points[0], velocity=(400.0, 400.0)), *square.points[1:])
+    filled = replace(square, points=points, closed=True, style=Style(stroke="none", fill=grey))
+    editor.session.change("Draw", lambda document: replace(document, curves=(filled,)))
+    editor.trigger("fitPage")
+    editor.session.selected.activate(0)
+    editor.select([0])
+    editor.hover((200.0, 20.0))
+    editor.wait_for_rest()
+    handle = editor.handle(index=0)
+    canvas, image = editor.window.canvas, editor.window.canvas.viewport().grab().toImage()
+    (x, y), (x0, y0) = (canvas.to_pixel(*place).toTuple() for place in (handle.position, handle.anchor))
+    assert image.pixelColor(x + 12, y).name() == grey
+    beside = {image.pixelColor(x + step, y).name() for step in range(3, 9)}
+    across = {image.pixelColor((x + x0) // 2 + step, (y + y0) // 2).name() for step in range(-5, 6)}
+    for seen, least in ((beside, 3.0), (across, 2.0)):
+        assert max(contrast(each, grey) for each in seen) >= least

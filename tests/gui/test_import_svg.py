@@ -133,7 +133,13 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
         assert (document.unit, document.page) == ("mm", Page(0.0, 0.0, 70.0, 50.0))
         assert "Sketch" not in {curve.name for curve in document.curves}
         assert (title_of(session), session.files.is_modified) == ("inkscape_logo", True)
-        assert not session.selected.marked
+        # Whole, as what comes to others: ready to be moved. What nobody may move stays out.
+        free = {place for place, curve in enumerate(document.curves) if curve.is_free}
+        assert session.selected.chosen == free < set(range(len(document.curves)))
+        before = document.curves[min(free)].points[0].x
+        editor.key(Qt.Key.Key_Right)
+        assert session.document.curves[min(free)].points[0].x > before
+        editor.trigger("undo")
         editor.trigger("undo")
         assert (session.document, title_of(session)) == (sketch, "Untitled")
     editor.drag_point(0, to=(0.0, 0.0))
@@ -492,9 +498,9 @@ def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_pat
     blank(editor)
     path = tmp_path / "layers.svg"
     path.write_text(LAYERS)
-    imported(editor, path)
+    document = imported(editor, path)
     selected = editor.session.selected
-    assert not selected.marked
+    assert selected.chosen == {place for place in range(5) if document.curves[place].is_free}
     assert editor.session.active_curve.is_free
     document = imported(editor, path)
     assert selected.chosen == {place for place in range(5, 10) if document.curves[place].is_free}
@@ -523,7 +529,7 @@ def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path
     path.write_text(LAYERS)
     document, selected = imported(editor, path), editor.session.selected
     assert document.layers == ("Back", "Art work")
-    # Nothing is chosen yet: what is drawn goes to the front, but not where it may not.
+    # What is drawn goes to the front, but not where it may not.
     assert selected.layer == "Art work"
 
     def press(x, y):

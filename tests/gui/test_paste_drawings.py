@@ -126,9 +126,12 @@ def test_many_blanks_are_read_at_once():
 
 
 def test_what_cannot_come_is_said(three):
-    three.paste_text(f'<svg xmlns="{SVG}"><text>Leaf</text><path d="M0 0L4 4"/></svg>')
+    three.paste_text(
+        f'<svg xmlns="{SVG}"><flowRoot>Leaf</flowRoot><text>Tree</text><path d="M0 0L4 4"/></svg>'
+    )
     paste(three)
-    assert "text" in three.message
+    assert "flowRoot" in three.message
+    assert "Tree" in [curve.name for curve in three.session.document.curves]
 
 
 def test_a_faulty_drawing_leaves_the_document_and_says_why(three):

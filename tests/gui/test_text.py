@@ -23,7 +23,9 @@ from app.document.style import NO_PAINT, PLAIN_STYLE, FillRule
 from app.document.text import TextAlign
 from app.document.transforms import Affine
 from app.families import HERMITE
+from app.features.import_export.export_commands import ExportCommands
 from app.features.text.commands import TextCommands
+from app.qt.glyphs import Face, outlines_of
 from app.view_model.curve.curve_view import view_of
 
 FONT = Path(__file__).parents[1] / "data" / "fonts" / "blocks.ttf"
@@ -514,3 +516,48 @@ def test_letters_are_spaced_and_lines_centred_live_and_again_when_the_text_is_ed
     right = [(left - 2 * advance, 0), (second - 2 * advance, 0), (left - advance, 1.5 * lower)]
     assert lefts(drawing, start) == close_to(right)
     assert session.undo_stack.undoText() == "Edit Text “II I”"
+
+
+def test_on_a_page_a_text_stays_one_with_its_lines_and_becomes_outlines_when_asked(drawing, tmp_path):
+    drawing.new()
+    drawing.trigger("newDrawing")
+    drawing.window.canvas.camera.show_box((-1, 9), (-3, 5))
+    drawing.settle()
+    drawing.trigger("textTool")
+    start = begin(drawing)
+    write(drawing, "AB")
+    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    write(drawing, "A")
+    press(drawing, Qt.Key.Key_Return)
+    session = drawing.session
+    (text,) = (curve for curve in session.document.curves if curve.points)
+    assert session.undo_stack.undoText() == "Add Text “AB A”"
+    assert (text.name, [line.words for line in text.form.lines]) == ("AB A", ["AB", "A"])
+    assert text.style.has_fill
+    assert not text.style.has_stroke
+    assert session.selected.chosen == {session.document.curves.index(text)}
+    path = tmp_path / "written.svg"
+    drawing.window.commands[ExportCommands].export(path)
+    drawing.wait_for_work()
+    written = path.read_text(encoding="utf-8")
+    assert (written.count("<text"), "<path" in written) == (1, False)
+    # Larger and with lines further apart it is the same object still.
+    drawing.trigger("selectTool")
+    drawing.double_click((start[0] + 0.5, start[1] + 0.5))
+    type_size(drawing, "4")
+    press(drawing, Qt.Key.Key_Return)
+    (larger,) = session.document.curves
+    steps = [lines[1].y - lines[0].y for lines in (text.form.lines, larger.form.lines)]
+    assert steps[1] == pytest.approx(2 * steps[0])
+    assert np.ptp([p.y for p in larger.points]) == pytest.approx(2 * np.ptp([p.y for p in text.points]))
+    drawing.trigger("undo")
+    # As large and in the same places as the letters that a text of curves would have.
+    shown = field(drawing)
+    letters_there = outlines_of("AB\nA", Face(FAMILY), shown.setting)
+    drawing.trigger("objectToPath")
+    box = np.vstack([np.concatenate([*each.contours]).reshape(-1, 2) for each in letters_there.glyphs])
+    made = np.array([p.position for curve in session.document.curves for p in curve.points])
+    assert len(session.document.curves) >= 3
+    expected = np.add(start, box * 2.0 / letters_there.em)
+    assert made.min(axis=0) == pytest.approx(expected.min(axis=0), abs=1e-3)
+    assert made.max(axis=0) == pytest.approx(expected.max(axis=0), abs=1e-3)

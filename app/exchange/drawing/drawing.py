@@ -244,8 +244,9 @@ def _beyond(outlines: Iterable[Outline], page: Frame) -> list[str]:
     """Return what to say of curves of which a page shows but a part."""
     room = MARGIN * page.side * 1e-6
     low, high = np.array([page.left, page.bottom]) - room, np.array([page.left + page.width, page.top]) + room
-    extents = {outline.name: extent_of(outline.control_points) for outline in outlines}
-    names = [name for name, (least, most) in extents.items() if (least < low).any() or (most > high).any()]
+    extents = [(each.shape or each.name, *extent_of(each.control_points)) for each in outlines]
+    over = (name for name, least, most in extents if (least < low).any() or (most > high).any())
+    names = list(dict.fromkeys(over))
     verb = "reaches" if len(names) == 1 else "reach"
     return [f"{names_of(names)} {verb} beyond the page; pictures end there."] if names else []
 
@@ -274,7 +275,7 @@ def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, Para
         if view is not None and view.curve is not None:
             found.append((curve, view.curve))
         else:
-            remarks.append(f"“{curve.name}”: {reason if view is None else view.problem}")
+            remarks.append(f"“{curve.seen_name}”: {reason if view is None else view.problem}")
     return found, remarks
 
 
@@ -290,7 +291,7 @@ def refuse_wild(curve: Curve, samples: FloatArray) -> None:
     """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
     if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
         raise ExchangeError(
-            f"“{curve.name}” swings beyond {LARGEST:g} between its points; no picture can hold that. "
+            f"“{curve.seen_name}” swings beyond {LARGEST:g} between its points; no picture can hold that. "
             "Chebyshev parameters or Hermite curves stay calm."
         )
 
@@ -299,7 +300,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
     try:
         path = cubic_path(core, tolerance)
     except CurveError as problem:
-        raise ExchangeError(f"“{curve.name}” cannot be drawn: {in_words(str(problem))}.") from problem
+        raise ExchangeError(f"“{curve.seen_name}” cannot be drawn: {in_words(str(problem))}.") from problem
     points = core.points[: len(curve.points)]
     return Outline(
         curve.name,

@@ -141,7 +141,7 @@ def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     if not moved:
         return ""
     more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""
-    return f"“{moved[0].name}” is {style.adjustment_of(moved[0].colour)}{more}."
+    return f"“{moved[0].shape or moved[0].name}” is {style.adjustment_of(moved[0].colour)}{more}."
 
 
 def _size(drawing: Drawing, options: Options) -> tuple[int, int]:

@@ -14,9 +14,20 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
-from ...document.content import MOST_LETTERS, Anchor, Inner, Lettering, RunPaint, TextLine, TextRun, rough_box
+from ...document.content import (
+    MOST_LETTERS,
+    Anchor,
+    Inner,
+    Lettering,
+    RunPaint,
+    TextLine,
+    TextRun,
+    lettering,
+    rough_box,
+)
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
 from .gradients import Ground
@@ -129,7 +140,8 @@ class Texts:
             if tag_of(child) in _SPANS:
                 declared = self._declared(child)
                 inner = properties.entered(declared)
-                if inner.is_displayed:
+                # Of one that is hidden as a whole all is, and it is a text still.
+                if inner.is_displayed or not properties.is_displayed:
                     shift = _raised(declared.get("baseline-shift", "0").lower(), inner)
                     yield from self._letters(child, inner, (*around, child), raised + shift)
             yield from said(child.tail)
@@ -167,19 +179,13 @@ class Texts:
 
     def _run(self, run: _Run, first: Properties, common: RunPaint, state: State) -> TextRun:
         """Return a run in the font and the paint of its letters, if that is not the common one."""
-        values = run.properties.values
-        size = float(values["font-size"])
         paint = common if run.properties is first else self._paint(run.properties, first, state)
-        return TextRun(
-            "".join(run.letters),
-            _families(values["font-family"]),
-            size,
-            _weight(values["font-weight"].lower()),
-            values["font-style"].lower() in ("italic", "oblique"),
-            _length(values["letter-spacing"], size),
-            float(run.right),
-            float(run.down),
-            None if paint == common else paint,
+        return msgspec.structs.replace(
+            font_of(run.properties),
+            words="".join(run.letters),
+            right=float(run.right),
+            down=float(run.down),
+            paint=None if paint == common else paint,
         )
 
     def _paint(self, properties: Properties, first: Properties, state: State) -> RunPaint:
@@ -204,10 +210,18 @@ class Texts:
         )
 
 
-def lettering(lines: tuple[TextLine, ...], box: Inner) -> Lettering:
-    """Return lines of text in a box that they take, y turned up."""
-    left, top, right, bottom = box
-    return Lettering(left, -bottom, right - left, bottom - top, lines, box)
+def font_of(properties: Properties) -> TextRun:
+    """Return no letters in the font of an element."""
+    values = properties.values
+    size = float(values["font-size"])
+    return TextRun(
+        "",
+        _families(values["font-family"]),
+        size,
+        _weight(values["font-weight"].lower()),
+        values["font-style"].lower() in ("italic", "oblique"),
+        _length(values["letter-spacing"], size),
+    )
 
 
 def _is_within(box: Inner) -> bool:

@@ -253,8 +253,9 @@ class CurveListCommands:
         if len(free) < count:
             session.say(f"{counted(document, free)} chosen; what is hidden or locked is not.")
         else:
-            only = f"“{session.active_curve.name}” is chosen."
-            session.say(f"All {count} curves are chosen." if count > 1 else only)
+            name = name_of(document, free)
+            what = f"All {counted(document, free)} are" if name is None else f"“{name}” is"
+            session.say(f"{what} chosen.")
 
     @action(
         "onlyThisCurve",

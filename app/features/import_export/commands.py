@@ -214,7 +214,9 @@ class ImportCommands:
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
                 if self._put(path, arrival, taken, begins=begins, anew=anew):
                     said = "Opened" if anew and path == self._opened else "Imported"
-                    self._show_added(f"{said} {path.name}", path, arrival, taken.deviation * factor, rest)
+                    deviation = taken.deviation * factor
+                    done_so = f"{said} {path.name}"
+                    self._show_added(done_so, path, arrival, deviation, rest, is_brought=not anew)
             finally:
                 self._end_turn()
 
@@ -261,14 +263,16 @@ class ImportCommands:
             self._preferences.add_recent_file(path.absolute())
         return True
 
-    def _show_added(self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
-        """Show what has come in, choose it where it came to others, and say what it is."""
+    def _show_added(
+        self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str, *, is_brought: bool
+    ) -> None:
+        """Show what has come in, choose what was brought here, no document of its own, and say what it is."""
         added, document, selected = arrival.places, arrival.document, self._session.selected
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
-        if not is_all or len(curves) > 1:
-            # What came to others is put in its place as a whole, but for what nobody may move.
+        if not is_all or (is_brought and (len(curves) > 1 or document.page is not None)):
+            # What is brought is put in its place as a whole, but for what nobody may move.
             choose_brought(selected, [place for place in added if document.curves[place].is_free])
-        if is_all and len(curves) > 1:
+        elif len(curves) > 1:
             # Nobody has chosen them: what is drawn next is not to look like them.
             selected.next_style.marked = Marked.OPENED
             selected.choose(())

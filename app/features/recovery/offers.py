@@ -13,6 +13,7 @@ from PySide6.QtCore import QDateTime, QLocale
 
 from ...document.model import Document
 from ...document.paper import kind_of
+from ...document.shapes import counted_shapes
 from ...document.words import count_of
 from ...storage.reasons import shown
 from ...storage.recovery import Snapshot
@@ -70,7 +71,7 @@ def _contents(snapshot: Snapshot) -> str:
     curves = snapshot.document.curves
     points = count_of(sum(len(each.points) for each in curves), "point")
     moment = time.strftime("%H:%M:%S", time.localtime(snapshot.written))
-    return f"{moment} · {count_of(len(curves), 'curve')}, {points}"
+    return f"{moment} · {counted_shapes(curves)}, {points}"
 
 
 def _offer(snapshot: Snapshot) -> Offer:

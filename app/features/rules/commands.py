@@ -82,7 +82,7 @@ def _reshaped(now: Situation, family: Family) -> str:
     if not away:
         return ""
     by = f" by {number(away, 2)} {now.session.document.unit}".rstrip() if math.isfinite(away) else ""
-    what = f"{len(chosen)} curves" if len(chosen) > 1 else f"“{chosen[0].source.name}”"
+    what = f"{len(chosen)} curves" if len(chosen) > 1 else f"“{chosen[0].source.seen_name}”"
     return f"Press it again to make {what} {family.title}; the shape changes{by}. {_ZOOM_KEYS}"
 
 

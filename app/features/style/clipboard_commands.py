@@ -58,7 +58,7 @@ class StyleClipboardCommands:
         copied = in_unit_box(style, box_of_shape(session.views, shape))
         data.setData(STYLE, msgspec.json.encode(copied))
         put_on_clipboard(data)
-        session.say(f"Copied the style of “{session.active_curve.name}”.")
+        session.say(f"Copied the style of “{session.active_curve.seen_name}”.")
 
     @action(
         "pasteStyle",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
 from ...document.gradient import Spread, Stop
 from ...document.gradient_edits import (
+    PaintedStop,
     PaintKind,
     with_gradient,
     with_paint_kind,
@@ -23,7 +24,7 @@ from ...document.gradient_edits import (
 )
 from ...document.model import Curve, Document, make_curve
 from ...document.several_curves import named
-from ...document.shapes import whole_shapes
+from ...document.shapes import shape_of, whole_shapes
 from ...document.style import GRADIENTS, Style
 from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped, with_style
 from ...session.change import why_not_kept
@@ -65,6 +66,8 @@ class StyleCommands:
         self._gestures: list[SliderGesture] = []
         self._colours_found: tuple[tuple[Curve, ...], list[str]] = ((), [])
         context.session.selected_curves_changed.connect(self._render)
+        context.session.stop_changed.connect(self._render)
+        context.session.stop_changed.connect(context.central.canvas.show_marks)
         context.store.changed.connect(self._render)
         context.central.canvas.colour_picked.connect(self._take_picked)
 
@@ -82,6 +85,7 @@ class StyleCommands:
         panel.kind_wanted.connect(self._choose_kind)
         panel.stops_wanted.connect(self._change_stops)
         panel.stops_looked_at.connect(self._look_at_stops)
+        panel.stop_picked.connect(self._choose_stop)
         panel.spread_wanted.connect(self._choose_spread)
         panel.coloured.connect(self._remember)
         panel.given_up.connect(self._give_up)
@@ -148,7 +152,7 @@ class StyleCommands:
         note = self._note(styles) if curves else _HOW_TO_CHOOSE
         panel.show_paper(self._context.store.state.paper(session.document, self._theme))
         panel.show_recent(self._recent(), self._colours())
-        panel.render_styles(subject, styles, session.document.unit, note)
+        panel.render_styles(subject, styles, session.document.unit, note, self._stops(curves))
 
     def _note(self, styles: list[Style]) -> str:
         """Return how the canvas shows them, where it is not as they print."""
@@ -200,6 +204,18 @@ class StyleCommands:
     def _look_at_stops(self, paint: str, stops: tuple[Stop, ...]) -> None:
         session = self._session
         session.preview(with_stops(session.committed, self._curves, paint, stops))
+
+    def _choose_stop(self, paint: str, stop: int) -> None:
+        """Choose a stop here and on the canvas, of the first of several shapes that have it."""
+        first = shape_of(self._session.document, min(self._curves)).start
+        self._session.selected.stop.choose(PaintedStop(first, paint, stop))
+
+    def _stops(self, curves: Collection[int]) -> dict[str, int]:
+        """Return the stop that is chosen of each paint of some curves: the first where nobody chose one."""
+        chosen = self._session.selected.stop.chosen
+        if chosen is None or chosen.curve not in curves:
+            return dict.fromkeys(GRADIENTS, 0)
+        return {paint: chosen.stop if paint == chosen.paint else 0 for paint in GRADIENTS}
 
     def _choose_spread(self, paint: str, spread: Spread) -> None:
         self._edit(

@@ -34,7 +34,7 @@ class GradientField(QWidget):
     spread_chosen
         What lies beyond the stops.
     picked
-        Another stop is chosen: what shows its colour has to show that one's.
+        Another stop shall be chosen.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class GradientField(QWidget):
     stops_looked_at = Signal(object)
     given_up = Signal()
     spread_chosen = Signal(object)
-    picked = Signal()
+    picked = Signal(int)
 
     def __init__(self, paint: str, label: str, tool: QAction) -> None:
         super().__init__()
@@ -90,7 +90,7 @@ class GradientField(QWidget):
         self._kind.chosen.connect(self.kind_chosen)
         self._spread.chosen.connect(self.spread_chosen)
         self._reverse.clicked.connect(self._turn_round)
-        self.bar.picked.connect(self._pick)
+        self.bar.picked.connect(self.picked)
         self.bar.looked_at.connect(self.stops_looked_at)
         self.bar.given_up.connect(self.given_up)
         self.bar.wanted.connect(self._want)
@@ -106,8 +106,8 @@ class GradientField(QWidget):
         """The chosen stop; None where there is no gradient, or where they have different stops."""
         return self._stops[self._chosen] if self._stops else None
 
-    def render_styles(self, styles: Sequence[Style]) -> None:
-        """Show the paint that styles have in common."""
+    def render_styles(self, styles: Sequence[Style], chosen: int) -> None:
+        """Show the paint that styles have in common; of a gradient `chosen` is the stop that is chosen."""
         kinds = {paint_kind(style, self._paint) for style in styles}
         self._kind.render_value(kinds.pop() if len(kinds) == 1 else None)
         self.setEnabled(bool(styles))
@@ -118,12 +118,11 @@ class GradientField(QWidget):
         spreads = {gradient.spread for gradient in gradients if gradient is not None}
         self._spread.render_value(spreads.pop() if len(spreads) == 1 else None)
         self._gradient.setVisible(bool(self._stops))
-        self._render_stop()
+        if self._stops:
+            self._render_stop(min(chosen, len(self._stops) - 1))
 
-    def _render_stop(self) -> None:
-        if not self._stops:
-            return
-        self._chosen = min(self._chosen, len(self._stops) - 1)
+    def _render_stop(self, chosen: int) -> None:
+        self._chosen = chosen
         stop = self._stops[self._chosen]
         self.bar.render_stops(self._stops, self._chosen)
         self.offset.render_value(stop.offset)
@@ -140,13 +139,8 @@ class GradientField(QWidget):
         """Return the stops with the chosen one elsewhere, between those beside it."""
         return with_stop_at(self._stops, self._chosen, offset)
 
-    def _pick(self, index: int) -> None:
-        self._chosen = index
-        self._render_stop()
-        self.picked.emit()
-
     def _want(self, stops: tuple[Stop, ...], chosen: int) -> None:
-        self._chosen = chosen
+        self.picked.emit(chosen)
         self.stops_wanted.emit(stops)
 
     def _turn_round(self) -> None:

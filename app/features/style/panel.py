@@ -61,6 +61,8 @@ class StylePanel(FieldForm):
         The "fill" or the "stroke" shall be of another kind of paint.
     stops_wanted, stops_looked_at
         Gradients of "fill" or "stroke" shall have other stops, or are to be seen with them.
+    stop_picked
+        Another stop of "fill" or "stroke" shall be chosen.
     spread_wanted
         Likewise, what lies beyond their stops.
     coloured
@@ -86,6 +88,7 @@ class StylePanel(FieldForm):
     kind_wanted = Signal(str, object)
     stops_wanted = Signal(str, object)
     stops_looked_at = Signal(str, object)
+    stop_picked = Signal(str, int)
     spread_wanted = Signal(str, object)
     coloured = Signal(str)
     given_up = Signal()
@@ -212,7 +215,7 @@ class StylePanel(FieldForm):
         field.stops_looked_at.connect(lambda stops: self.stops_looked_at.emit(paint, stops))
         field.spread_chosen.connect(lambda spread: self.spread_wanted.emit(paint, spread))
         field.given_up.connect(self.given_up)
-        field.picked.connect(self._render_colours)
+        field.picked.connect(lambda stop: self.stop_picked.emit(paint, stop))
 
     def choose_colour(self, paint: str, colour: str) -> None:
         """Ask for a colour, of the chosen stop where there is one; there is no stop of nothing."""
@@ -247,9 +250,14 @@ class StylePanel(FieldForm):
         for gradient in self.gradients.values():
             gradient.bar.show_paper(paper)
 
-    def render_styles(self, subject: str, styles: Sequence[Style], unit: str, note: str) -> None:
-        """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn."""
-        wanted = (subject, tuple(styles), unit, note)
+    def render_styles(
+        self, subject: str, styles: Sequence[Style], unit: str, note: str, stops: Mapping[str, int]
+    ) -> None:
+        """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn.
+
+        `stops` are those that are chosen, by the paint.
+        """
+        wanted = (subject, tuple(styles), unit, note, stops)
         if wanted == self._shown:
             return
         if self._shown and wanted[:2] != self._shown[:2]:
@@ -259,8 +267,8 @@ class StylePanel(FieldForm):
         self._subject.setText(subject)
         self._subject.setToolTip(tip_of(subject))
         self._values = values
-        for gradient in self.gradients.values():
-            gradient.render_styles(styles)
+        for paint, gradient in self.gradients.items():
+            gradient.render_styles(styles, stops[paint])
         self._render_colours()
         self._rule.render_value(values.get("fill_rule"))
         self._cap.render_value(values.get("cap"))

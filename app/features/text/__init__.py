@@ -3,7 +3,7 @@
 - ``commands``: the field, the preview and the step of the history.  ``field``: what is typed into.
 - ``setting_row``: alignment, and spaces between letters and lines.
 - ``outline_commands``, ``outlined``: texts of opened drawings made into outlines.
-- ``wording``: texts of opened drawings that say something else.
+- ``wording``: texts of drawings, which stay texts, written and edited.
 - ``letters``: outlines as curves of the document.  ``rewriting``: those of a text that is edited again.
 """
 

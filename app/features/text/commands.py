@@ -11,9 +11,11 @@ from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_NAME
 from ...actions.strips import CHOSEN_MENU
+from ...document.contents import is_content
 from ...document.curve_edits import locked_sentence
 from ...document.edits import EditError
 from ...document.model import Document, Vector
+from ...document.paper import DocumentKind, kind_of
 from ...document.text import LONGEST_TEXT, Setting, Text
 from ...document.texts import text_around, with_text_known
 from ...document.transforms import clean_step_within
@@ -201,6 +203,9 @@ class TextCommands:
             return text.wording.reworded(session.committed, self._edited, self._begun, self._text)
         if isinstance(self._edited, text.rewriting.Written):
             return text.rewriting.rewritten(session.committed, self._edited, self._text, self._outlines)
+        if kind_of(session.committed) is DocumentKind.DRAWING:
+            style = text.letters.filled(self._model.style)
+            return text.wording.with_worded(session.committed, style, self._text, session.selected.layer)
         return text.letters.with_text(
             session.committed, self._model, name, self._outlines, self._text, session.selected.layer
         )
@@ -224,16 +229,19 @@ class TextCommands:
             self._session.selected.restore(self._before)
             return
         document, places = made
-        stays_text = isinstance(edited, text.wording.Worded)
-        document = document if stays_text else with_text_known(document, places, known)
+        is_text = is_content(document.curves[places.start])
+        document = document if is_text else with_text_known(document, places, known)
         verb = "Add" if edited is None else "Edit"
         if not self._session.change(f"{verb} Text “{name}”", lambda _: document, active=places.start):
             return
         self._session.selected.choose(places)
-        if stays_text:
+        if isinstance(edited, text.wording.Worded):
             return
+        again = "a double click with the arrow (V) edits the text again"
         self._session.say(
-            "The letters are chosen, and curves now; a double click with the arrow (V) edits the text again."
+            f"A{again[1:]}; Object to Path makes outlines of it."
+            if is_text
+            else f"The letters are chosen, and curves now; {again}."
         )
         self._remember(face)
 

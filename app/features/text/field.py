@@ -37,8 +37,8 @@ class WordsEdit(Guarded, QPlainTextEdit):
 
     def __init__(self) -> None:
         super().__init__()
-        named(self, "textWords", "Words", "Enter makes outlines of it, Shift+Enter begins another line")
-        self.setPlaceholderText("Type; Enter makes outlines of it")
+        named(self, "textWords", "Words", "Enter ends the text, Shift+Enter begins another line")
+        self.setPlaceholderText("Type; Enter ends the text")
         self.setTabChangesFocus(True)
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

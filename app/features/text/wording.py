@@ -1,4 +1,4 @@
-"""Words, font and size of a text of a drawing changed: it stays a text."""
+"""Texts of drawings, which stay texts: written, and their words, font and size changed."""
 
 from __future__ import annotations
 
@@ -8,16 +8,19 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from ...document.content import Anchor, Lettering, TextLine, TextRun
+from ...document.content import Anchor, Lettering, TextLine, TextRun, lettering, rough_box
 from ...document.contents import corners_of, plane_of, refusal_of, shortened
-from ...document.limits import EditError
+from ...document.form_edits import framed
+from ...document.limits import EditError, checked_vector
 from ...document.model import Document
+from ...document.several_curves import add_imported
+from ...document.style import Style
 from ...document.text import LONGEST_TEXT, Text, TextAlign
-from ...qt.contents import fitted
+from ...qt.contents import fitted, line_step
 from ...qt.glyphs import Face
 
-_BOLD = 600.0
-"""Weight from which letters count as bold."""
+_BOLD, _WEIGHTS = 600.0, (400.0, 700.0)
+"""Weight from which letters count as bold; those of letters that are not, and that are."""
 
 _LINE = 1.25
 """The way from line to line of a text that has but one, in sizes."""
@@ -79,6 +82,39 @@ def worded_at(document: Document, place: int) -> Worded | None:
     )
 
 
+def with_worded(document: Document, style: Style, text: Text, layer: str = "") -> tuple[Document, range]:
+    """Return the document with a text in front in a layer, and its place; there must be letters to see.
+
+    Raises
+    ------
+    EditError
+        If the numbers are beyond what a document may hold.
+    """
+    run = TextRun(
+        "",
+        (text.font,),
+        text.size,
+        _WEIGHTS[text.bold],
+        text.italic,
+        spacing=text.letter_spacing * text.size,
+    )
+    step = text.line_spacing * line_step(run)
+    lines = tuple(
+        TextLine(0.0, at * step, (replace(run, words=words),), _ANCHORS[text.align])
+        for at, words in enumerate(" ".join(text.words.split("\t")).split("\n"))
+        if words.strip()
+    )
+    form = lettering(lines, rough_box(lines))
+    left, top, right, bottom = form.box
+    corners = ((left, top), (right, top), (right, bottom), (left, bottom))
+    frame = framed(form, [(text.x + x, text.y - y) for x, y in corners], shortened(form.title))
+    curve = fitted(replace(frame, style=style))
+    for point in curve.points:
+        checked_vector(point.position, "a text")
+    new, place = add_imported(document, Document((curve,)), layer)
+    return new, range(place, place + 1)
+
+
 def reworded(document: Document, edited: Worded, before: Text, now: Text) -> tuple[Document, range]:
     """Return the document with a text that says something else; what was not changed stays as it was."""
     place = edited.places.start
@@ -87,6 +123,8 @@ def reworded(document: Document, edited: Worded, before: Text, now: Text) -> tup
     assert isinstance(text, Lettering)
     said = _lines(text.lines, now.words.split("\n"))
     lines = tuple(_in_font(line, before, now) for line in said if line.words.strip())
+    apart = now.line_spacing / before.line_spacing * now.size / before.size
+    lines = tuple(replace(each, y=lines[0].y + (each.y - lines[0].y) * apart) for each in lines)
     if not lines:
         return document, edited.places
     named = curve.name == shortened(text.title)
@@ -129,7 +167,7 @@ def _in_font(line: TextLine, before: Text, now: Text) -> TextLine:
     if now.font != before.font:
         changed["font"] = (now.font,)
     if now.bold != before.bold:
-        changed["weight"] = 700.0 if now.bold else 400.0
+        changed["weight"] = _WEIGHTS[now.bold]
     if now.italic != before.italic:
         changed["italic"] = now.italic
     grow = now.size / before.size

@@ -157,7 +157,7 @@ class AddTool(Tool):
         if act is PenAct.BEGIN:
             self._begin(context)
         elif context.view.source.locked:
-            host.refuse(hints.LOCKED.format(context.view.source.name))
+            host.refuse(hints.LOCKED.format(context.view.source.seen_name))
         elif act is PenAct.INSERT and hit is not None:
             _insert(context, hit)
         else:
@@ -251,7 +251,7 @@ class AddTool(Tool):
         self._update_preview(context, act)
         snaps = context.settings.snapping.on
         if view.source.locked and act is not PenAct.BEGIN:
-            return Hint(hints.LOCKED.format(view.source.name))
+            return Hint(hints.LOCKED.format(view.source.seen_name))
         corners = _makes_corners(context)
         if act is not None or hit is None:
             act = act or PenAct.APPEND
@@ -354,7 +354,7 @@ ADD = ToolRecord(
         GestureRow("Click", "add a point"),
         GestureRow(
             "Press and drag",
-            "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: ahead alone",
+            "add a point and set its {handle}; Ctrl or Shift: 15° steps, Alt: ahead alone",
             needs_derivatives=True,
         ),
         GestureRow("Ctrl+click", "add a point at a step of 15°, seen from the last one"),

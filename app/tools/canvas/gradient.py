@@ -18,7 +18,16 @@ from ..curve_picker import click_curve, meant_shapes
 from ..drag import Drag
 from ..drags import stepped_from
 from ..gradient_places import GradientPlace, Grip, laid, offset_on_line, place_at, with_place
-from ..gradient_stops import STOP_KEYS, PaintedGradient, StopPicker, gradients_of
+from ..gradient_stops import (
+    STOP_KEYS,
+    PaintedGradient,
+    choose_stop,
+    delete_stop,
+    gradients_of,
+    let_go,
+    marked_stop,
+    nudge_stop,
+)
 from ..marks import GestureMarks
 from ..pointer import STEP_KEYS, Cursor, Hint, Part, Pointer, Stride
 from ..snapping import Snapper
@@ -152,13 +161,10 @@ class GradientTool(Tool):
 
     finds_other_curves = True
 
-    def __init__(self) -> None:
-        self._stops = StopPicker()
-
     def press(self, context: ToolContext) -> None:
         """Begin to drag a place of a gradient, or to lay a new one."""
         held, pointer, host = _held_at(context), context.pointer, context.host
-        self._stops.let_go()
+        let_go(host)
         if held is not None:
             self._press_on_place(context, held)
             return
@@ -189,13 +195,13 @@ class GradientTool(Tool):
         """Begin to drag a place; the stop there is chosen, and with Ctrl and Alt deleted by a click."""
         host, pointer, (painted, at) = context.host, context.pointer, held
         if at.stop is not None:
-            self._stops.choose(painted, at.stop)
+            choose_stop(host, painted, at.stop)
 
         def click() -> None:
             if at.stop is None:
                 return
             if pointer.ctrl and pointer.alt:
-                self._stops.delete(host)
+                delete_stop(host)
             else:
                 offset = words.number(100 * painted.gradient.stops[at.stop].offset)
                 host.say(f"Stop at {offset} % · {STOP_KEYS}")
@@ -209,28 +215,24 @@ class GradientTool(Tool):
         stops, index = with_stop_between(gradient.stops, offset)
         what = f"stop of {named(host.document, shape)}"
         if host.change(f"Add {what}", lambda document: with_stops(document, shape, paint, stops)):
-            self._stops.choose(line.painted, index)
+            choose_stop(host, line.painted, index)
             host.say(f"A stop at {words.number(100 * offset)} %; drag it, or colour it in the Style panel.")
 
     def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for the stop that is chosen, and not for the curve."""
-        return key in ("delete", "backspace") and self._stops.marked(context.host) is not None
+        return key in ("delete", "backspace") and marked_stop(context.host) is not None
 
     def key(self, context: ToolContext, key: str) -> bool:
         """Delete the stop that is chosen."""
-        return self.claims(context, key) and self._stops.delete(context.host)
+        return self.claims(context, key) and delete_stop(context.host)
 
     def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
         """Move the stop that is chosen, or else the curves."""
-        return self._stops.nudge(context, direction, stride) or super().nudge(context, direction, stride)
+        return nudge_stop(context, direction, stride) or super().nudge(context, direction, stride)
 
-    def dismiss(self) -> bool:
+    def dismiss(self, context: ToolContext) -> bool:
         """Let go of the stop that is chosen."""
-        return self._stops.let_go()
-
-    def reset(self) -> None:
-        """Forget the stop of another document."""
-        self._stops.let_go()
+        return let_go(context.host)
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
@@ -255,7 +257,7 @@ class GradientTool(Tool):
         """Return the gradients of what is chosen, and what is snapped to."""
         host = context.host
         gradients = tuple(painted.gradient for painted in gradients_of(host))
-        return GestureMarks(gradients=gradients, stop=self._stops.marked(host), snap=context.snappers.caught)
+        return GestureMarks(gradients=gradients, stop=marked_stop(host), snap=context.snappers.caught)
 
 
 def _held_at(context: ToolContext) -> _Held | None:

@@ -68,7 +68,7 @@ class MeasureTool(Tool):
             self._measured = None
         super().cancel(context)
 
-    def dismiss(self) -> bool:
+    def dismiss(self, context: ToolContext) -> bool:
         """Remove the ruler; return whether there was one."""
         measured, self._measured = self._measured, None
         return measured is not None

@@ -127,7 +127,7 @@ class SelectTool(Tool):
         """Move the guide that was clicked, or else what is selected."""
         return self._guides.nudge(context, direction, stride) or super().nudge(context, direction, stride)
 
-    def dismiss(self) -> bool:
+    def dismiss(self, context: ToolContext) -> bool:
         """Let go of the guide that was clicked."""
         return self._guides.let_go()
 

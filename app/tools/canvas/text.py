@@ -62,12 +62,12 @@ class TextTool(Tool):
 
 
 def _letter_at(context: ToolContext) -> int:
-    """Return the topmost letter at the pointer, by its place; −1 for none, or with Shift."""
+    """Return the topmost text or letter at the pointer, by its place; −1 for none, or with Shift."""
     if context.pointer.shift or not context.pointer.is_there:
         return -1
-    curves = context.host.document.curves
+    document = context.host.document
     return next(
-        (place for place in context.surface.curves_at(context.pointer) if curves[place].text is not None), -1
+        (place for place in context.surface.curves_at(context.pointer) if words_of(document, place)), -1
     )
 
 

@@ -297,7 +297,7 @@ def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[Flo
     outlines, deviation = list[FloatArray](), 0.0
     for view in views:
         if not view.is_current or view.curve is None:
-            raise EditError(f"“{view.source.name}” has no outline. {view.problem}")
+            raise EditError(f"“{view.source.seen_name}” has no outline. {view.problem}")
         path = curvecore.cubic_path(view.curve, tolerance)
         outline = path.control_points.copy()
         if view.source.is_closed:

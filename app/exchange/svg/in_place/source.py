@@ -73,7 +73,7 @@ class Node:
     def get(self, name: str) -> str | None:
         """Return an attribute; None without."""
         found = next((each for each in _ATTRIBUTE.finditer(self._attributes) if each[2] == name), None)
-        return _ENTITY.sub(_character, found[4][1:-1]) if found else None
+        return unescaped(found[4][1:-1]) if found else None
 
     def set(self, name: str, value: str) -> None:
         """Set an attribute; a new one stands behind the others, and as they stand."""
@@ -168,6 +168,10 @@ class Node:
         for name in other.names:
             self.set(name, other.get(name) or "")
 
+    def fill(self) -> None:
+        """Take note that there is something in it."""
+        self._is_empty = False
+
     def close_with(self, end: str) -> None:
         """Take note of the tag that ends it, as it is written."""
         self._end = end
@@ -259,6 +263,11 @@ class Source:
     def ids(self) -> set[str]:
         """All ids."""
         return {each.get("id") or "" for each in self.root.walk()}
+
+
+def unescaped(text: str) -> str:
+    """Return text of XML with the characters that its entities stand for."""
+    return _ENTITY.sub(_character, text)
 
 
 def _fill(around: Node, text: str) -> None:
