@@ -462,6 +462,9 @@ def test_copies_come_into_the_file_and_what_went_comes_back():
     copied = add_copies(begun, {2, 3, 6}).document
     written = rewritten(data, copied, begun).data
     assert (written.count(b"<text"), written.count(b"<image")) == (6, 2)
+    # Inkscape 1.2 shows a picture by no other name; that of the file is as it was.
+    assert (written.count(b" href="), written.count(b"xlink:href=")) == (1, 1)
+    assert svg_of(copied, Options(unit="mm")).data.count(b"xlink:href=") == 2
     again = from_lower_left(read_svg(written).document)
     assert [each.groups for each in again.curves] == [each.groups for each in copied.curves]
     for mine, read in zip(places(copied), places(again), strict=True):
