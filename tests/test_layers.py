@@ -143,6 +143,31 @@ def test_the_start_imports_without_a_search_through_sources():
     assert "PySide6" not in done.stderr.split()
 
 
+def test_the_start_makes_no_copy_of_all_names_of_qt():
+    """pyqtgraph had PySide make every class and enumeration of three modules; Qt's own are as they were."""
+    code = (
+        "from PySide6 import QtCore, QtGui, QtWidgets\n"
+        "names = {each: set(dir(each)) for each in (QtCore, QtGui, QtWidgets)}\n"
+        "from app.plotting.graphs import pg\n"
+        "for each, before in names.items():\n"
+        "    assert before <= set(dir(each))\n"
+        "    copy = getattr(pg, each.__name__.rpartition('.')[2])\n"
+        "    assert before <= set(dir(copy))\n"
+        "    assert len(before & set(vars(copy))) < len(before) / 3, each\n"
+        "    assert all(getattr(copy, name) is not None for name in before if name.startswith('Q'))\n"
+        "assert pg.QtWidgets.QApplication is QtWidgets.QApplication\n"
+        "assert not hasattr(pg.QtGui, 'QNothing')\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_what_uses_pyqtgraph_gets_it_from_one_module():
+    sources = {name: path.read_text(encoding="utf-8") for name, path in MODULES.items()}
+    named = re.compile(r"^\s*(import|from) pyqtgraph", re.MULTILINE)
+    assert [name for name, text in sources.items() if named.search(text)] == ["app.plotting.graphs"]
+
+
 def test_one_module_starts_threads():
     """Python's collector runs in whatever thread allocates; ``app.tasks.task`` keeps it out of its own."""
     starts = re.compile(r"\bThread\(|QThread|QRunnable|ThreadPool|concurrent\.futures|multiprocessing")

@@ -70,6 +70,11 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     warning: QColor
     is_as_printed: bool = False
 
+    @property
+    def has_dark_desk(self) -> bool:
+        """Whether what prints dark on this paper is hardly seen beside it."""
+        return self.is_as_printed and self.desk.lightnessF() < self.paper.lightnessF() / 2
+
 
 def mix(over: QColor, under: QColor, share: float) -> QColor:
     """Return the opaque colour that ``over`` at opacity ``share`` makes on ``under``."""

@@ -9,6 +9,7 @@
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.  ``other_points_layer``: selected points of those that are edited with the active one.
 - ``grid_layer``, ``unit_layer``, ``guides_layer``, ``page_layer``: grid, unit, guides and page.
+  ``desk_outline``: what is dark beside the page, on a dark desk.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
 - ``content_ink``: texts and pictures in their frames.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other

@@ -61,7 +61,7 @@ class EditedShapeLayer(Layer):
         if self._shape:
             style = self._looks.style_of(self._shape[0])
             usual = _WIDTH * self.scale
-            paint_shape(painter, self._shape, style, shown, self.theme, usual, self._line)
+            paint_shape(painter, self._shape, style, shown, self.theme, usual, self._line, self._looks.page)
 
 
 class CurveLayer(Layer):

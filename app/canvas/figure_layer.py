@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter
 
@@ -14,6 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ..plotting.area import AreaFill
 from ..plotting.drawing import MARGIN, draw_segments
+from ..plotting.graphs import pg
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line, draw_mark, pen_of
 from ..plotting.pixel_map import PixelMap

@@ -217,7 +217,8 @@ class OtherCurvesLayer(Layer):
                     self._paint_line(painter, stroke, view, shown)
             else:
                 style = self.looks.style_of(shape[0])
-                paint_shape(painter, shape, style, shown, self.theme, FAINT_WIDTH * self.scale, line)
+                usual, page = FAINT_WIDTH * self.scale, self.looks.page
+                paint_shape(painter, shape, style, shown, self.theme, usual, line, page)
 
     def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         stroke.show(line_of(view, shown).points, shown)

@@ -180,7 +180,9 @@ def repainted(document: Document, before: Document) -> Document:
 
 def _repainted(curve: Curve, before: Curve) -> Curve:
     form, style, was = curve.form, curve.style, before.style
-    if style is was or form is not before.form or not isinstance(form, Lettering):
+    is_moved = curve.points is not before.points
+    # What is moved takes its gradient along, which is no other paint for that.
+    if style is was or is_moved or form is not before.form or not isinstance(form, Lettering):
         return curve
     changed = {name for name in _PAINTS if getattr(style, name) != getattr(was, name)}
     if not changed:

@@ -33,10 +33,12 @@ def kind_of(document: Document) -> DocumentKind:
     return DocumentKind.SKETCH if document.page is None else DocumentKind.DRAWING
 
 
-def vector_word(document: Document, order: int) -> str:
+def vector_word(document: Document, order: int, *, many: bool = False) -> str:
     """Return what people call the derivative that a handle of a point sets: in a drawing it is a handle."""
-    is_handle = order == 1 and kind_of(document) is DocumentKind.DRAWING
-    return "handle" if is_handle else DERIVATIVES[order - 1].name
+    if order == 1 and kind_of(document) is DocumentKind.DRAWING:
+        return "handles" if many else "handle"
+    derivative = DERIVATIVES[order - 1]
+    return derivative.plural if many else derivative.name
 
 
 _LINES: Final = {"mm": 0.3, "cm": 0.03, "in": 0.01, "pt": 0.75, "pc": 0.06, "px": 1.0}

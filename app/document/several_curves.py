@@ -12,6 +12,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .clone_links import with_own_links
+from .contents import is_content
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import move_points
@@ -300,7 +301,9 @@ def named(document: Document, curves: Collection[int]) -> str:
 
 
 def counted(document: Document, curves: Collection[int]) -> str:
-    """Return "3 curves"; where whole shapes or groups are among them, how many a person sees: "2 objects"."""
+    """Return "3 curves"; with whole shapes, groups or texts among them what a person sees: "2 objects"."""
+    if any(is_content(document.curves[curve]) for curve in curves):
+        return count_of(len(whole_nodes(document.curves, curves, document.layers)), "object")
     if any(document.curves[curve].shape or document.curves[curve].groups for curve in curves):
         return counted_nodes(whole_nodes(document.curves, curves, document.layers))
     return count_of(len(curves), "curve")

@@ -5,8 +5,8 @@
   ``crowds``: strokes that fill an area.  ``wide_line``: an opaque line, drawn without Qt's stroker.
 - ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
 - ``printed``: shapes as they print, with fills, ends and dashes.  ``rings``: areas cut to what is seen.
-- ``painted_plot``: a pyqtgraph plot that we paint.  ``plot_widget``: one with mouse and keys.  ``tool_plot``:
-  one with tools.
+- ``graphs``: pyqtgraph itself.  ``painted_plot``: a plot of it that we paint.  ``plot_widget``: one with
+  mouse and keys.  ``tool_plot``: one with tools.
 - ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``view_box``: its ranges.
   ``axes``, ``ticks``: the axes beside it, and where their numbers stand.  ``rulers``: marks on them.
 - ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``edge_scroll``: a

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
@@ -14,6 +13,7 @@ from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
 from curvecore.arrays import FloatArray
 
 from ..appearance.theme import LIGHT, Theme
+from .graphs import pg
 from .pixel_map import PixelMap
 from .segments import Bars
 from .ticks import LabelRoom, Stretch, Ticks, choose_ticks, nice_step, with_marks

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import pyqtgraph as pg
 from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
 
+from .graphs import pg
 from .pixel_map import PixelMap
 from .view_box import ViewBox
 

@@ -7,12 +7,12 @@ many times the time of the same path in short pieces. Numbers reach Qt as arrays
 from __future__ import annotations
 
 import numpy as np
-from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from PySide6.QtGui import QPainter, QPolygonF
 
 from curvecore.arrays import BoolArray, FloatArray
 
 from .crowds import Crowd
+from .graphs import pg
 from .pixel_map import PixelMap
 from .segments import Segments
 
@@ -131,8 +131,8 @@ class Stroke:
         """Return a polygon; filling one that was made before takes a third of the time of making one."""
         made = self._made.get(number)
         if made is None or len(made[1]) != len(vertices):
-            fresh: QPolygonF = create_qpolygonf(len(vertices))
-            made = self._made[number] = (fresh, ndarray_from_qpolygonf(fresh))
+            fresh: QPolygonF = pg.functions.create_qpolygonf(len(vertices))
+            made = self._made[number] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
         made[1][:] = vertices
         return made[0]
 
@@ -198,10 +198,10 @@ def draw_segments(painter: QPainter, segments: FloatArray, shown: PixelMap) -> N
 
 def polygon(x: FloatArray, y: FloatArray) -> QPolygonF:
     """Return a QPolygonF with the given coordinates."""
-    result: QPolygonF = create_qpolygonf(len(x))
+    result: QPolygonF = pg.functions.create_qpolygonf(len(x))
     # The array of an empty polygon cannot be written to.
     if len(x):
-        view = ndarray_from_qpolygonf(result)
+        view = pg.functions.ndarray_from_qpolygonf(result)
         view[:, 0] = x
         view[:, 1] = y
     return result

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import pyqtgraph as pg
-from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsView, QSizePolicy, QWidget
@@ -14,6 +12,7 @@ from ..appearance.theme import Theme, theme_of
 from ..qt.overrides import Guarded, guard_library
 from .axes import Axes, Axis
 from .camera import Camera
+from .graphs import ChildGroup, pg
 from .layers import LayerStack
 from .pixel_map import PixelMap
 from .rulers import Rulers

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QLineF, QPointF, QRectF
 from PySide6.QtGui import QPainter, QPixmap
 
 from curvecore.arrays import FloatArray
+
+from .graphs import pg
 
 
 class _Batch:
@@ -20,7 +21,7 @@ class _Batch:
         draw: Callable[..., None],
         numbers: int = 4,
     ) -> None:
-        self._shapes, self._draw = PrimitiveArray(shape, numbers), draw
+        self._shapes, self._draw = pg.Qt.internals.PrimitiveArray(shape, numbers), draw
         # The room for shapes, and the first of them as Qt takes it: both stay until there must be more room.
         self._room: FloatArray = self._shapes.ndarray()
         self._first, self._count = None, 0

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import pyqtgraph as pg
-
 from ..qt.overrides import Guarded
+from .graphs import pg
 
 
 class ViewBox(Guarded, pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types

@@ -5,7 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QSize
 from PySide6.QtGui import QImage, QImageIOHandler, QImageReader
 
-MAX_PIXELS = 64_000_000
+from ..document.content import MOST_PIXELS
+
+MAX_PIXELS = MOST_PIXELS
 """More pixels than this are not decoded."""
 
 MAX_SIDE = 4096

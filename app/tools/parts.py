@@ -18,10 +18,10 @@ from .tool import GestureRow, ToolContext
 
 GESTURES = (
     GestureRow("Drag a point", "move it; Ctrl or Shift keeps to one axis"),
-    GestureRow("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
+    GestureRow("Alt+drag a point", "pull out its {handle}", needs_derivatives=True),
     GestureRow(
         "Drag a handle",
-        "set velocity (square), acceleration (diamond), jerk (triangle); Ctrl or Shift: 15°, Alt: break",
+        "set {handle} (square), acceleration (diamond), jerk (triangle); Ctrl or Shift: 15°, Alt: break",
         selected=True,
         needs_derivatives=True,
     ),
@@ -94,7 +94,7 @@ def dragged_with(context: ToolContext, hit: Hit) -> str:
     if hit.index in group.of(curve) and group.count > 1:
         return group.words
     source = host.views[curve].source
-    of = f" of “{source.seen_name}”" if curve != host.active_index else ""
+    of = f" of “{source.name}”" if curve != host.active_index else ""
     return f"{source.family.point} {hit.index}{of}"
 
 

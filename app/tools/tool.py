@@ -311,7 +311,7 @@ class GestureRow(msgspec.Struct, frozen=True):
     Attributes
     ----------
     keys, what
-        How it is made, and what it does.
+        How it is made, and what it does; "{handle}" stands for what people call the velocity there.
     selected, curves
         Whether it is done to selected points; to curves that are chosen as wholes.
     needs_derivatives

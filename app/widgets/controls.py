@@ -6,7 +6,10 @@ from collections.abc import Iterable
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QProgressBar, QPushButton, QWidget
+
+from ..qt.overrides import Guarded
 
 _Named = TypeVar("_Named", bound=QWidget)
 
@@ -35,11 +38,25 @@ def check_box(name: str, text: str, tip: str, label: str = "") -> QCheckBox:
     return named(QCheckBox(text), name, label, tip)
 
 
+class ChoiceBox(Guarded, QComboBox):
+    """A box of choices that the wheel turns while it has the focus; else what lies around it scrolls."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
 def choice_box(
     name: str, label: str, tip: str, items: Iterable[str] = (), tips: Iterable[str] = ()
 ) -> QComboBox:
     """Return a box with these items, and a tip for each of the first of them."""
-    box = named(QComboBox(), name, label, tip)
+    box = named(ChoiceBox(), name, label, tip)
     box.addItems(list(items))
     for place, each in enumerate(tips):
         box.setItemData(place, each, Qt.ItemDataRole.ToolTipRole)

@@ -5,7 +5,8 @@ Qt's own refuse the key that would lead out of the range: of a typed 60 where 50
 
 from __future__ import annotations
 
-from PySide6.QtCore import QLocale
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox
 
 from ..document.words import number
@@ -21,6 +22,14 @@ def _step_between(box: RangedSpinBox | RangedDoubleSpinBox, steps: int) -> None:
     box.setValue(min(max(box.value(), box.least), box.most))  # type: ignore[arg-type]  # each has its own kind
 
 
+def _turn(box: RangedSpinBox | RangedDoubleSpinBox, event: QWheelEvent) -> None:
+    """Step while it has the focus; else what lies around it scrolls. Called by Qt."""
+    if box.hasFocus():
+        QAbstractSpinBox.wheelEvent(box, event)
+    else:
+        event.ignore()
+
+
 def _problem_of(box: RangedSpinBox | RangedDoubleSpinBox) -> str:
     """Why the number that stands here is not possible; empty where it is."""
     if box.least <= box.value() <= box.most:
@@ -30,6 +39,7 @@ def _problem_of(box: RangedSpinBox | RangedDoubleSpinBox) -> str:
 
 def _describe(box: RangedSpinBox | RangedDoubleSpinBox, name: str, label: str, tip: str) -> None:
     box.setRange(-_FAR, _FAR)
+    box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     named(box, name, label, tip)
 
 
@@ -50,6 +60,7 @@ class RangedSpinBox(Guarded, QSpinBox):
 
     # In the body of each class, where `Guarded` finds what overrides Qt's.
     stepBy = _step_between  # noqa: N815 - as Qt calls it
+    wheelEvent = _turn
     problem = property(_problem_of)
 
 
@@ -62,4 +73,5 @@ class RangedDoubleSpinBox(Guarded, QDoubleSpinBox):
         _describe(self, name, label, tip)
 
     stepBy = _step_between  # noqa: N815 - as Qt calls it
+    wheelEvent = _turn
     problem = property(_problem_of)

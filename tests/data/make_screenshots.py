@@ -12,18 +12,17 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from contextlib import nullcontext
 from time import monotonic
 
-from msgspec.structs import replace
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 
 from app.appearance.theme import ThemeMode
 from app.families import FAMILIES, HERMITE
 from app.families.family_file import families_of_files
-from app.features.lessons.commands import LessonCommands
 from app.features.own_families.template import template
 from app.settings.preferences import Preferences
 from app.testing import Editor
 
 FOLDER = Path(__file__).parents[2] / "resources" / "screenshots"
+DRAWING = Path(__file__).parent / "harbour.svg"
 
 
 class Bot:
@@ -40,7 +39,7 @@ class Bot:
 def main() -> None:
     """Draw every picture of the README."""
     app = QApplication(sys.argv)
-    for picture in (first_sketch, analysis, laboratory, own_family):
+    for picture in (first_sketch, drawing, analysis, laboratory, own_family):
         with tempfile.TemporaryDirectory() as folder:
             preferences = Preferences(Path(folder) / "settings.ini")
             editor = Editor(Bot(), preferences=preferences, size=(1280, 860))
@@ -67,6 +66,25 @@ def first_sketch(app: QApplication, editor: Editor) -> None:
         take(app, editor, "editor", mode)
 
 
+def drawing(app: QApplication, editor: Editor) -> None:
+    """An emblem from an SVG, with a point of one of its shapes selected."""
+    editor.window.open_file(DRAWING)
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    while dialog.jobs.is_busy:
+        app.processEvents()
+    dialog.ok.click()
+    editor.settle()
+    editor.trigger("fitPage")
+    shape = next(each for each in editor.session.document.curves if each.name == "mountains")
+    # Once chooses the shape, twice edits its points.
+    editor.double_click(shape.points[2].position)
+    editor.click(shape.points[2].position)
+    editor.leave()
+    for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
+        take(app, editor, "drawing", mode)
+
+
 def analysis(app: QApplication, editor: Editor) -> None:
     """Comb, ghosts and plots."""
     editor.choose_family(HERMITE)
@@ -91,10 +109,10 @@ def own_family(app: QApplication, editor: Editor) -> None:
 
 
 def laboratory(app: QApplication, editor: Editor) -> None:
-    """The lesson about digits, with four of them."""
-    editor.window.commands[LessonCommands].open("04_decimal_accuracy")
-    analysis = editor.window.analysis
-    analysis.change(laboratory=replace(analysis.settings.laboratory, digits=4))
+    """The first sketch computed with as few digits as the laboratory begins with."""
+    editor.trigger("toggleLaboratory")
+    editor.fit()
+    editor.wait_for_rest()
     take(app, editor, "laboratory", ThemeMode.DARK)
 
 

@@ -13,6 +13,7 @@ from app.document.clone import Clone
 from app.document.content import Lettering, Picture, RunPaint, TextLine, TextRun
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
+from app.document.form_edits import framed
 from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
@@ -33,14 +34,19 @@ RUN = TextRun("I", spacing=1.0, right=1.0, down=1.0, paint=RunPaint())
 BOX = (1.0, 2.0, 3.0, 4.0)
 
 
-def full(form):
+OPEN = replace(
+    make_curve((), family=HERMITE),
+    points=(
+        Point(0.0, 0.0, 0.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
+        Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
+    ),
+)
+
+
+def full(form, curve=OPEN):
     """A curve with a number wherever one may have one."""
     return replace(
-        make_curve((), family=HERMITE),
-        points=(
-            Point(0.0, 0.0, 0.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
-            Point(1.0, 1.0, 1.0, PAIR, PAIR, True, PAIR, PAIR, PAIR, PAIR),
-        ),
+        curve,
         style=Style(
             width=1.0, dash=(1.0, 2.0), fill_gradient=GRADIENT, stroke_gradient=GRADIENT, clips=(CLIP,)
         ),
@@ -50,11 +56,19 @@ def full(form):
     )
 
 
+def full_frame(content):
+    """The same around a text or a picture."""
+    more = {"acceleration": PAIR, "acceleration_after": PAIR, "jerk": PAIR, "jerk_after": PAIR}
+    frame = framed(content, [(0.0, 2.0), (3.0, 2.0), (3.0, 1.0), (0.0, 1.0)], "frame")
+    points = (replace(point, t=float(at), **more) for at, point in enumerate(frame.points))
+    return full(content, replace(frame, points=tuple(points)))
+
+
 FULL = Document(
     (
         full(Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5)),
-        full(Lettering(1.0, 2.0, 3.0, 4.0, (TextLine(1.0, 2.0, (RUN,)),), BOX)),
-        full(Picture(1.0, 2.0, 3.0, 4.0, part=BOX)),
+        full_frame(Lettering(1.0, 2.0, 3.0, 4.0, (TextLine(1.0, 2.0, (RUN,)),), BOX)),
+        full_frame(Picture(1.0, 2.0, 3.0, 4.0, part=BOX)),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
     guides=(Guide(Axis.X, 1.0),),

@@ -31,6 +31,7 @@ from app.exchange.svg.writer import svg_of
 from app.qt.contents import measured
 from app.qt.glyphs import has_fonts
 from app.storage.format import decode, encode
+from app.storage.format_error import FormatError
 
 HEAD = (
     '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
@@ -101,6 +102,8 @@ def test_what_is_hidden_is_a_hidden_object_and_what_is_too_much_is_none():
     assert frames(f'<text x="1" y="2">{"a" * (MOST_LETTERS + 1)}</text>') == []
     assert frames('<text x="1" y="2" transform="scale(0)">a</text>') == []
     assert frames('<text x="1e300" y="2">a</text>') == []
+    assert frames('<text x="1" y="2" transform="matrix(1 2 1 2.0000000000001 0 0)">a</text>') == []
+    assert frames('<image width="9" height="1e-300" href="a.png"/>') == []
 
 
 def test_a_text_and_a_picture_lie_between_the_curves_as_in_the_file():
@@ -150,7 +153,25 @@ def test_pictures_are_read_from_the_folder_of_their_drawing_and_from_nowhere_els
     assert [bool(each.data) for each in pictures] == [True] * len(near) + [False] * len(far)
     # It keeps its proportions in the middle of its place.
     assert pictures[0].part == (0.0, -0.5, 1.0, 1.5)
-    assert words_about_missing(document)[0].startswith("“d.png” is not in the folder of the drawing")
+    assert words_about_missing(document)[0].startswith("“d.png” is no PNG or JPEG picture of up to 64")
+
+
+def test_what_is_too_large_is_told_and_not_read(tmp_path):
+    """A picture of a thousand megapixels takes a megabyte; it was drawn as nothing, without a word."""
+    head = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + (40_000).to_bytes(4, "big") * 2
+    held = base64.b64encode(head).decode()
+    text = f"<text>{'a' * MOST_LETTERS}</text>"
+    data = file_of(f'{LINE}<image width="9" height="9" href="data:image/png;base64,{held}"/>{text}{text}')
+    found = read_svg(data)
+    assert [each.why for each in found.missed] == [
+        "it is no PNG or JPEG picture of up to 64 megapixels, or too much beside others",
+        "of all texts 20000 letters are read",
+    ]
+    assert [each.form and each.form.noun for each in found.document.curves] == [None, "picture", "text"]
+    assert found.document.curves[1].form.data == ""
+    (tmp_path / "large.png").write_bytes(head)
+    linked = kept('<image width="9" height="9" href="large.png"/>')
+    assert with_files(linked, tmp_path) == linked
 
 
 def test_files_and_other_units_keep_them(tmp_path):
@@ -164,6 +185,13 @@ def test_files_and_other_units_keep_them(tmp_path):
     plane = plane_of(text.form, corners_of(text))
     assert plane.place(1.0, 2.0) == pytest.approx((0.1, 9.8))
     assert (plane.across, text.form.lines[0].runs[0].size) == ((pytest.approx(0.1), 0.0), 16.0)
+
+
+def test_a_frame_that_is_none_is_refused_in_a_file():
+    data = encode(kept('<text x="1" y="2">a</text>'))
+    assert decode(data)
+    with pytest.raises(FormatError, match="must run around a box that is mapped, for it frames a text"):
+        decode(data.replace(b'"closed": true', b'"closed": false'))
 
 
 def test_files_of_before_have_them_among_their_curves():
@@ -343,23 +371,41 @@ def test_an_exported_drawing_has_them_and_reads_back_the_same():
 
 
 @pytest.mark.usefixtures("qapp")
-def test_a_picture_is_cut_by_an_upright_box_and_stays_so():
-    image = f'<image x="10" y="10" width="40" height="40" href="data:image/png;base64,{png(4, 4, "red")}"'
-    clip = '<clipPath id="c"><rect x="20" y="0" width="100" height="30"/></clipPath>'
-    document = kept(f'{clip}{image} clip-path="url(#c)"/>')
+@pytest.mark.parametrize(
+    ("around", "is_clip"),
+    [
+        (
+            '<clipPath id="c"><rect x="20" width="100" height="30"/></clipPath><g clip-path="url(#c)">%s</g>',
+            True,
+        ),
+        ('<svg x="20" y="0" width="100" height="30" viewBox="20 0 100 30">%s</svg>', False),
+    ],
+)
+def test_a_picture_is_cut_by_an_upright_box_and_stays_so(around, is_clip):
+    """A clip stays one, which Release Clip takes away; of what a view box cuts off nothing is there."""
+    image = f'<image x="10" y="10" width="40" height="40" href="data:image/png;base64,{png(4, 4, "red")}"%s/>'
+    document = kept(around % (image % ""))
     picture = document.curves[1]
-    assert picture.form.part == (0.25, 0.0, 1.0, 0.5)
-    assert corners_of(picture) == [(20.0, -10.0), (50.0, -10.0), (50.0, -30.0), (20.0, -30.0)]
+    left, top, right, bottom = (10.0, -10.0, 50.0, -50.0) if is_clip else (20.0, -10.0, 50.0, -30.0)
+    assert corners_of(picture) == [(left, top), (right, top), (right, bottom), (left, bottom)]
+    assert (picture.form.part, len(picture.style.clips)) == (
+        (WHOLE, 1) if is_clip else ((0.25, 0.0, 1.0, 0.5), 0)
+    )
     written = QImage.fromData(png_file(document, Options(width=200, style=LIGHT.on_page())).data)
     red = [place for place in range(200) if written.pixelColor(place, 20) == QColor("red")]
     assert (red[0], red[-1]) == (20, 49)
     assert written.pixelColor(30, 31) == QColor("white")
+    # Anew, it is a clip in any case.
     again = read_svg(svg_of(document, Options(unit="mm")).data).document
-    assert again.curves[1].form.part == picture.form.part
+    assert (again.curves[1].form.part, len(again.curves[1].style.clips)) == (WHOLE, 1)
+    assert again.curves[1].groups == picture.groups
+    assert QImage.fromData(png_file(again, Options(width=200, style=LIGHT.on_page())).data) == written
     assert places(again) == [pytest.approx(each) for each in places(document)]
-    # What a box hides as a whole is not there.
-    assert frames(f'{clip}{image} transform="translate(150 0)" clip-path="url(#c)"/>')
-    assert not frames(f'{clip}<g clip-path="url(#c)">{image} transform="translate(0 50)"/></g>')
+    # What a box hides as a whole is not there; what a clip leaves whole has none.
+    hidden = frames(around % (image % ' transform="translate(0 50)"'))
+    assert bool(hidden) == is_clip
+    ((whole, *_),) = frames(around % (image % ' transform="translate(21 0) scale(.5)"'))
+    assert (whole.form.part, whole.style.clips) == (WHOLE, ())
 
 
 def test_what_else_would_change_its_look_is_told():
@@ -416,6 +462,9 @@ def test_copies_come_into_the_file_and_what_went_comes_back():
     copied = add_copies(begun, {2, 3, 6}).document
     written = rewritten(data, copied, begun).data
     assert (written.count(b"<text"), written.count(b"<image")) == (6, 2)
+    # Inkscape 1.2 shows a picture by no other name; that of the file is as it was.
+    assert (written.count(b" href="), written.count(b"xlink:href=")) == (1, 1)
+    assert svg_of(copied, Options(unit="mm")).data.count(b"xlink:href=") == 2
     again = from_lower_left(read_svg(written).document)
     assert [each.groups for each in again.curves] == [each.groups for each in copied.curves]
     for mine, read in zip(places(copied), places(again), strict=True):

@@ -89,6 +89,7 @@ def test_it_is_chosen_and_dragged_and_nudged_and_deleted_with_curves(drawing):
     assert session.selected.chosen == {TEXT}
     drawing.click((75, 10), keys=Qt.KeyboardModifier.ShiftModifier)
     assert session.selected.chosen == {TEXT, LINE}
+    assert drawing.status == "2 objects chosen."
     drawing.press((15, 35))
     drawing.move((20, 39))
     assert frame(drawing)[:2] == pytest.approx(np.add(home[:2], (5, 4)), abs=0.3)

@@ -60,6 +60,7 @@ def test_what_is_hidden_or_covered_cannot_be_reached(editor):
     editor.window.canvas.setEnabled(False)
     with impossible("is disabled"):
         editor.key(Qt.Key.Key_A)
+    editor.window.canvas.setEnabled(True)
 
 
 def test_nothing_is_reached_under_a_dialog_that_waits(editor):

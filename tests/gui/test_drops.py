@@ -123,6 +123,7 @@ def program(editor, qapp):
         window.close()
         window.deleteLater()
     lifecycle.stop()
+    editor.window.commands.drops.open_window = editor.window.context.files.open_window = None
 
 
 def documents(folder, *names):

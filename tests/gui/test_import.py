@@ -724,7 +724,8 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     assert [each.name for each in tmp_path.iterdir()] == ["out.csv"]
 
 
-def test_closing_the_window_drops_the_work(editor, busy):
+def test_closing_the_window_drops_the_work(new_editor, busy):
+    editor = new_editor
     editor.window.commands[ImportCommands].import_files([busy])
     shown_bar(editor)
     editor.session.files.give_up_changes()

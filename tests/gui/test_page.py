@@ -213,6 +213,18 @@ def colour_at(editor, x, y):
     return image.pixelColor(round(pixel.x() * ratio), round(pixel.y() * ratio))
 
 
+def test_a_tall_page_is_shown_as_wide_as_there_is_room_for(drawn):
+    assert not drawn.action("fitPageWidth").isEnabled()
+    drawn.session.change("Page", lambda document: replace(document, page=Page(0.0, 0.0, 8.0, 80.0)))
+    drawn.trigger("fitPage")
+    whole = drawn.window.canvas.pixel_map
+    drawn.trigger("fitPageWidth")
+    shown = drawn.window.canvas.pixel_map
+    assert 8 * whole.sx < shown.width / 4
+    assert 0.7 * shown.width < 8 * shown.sx < shown.width
+    assert shown.plane(shown.width / 2, shown.height / 2) == pytest.approx((4.0, 40.0), abs=0.05)
+
+
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
 def test_a_page_is_seen_as_it_prints_until_the_person_chooses_otherwise(drawn, mode):
     """In the dark the page was black, and ink on it white; in the light it was as grey as all around it."""
@@ -299,6 +311,54 @@ def test_in_the_dark_only_the_paper_is_light_and_ink_is_black_wherever_it_is_sho
         assert drawn.pixelColor(place * drawn.devicePixelRatio()) == DARK.curve
     finally:
         store.change(theme_mode=ThemeMode.SYSTEM, page_as_printed=True, grid=True)
+
+
+def test_dark_shapes_beside_the_page_have_an_outline_on_a_dark_desk_alone(editor):
+    """A line in ink had a contrast of 1.5 with the desk."""
+    editor.session.new()
+    editor.trigger("newDrawing")
+    store, theme = editor.window.context.store, PRINTED_IN_DARK
+    block = replace(make_curve([(220, 60), (250, 60), (250, 90), (220, 90)], family=HERMITE), closed=True)
+    ink, yellow = (make_curve([(150, y), (250, y)], family=HERMITE) for y in (150.0, 200.0))
+    curves = (
+        replace(ink, style=Style(width=3.0)),
+        replace(block, style=Style(stroke="none", fill="#101010")),
+        replace(yellow, style=Style(stroke="#f0e442", width=3.0)),
+    )
+    editor.session.change("Draw", lambda document: replace(document, curves=curves))
+    editor.session.selected.choose(())
+    editor.window.canvas.camera.show_box((140, 260), (50, 220))
+    editor.hover((200.0, 100.0))
+
+    def across(x, y):
+        picture, middle = editor.window.canvas.grab().toImage(), editor.window.canvas.to_pixel(x, y)
+        ratio = picture.devicePixelRatio()
+        steps = [round((middle.y() + step) * ratio) for step in range(-4, 5)]
+        return [picture.pixelColor(round(middle.x() * ratio), row) for row in steps]
+
+    def outside(x, y, own):
+        """The colours across an edge, but for a colour of its own and those between that and the desk."""
+        dark, light = sorted([QColor(own).lightness(), editor.window.canvas.layers.theme.desk.lightness()])
+        return [each for each in across(x, y) if not dark - 2 <= each.lightness() <= light + 2]
+
+    def block_edge():
+        return editor.session.views[1].drawn_box[1][1]
+
+    try:
+        store.change(theme_mode=ThemeMode.DARK, grid=False)
+        editor.wait_for_rest()
+        edges = [(151.5, theme.ink), (148.5, theme.ink), (block_edge(), "#101010")]
+        for y, own in edges:
+            assert max(contrast(each, theme.desk) for each in outside(235.0, y, own)) >= 3.0
+        # On the page it is as it prints, and what is seen needs no outline.
+        on_page = across(180.0, 151.5)
+        assert outside(235.0, 201.5, "#f0e442") == []
+        store.change(theme_mode=ThemeMode.LIGHT)
+        editor.wait_for_rest()
+        assert outside(235.0, 151.5, theme.ink) == []
+        assert across(180.0, 151.5) == on_page
+    finally:
+        store.change(theme_mode=ThemeMode.SYSTEM, grid=True)
 
 
 def test_points_of_a_drawing_are_plain_on_the_page_and_on_the_desk_until_numbers_are_wanted(editor):

@@ -655,3 +655,22 @@ def test_curves_that_are_small_on_the_screen_are_flattened_once(editor, monkeypa
         flattened.append(len(counts) / len(curves))
     # One each; the active one is drawn at the scale of the screen besides.
     assert max(flattened) <= 1.5
+
+
+def test_all_that_is_chosen_whole_is_reversed_and_closed(three):
+    """One of a group, or of a shape with holes, was, and the others not."""
+    before = three.session.document.curves
+    three.session.selected.choose([0, 2])
+    three.trigger("reverseCurve")
+    assert three.session.undo_stack.undoText() == "Reverse 2 curves"
+    now = three.session.document.curves
+    for place in (0, 2):
+        there = [point.position for point in now[place].points]
+        assert there == [point.position for point in reversed(before[place].points)]
+    assert now[1] is before[1]
+    three.trigger("closeCurve")
+    assert [curve.closed for curve in three.session.document.curves] == [True, False, True]
+    three.trigger("undo")
+    three.trigger("undo")
+    assert three.session.document.curves == before
+    assert three.session.selected.chosen == {0, 2}

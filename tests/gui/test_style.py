@@ -184,6 +184,18 @@ def turn(field, notches):
     QApplication.sendEvent(field, event)
 
 
+def test_the_wheel_turns_no_choice_that_it_only_passes(editor, panel):
+    """Whoever scrolled the panel gave the line another dash when the pointer came over that."""
+    box = panel.findChild(QComboBox, "dashBox")
+    steps = editor.session.undo_stack.count()
+    editor.window.canvas.setFocus()
+    turn(box, -1)
+    assert (box.currentIndex(), editor.session.undo_stack.count()) == (0, steps)
+    box.setFocus()
+    turn(box, -1)
+    assert box.currentIndex() == 1
+
+
 @pytest.mark.parametrize(
     ("name", "field", "begin", "ups", "lowest"),
     [

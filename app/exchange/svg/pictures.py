@@ -25,7 +25,7 @@ _ASKEW = 1e-9
 
 
 class PictureFound(NamedTuple):
-    """A picture, where it lies, and the boxes that cut it which do not lie along its edges.
+    """A picture, where it lies, and the boxes that cut it but for those that leave a part along its edges.
 
     Attributes
     ----------
@@ -69,7 +69,11 @@ class Pictures:
         if part is None:
             return None
         inverse = _inverse(matrix)
-        askew = tuple(each for each in state.windows if not _is_along(combined(inverse, each.matrix)))
+        (left, top), (right, bottom) = part[:2], part[2:]
+        frame = moved(np.array([(left, top), (right, top), (right, bottom), (left, bottom)]), matrix)
+        askew = tuple(
+            each for each in state.windows if not (_cuts_along(each, inverse) or _is_around(each, frame))
+        )
         (x, y), (width, height) = part[:2], (part[2] - part[0], part[3] - part[1])
         link = "" if text or reference.startswith("data:") else reference[:LONGEST_LINK]
         is_stretched = bool(link) and element.get("preserveAspectRatio", "").strip().startswith("none")
@@ -83,15 +87,25 @@ def _seen(matrix: FloatArray, state: State) -> tuple[float, float, float, float]
     low, high = np.zeros(2), np.ones(2)
     for window in state.windows:
         x, y, width, height = window.box
-        by = combined(inverse, window.matrix)
-        if not _is_along(by):
+        if not _cuts_along(window, inverse):
             continue
+        by = combined(inverse, window.matrix)
         ends = moved(np.array([(x, y), (x + width, y + height)]), by)
         low, high = np.maximum(low, ends.min(axis=0)), np.minimum(high, ends.max(axis=0))
     if not (low < high).all():
         return None
     (left, top), (right, bottom) = low.tolist(), high.tolist()
     return left, top, right, bottom
+
+
+def _cuts_along(window: Window, inverse: FloatArray) -> bool:
+    """Whether a window leaves a part of a picture that is one itself; clips stay what they are."""
+    return not window.is_clip and _is_along(combined(inverse, window.matrix))
+
+
+def _is_around(window: Window, frame: FloatArray) -> bool:
+    """Whether an upright clip leaves all of a picture."""
+    return window.is_clip and _is_along(window.matrix) and window.holds(frame)
 
 
 def _inverse(matrix: FloatArray) -> FloatArray:

@@ -16,12 +16,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.box_form import InBox
-from ...document.contents import shortened
-from ...document.marker import MarkerKind
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
-from ...document.style import NO_PAINT, FillRule, Style
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
 from ..missed import Missed
@@ -216,7 +212,7 @@ class SvgReader:
             if not np.isfinite(matrix).all():
                 raise self._broken(element, "its transform is beyond all numbers.")
         if (box := self._clips.box(declared, state.viewport)) is not None:
-            windows = (*windows, Window(box, matrix))
+            windows = (*windows, Window(box, matrix, is_clip=True))
         else:
             clips = (*clips, *(self._clips.of(declared, matrix, state.viewport) or ()))
         return replace(
@@ -225,7 +221,8 @@ class SvgReader:
             windows=windows,
             clips=clips,
             properties=state.properties.entered(declared),
-            is_locked=state.is_locked or element.get(INSENSITIVE) == "true",
+            # What is locked where it is drawn is not so where it is used.
+            is_locked=state.is_locked or (state.anchor is None and element.get(INSENSITIVE) == "true"),
         )
 
     def _contained(
@@ -337,32 +334,19 @@ class SvgReader:
     def _content(self, element: ET.Element, tag: str, state: State, anchor: Anchor) -> Iterator[Drawn]:
         """Yield the frame of a text or of a picture."""
         found = self._shown.found(tag, element, state)
-        flaw = NO_CURVES[tag] if found is None else found.flaw
+        flaw = self._shown.why_not(tag) if found is None else found.flaw
         if flaw is not None and state.properties.is_visible:
             self._miss(element, flaw)
         if found is None:
             return
         self._shapes.append(element)
         self._count()
-        scale = mean_scale(found.matrix)
-        frame = _frame_of(found.form)
-        look = self._look(
-            element,
+        scale, inner = (
+            mean_scale(found.matrix),
             replace(state, properties=found.properties, matrix=found.matrix),
-            scale,
-            [frame],
-            keeps_width=False,
         )
-        style = msgspec.structs.replace(
-            look.style, clips=found.clips, fill_rule=FillRule.NONZERO,
-            start_marker=MarkerKind.NONE, end_marker=MarkerKind.NONE,
-        )  # fmt: skip
-        if tag == "image":
-            style = Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips)
-        name = state.clone or label_of(element) or shortened(found.form.title)
-        path = ImportedPath(
-            name, replace(look, style=style), moved(frame, found.matrix), True, form=found.form
-        )
+        look = self._look(element, inner, scale, [found.frame], keeps_width=not found.is_painted)
+        path = found.path(state.clone or label_of(element), look)
         yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, 0))
 
     def _count(self) -> None:
@@ -419,11 +403,6 @@ class SvgReader:
         if why.startswith("Element "):
             return ExchangeError(why)
         return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
-
-
-def _frame_of(form: InBox) -> FloatArray:
-    """Return the sides of a frame, (4, 4, 2), y downwards."""
-    return np.array(form.sides) * (1.0, -1.0)
 
 
 def _has_length(subpath: Subpath) -> bool:

@@ -4,19 +4,31 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import NamedTuple
+
+import numpy as np
+from msgspec import structs
 
 from curvecore.arrays import FloatArray
 
 from ...document.clip import Clip
-from ...document.content import Content
+from ...document.content import MOST_LETTERS, MOST_PIXELS, Content, Lettering
+from ...document.contents import is_framed, shortened
+from ...document.form_edits import framed
+from ...document.marker import MarkerKind
+from ...document.model import MAX_MAGNITUDE
+from ...document.style import NO_LINE, FillRule
+from ..cubics_in import ImportedPath, Look
 from .clips import clip_of_box
 from .flaw import Flaw
+from .matrices import moved
 from .paint import Paints
 from .pictures import Pictures
 from .properties import Properties
 from .state import State
 from .texts import Texts
+from .xml_tree import reference_of
 
 CONTENTS = ("text", "image")
 """Elements that come in as frames of what they show."""
@@ -34,6 +46,11 @@ NO_CURVES |= dict.fromkeys(("set", "animateMotion", "animateTransform"), NO_CURV
 """Elements that show something else than curves, and what is said of them where they do not come in."""
 
 _UNEVEN = Flaw("some of its letters are turned or stretched", "they come in as all others")
+_TOO_LONG = Flaw(f"of all texts {MOST_LETTERS} letters are read", "left out")
+_NO_PICTURE = Flaw(
+    f"it is no PNG or JPEG picture of up to {MOST_PIXELS // 1_000_000} megapixels, or too much beside others",
+    "a frame shows where it is",
+)
 _ELSEWHERE = Flaw("its file lies elsewhere", "a frame shows where it is")
 
 
@@ -60,6 +77,39 @@ class Found(NamedTuple):
     properties: Properties
     flaw: Flaw | None = None
 
+    @property
+    def frame(self) -> FloatArray:
+        """The sides of its frame in its own units, (4, 4, 2)."""
+        return np.array(self.form.sides) * (1.0, -1.0)
+
+    @property
+    def is_painted(self) -> bool:
+        """Whether its style paints it: a picture has its own colours."""
+        return isinstance(self.form, Lettering)
+
+    @property
+    def is_flat(self) -> bool:
+        """Whether it lies in a line, or where no document may have it."""
+        corners = moved(self.frame[:, 0], self.matrix)
+        # Written so that NaN fails.
+        if not (np.abs(corners) <= MAX_MAGNITUDE).all():
+            return True
+        return not is_framed(framed(self.form, [(x, y) for x, y in corners.tolist()], "frame"))
+
+    def path(self, name: str, look: Look) -> ImportedPath:
+        """Return its frame as a path that looks so, called by what it shows where it has no name."""
+        plain = {
+            "fill_rule": FillRule.NONZERO,
+            "start_marker": MarkerKind.NONE,
+            "end_marker": MarkerKind.NONE,
+        }
+        style = structs.replace(look.style, clips=self.clips, **plain)
+        if not self.is_painted:
+            style = structs.replace(NO_LINE, opacity=style.opacity, clips=self.clips)
+        pieces = moved(self.frame, self.matrix)
+        name = name or shortened(self.form.title)
+        return ImportedPath(name, replace(look, style=style), pieces, closed=True, form=self.form)
+
 
 class Shown:
     """The texts and pictures of one file, as they are met."""
@@ -69,15 +119,24 @@ class Shown:
 
     def found(self, tag: str, element: ET.Element, state: State) -> Found | None:
         """Return what an element shows; None where it cannot be shown."""
+        found = self._read(tag, element, state)
+        return None if found is None or found.is_flat else found
+
+    def _read(self, tag: str, element: ET.Element, state: State) -> Found | None:
         if tag == "text" and (text := self._texts.text(element, state)) is not None:
             clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in state.windows))
             flaw = _UNEVEN if _is_uneven(element) else None
             return Found(text.form, state.matrix, clips, text.properties, flaw)
         if tag == "image" and (picture := self._pictures.picture(element, state)) is not None:
             clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in picture.askew))
-            flaw = None if picture.form.data or picture.form.link else _ELSEWHERE
+            missing = _NO_PICTURE if reference_of(element).startswith("data:") else _ELSEWHERE
+            flaw = None if picture.form.data or picture.form.link else missing
             return Found(picture.form, picture.matrix, clips, state.properties, flaw)
         return None
+
+    def why_not(self, tag: str) -> Flaw:
+        """Return what is said of the last element of this kind, which cannot be shown."""
+        return _TOO_LONG if tag == "text" and self._texts.is_full else NO_CURVES[tag]
 
 
 def _is_uneven(text: ET.Element) -> bool:

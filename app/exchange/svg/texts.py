@@ -12,8 +12,10 @@ import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
 from ...document.content import (
@@ -102,11 +104,17 @@ class Texts:
     def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
         self._paints, self._declared, self._left = paints, declared, MOST_LETTERS
 
+    @property
+    def is_full(self) -> bool:
+        """Whether there were more letters than are read."""
+        return self._left < 0
+
     def text(self, element: ET.Element, state: State) -> TextFound | None:
         """Return a text; None where it cannot be shown."""
         if state.properties.values["writing-mode"].lower()[:2] in ("tb", "ve"):
             return None
-        letters = list(_collapsed(self._letters(element, state.properties, (element,), 0.0)))
+        all_of_it = _collapsed(self._letters(element, state.properties, (element,), 0.0))
+        letters = list(islice(all_of_it, max(self._left, 0) + 1))
         self._left -= len(letters)
         laid = [line for line in self._laid(letters, state) if line.words.strip()] if self._left >= 0 else []
         if not laid or not np.linalg.det(state.matrix[:, :2]):
@@ -139,7 +147,8 @@ class Texts:
             if tag_of(child) in _SPANS:
                 declared = self._declared(child)
                 inner = properties.entered(declared)
-                if inner.is_displayed:
+                # Of one that is hidden as a whole all is, and it is a text still.
+                if inner.is_displayed or not properties.is_displayed:
                     shift = _raised(declared.get("baseline-shift", "0").lower(), inner)
                     yield from self._letters(child, inner, (*around, child), raised + shift)
             yield from said(child.tail)
@@ -177,19 +186,13 @@ class Texts:
 
     def _run(self, run: _Run, first: Properties, common: RunPaint, state: State) -> TextRun:
         """Return a run in the font and the paint of its letters, if that is not the common one."""
-        values = run.properties.values
-        size = float(values["font-size"])
         paint = common if run.properties is first else self._paint(run.properties, first, state)
-        return TextRun(
-            "".join(run.letters),
-            _families(values["font-family"]),
-            size,
-            _weight(values["font-weight"].lower()),
-            values["font-style"].lower() in ("italic", "oblique"),
-            _length(values["letter-spacing"], size),
-            float(run.right),
-            float(run.down),
-            None if paint == common else paint,
+        return msgspec.structs.replace(
+            font_of(run.properties),
+            words="".join(run.letters),
+            right=float(run.right),
+            down=float(run.down),
+            paint=None if paint == common else paint,
         )
 
     def _paint(self, properties: Properties, first: Properties, state: State) -> RunPaint:
@@ -212,6 +215,20 @@ class Texts:
             _share(stroke.opacity, values["stroke-opacity"], more),
             width if stroke.colour != "none" else 1.0,
         )
+
+
+def font_of(properties: Properties) -> TextRun:
+    """Return no letters in the font of an element."""
+    values = properties.values
+    size = float(values["font-size"])
+    return TextRun(
+        "",
+        _families(values["font-family"]),
+        size,
+        _weight(values["font-weight"].lower()),
+        values["font-style"].lower() in ("italic", "oblique"),
+        _length(values["letter-spacing"], size),
+    )
 
 
 def _is_within(box: Inner) -> bool:

@@ -10,8 +10,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.content import Content, Picture
-from ...document.contents import plane_of
+from ...document.content import Picture
+from ...document.contents import plane_of, shortened
 from ...document.style import Style
 from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline, with_markers_seen
@@ -20,7 +20,7 @@ from ..naming import Names
 from ..node_types import guessed, joined
 from . import own_data
 from .clip_elements import ClipElements
-from .content_elements import content_element, in_units_of
+from .content_elements import content_element, in_units_of, uncut
 from .escapes import quoted
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
@@ -74,6 +74,11 @@ class Tree:
         self.lines: list[str] = []
 
     @property
+    def has_links(self) -> bool:
+        """Whether anything is referred to by XLink."""
+        return bool(self.uses) or any(isinstance(shape[0].content, Picture) for shape in self._shapes)
+
+    @property
     def definitions(self) -> list[str]:
         """What paints what was written, cuts it and ends its lines, in an element of their own."""
         found = [*self._gradients.lines, *self.clips.lines, *self._markers.lines]
@@ -98,7 +103,7 @@ class Tree:
             original, by = self.uses[place]
             self._write(f"<use{called}{use_attributes(self._id_of(original), by)}{more}/>")
         elif first.content is not None:
-            self._write(self._content(first, first.content, called, more))
+            self._write(self._content(first, called, more))
         else:
             self._write(self._drawn(self._shapes[place], called, f"{more}/>"))
 
@@ -123,9 +128,11 @@ class Tree:
     def _styled(self, style: Style, usual_width: float) -> str:
         return style_attributes(style, self._style, usual_width, self._gradients, self._markers)
 
-    def _content(self, frame: Outline, content: Content, called: str, more: str) -> str:
+    def _content(self, frame: Outline, called: str, more: str) -> str:
         """Return a text or a picture; the clips are around it, for they do not lie in its units."""
-        plane = plane_of(content, frame.corners)
+        frame = uncut(frame)
+        assert frame.content is not None
+        content, plane = frame.content, plane_of(frame.content, frame.corners)
         style = in_units_of(plane, frame.style)
         painted = self._styled(style, self._usual_width / plane.scale)
         if isinstance(content, Picture):
@@ -187,7 +194,11 @@ class Tree:
         return _named(name, self._ids.different(stem(name, "curve")))
 
     def _called(self, place: int) -> str:
-        return _named(_name_of(self._shapes[place]), self._id_of(place))
+        first, name, own = self._shapes[place][0], _name_of(self._shapes[place]), self._id_of(place)
+        if first.content is None or place in self.uses:
+            return _named(name, own)
+        # It is called what it shows, and not by its id.
+        return _named("" if name == shortened(first.content.title) else name, own, is_id_no_name=True)
 
     def _id_of(self, place: int) -> str:
         """Return the id of a shape, which others that show it may ask for first."""
@@ -200,9 +211,10 @@ def _name_of(shape: tuple[Outline, ...]) -> str:
     return shape[0].shape or shape[0].name
 
 
-def _named(name: str, own: str) -> str:
+def _named(name: str, own: str, *, is_id_no_name: bool = False) -> str:
     """Return an id and, where the name is another word, that as Inkscape's label."""
-    return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
+    is_labelled = name and (is_id_no_name or name != own)
+    return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if is_labelled else "")
 
 
 def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:

@@ -7,12 +7,12 @@ from enum import Enum
 from itertools import pairwise
 
 import numpy as np
-from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from PySide6.QtGui import QPolygonF
 
 from curvecore.arrays import FloatArray
 
 from ...plotting.drawing import polygon, thinned
+from ...plotting.graphs import pg
 from ...plotting.pixel_map import PixelMap
 from ...plotting.segments import Segments
 from ...plotting.wide_line import RoundLine
@@ -132,8 +132,8 @@ class FunctionLines:
             size = sum(map(len, pieces))
             made = self._made.get(key)
             if made is None or len(made[1]) != size:
-                fresh: QPolygonF = create_qpolygonf(size)
-                made = self._made[key] = (fresh, ndarray_from_qpolygonf(fresh))
+                fresh: QPolygonF = pg.functions.create_qpolygonf(size)
+                made = self._made[key] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
             end = 0
             for vertices in pieces:
                 start, end = end, end + len(vertices)

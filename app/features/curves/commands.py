@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
+from msgspec.structs import replace
+
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.keymap import keys_text
 from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
@@ -20,10 +22,10 @@ from ...actions.strips import (
 )
 from ...document import curve_edits
 from ...document.layers import front_of, in_front
-from ...document.model import Document, Parametrization
+from ...document.model import Curve, Document, Parametrization
 from ...document.paper import is_for_paper
 from ...document.point_group import some_points
-from ...document.several_curves import in_order, named, place_in
+from ...document.several_curves import in_order, named, place_in, whole_curves
 from ...document.shape_edits import at_end, stepped
 from ...document.shapes import shape_of
 from ...document.words import count_of, number
@@ -59,10 +61,17 @@ def _closing(now: Situation) -> str:
 
     Nobody draws it then, and a slip of the finger takes a side from a rectangle.
     """
-    source = now.view.source
-    if now.session.selected.is_editing or now.is_blank or not is_for_paper(now.session.document):
+    session, source = now.session, now.view.source
+    if session.selected.is_editing or now.is_blank or not is_for_paper(session.document):
         return ""
-    return f"Press it again to {'open' if source.is_closed else 'close'} “{source.name}”. Enter edits it."
+    what = whole_curves(session.document, session.selected.chosen or (session.active_index,)).quoted
+    return f"Press it again to {'open' if source.is_closed else 'close'} {what}. Enter edits it."
+
+
+def _with_curves(document: Document, curves: Mapping[int, Curve]) -> Document:
+    """Return the document with other curves in some places."""
+    new = (curves.get(place, curve) for place, curve in enumerate(document.curves))
+    return replace(document, curves=tuple(new))
 
 
 class CurveCommands:
@@ -94,7 +103,7 @@ class CurveCommands:
         full_name="Raise Curve",
         needs=_CURVE_IN_FRONT,
     )
-    @also(CURVE_LIST_MENU(20), OBJECT_BAR(31))
+    @also(OBJECT_BAR(31))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
         self._put("Raise {}", stepped, 1, "one step to the front")
@@ -108,7 +117,7 @@ class CurveCommands:
         full_name="Lower Curve",
         needs=_CURVE_BEHIND,
     )
-    @also(CURVE_LIST_MENU(21), OBJECT_BAR(32))
+    @also(OBJECT_BAR(32))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
         self._put("Lower {}", stepped, -1, "one step to the back")
@@ -123,7 +132,7 @@ class CurveCommands:
         needs=_CURVE_IN_FRONT,
         keywords="bring to front order",
     )
-    @also(CURVE_LIST_MENU(22), OBJECT_BAR(30))
+    @also(OBJECT_BAR(30))
     def _raise_to_top(self) -> None:
         """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
         self._put("Raise {} to top", at_end, 1, "at the top")
@@ -138,7 +147,7 @@ class CurveCommands:
         needs=_CURVE_BEHIND,
         keywords="send to back order",
     )
-    @also(CURVE_LIST_MENU(23), OBJECT_BAR(33))
+    @also(OBJECT_BAR(33))
     def _lower_to_bottom(self) -> None:
         """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
         self._put("Lower {} to bottom", at_end, -1, "at the bottom")
@@ -301,13 +310,28 @@ class CurveCommands:
     )
     @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15), POINT_BAR(41))
     def _reverse(self) -> None:
-        """Run through the curve the other way."""
-        view = self._session.active_view
-        if not view.is_current:
-            self._session.refuse(f"There is no curve to reverse. {view.problem}")
-            return
-        if self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
-            self._session.selected.set_points([])
+        """Run through the curve, or through all that are chosen as wholes, the other way."""
+        session, view = self._session, self._session.active_view
+        several = self._several_whole
+        views = [session.views[place] for place in several] or [view]
+        if not all(each.is_current for each in views):
+            problem = next(each.problem for each in views if not each.is_current)
+            session.refuse(f"There is no curve to reverse. {problem}")
+        elif several:
+            turned = {place: reversed_curve(session.views[place]).curve for place in several}
+            what = whole_curves(session.document, several)
+            if session.change(f"Reverse {what.words}", lambda document: _with_curves(document, turned)):
+                session.say(f"Reversed {what.quoted}.")
+        elif self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
+            session.selected.set_points([])
+
+    @property
+    def _several_whole(self) -> list[int]:
+        """The curves that are chosen as wholes, where these are several and have a course."""
+        session = self._session
+        chosen = session.selected.chosen if not session.selected.is_editing else ()
+        several = [place for place in sorted(chosen) if len(session.document.curves[place].points) > 1]
+        return several if len(chosen) > 1 else []
 
     @action(
         "closeCurve",
@@ -321,15 +345,20 @@ class CurveCommands:
     )
     @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16), POINT_BAR(40))
     def _toggle_closed(self) -> None:
-        """Let the curve return smoothly to its first point, or open it."""
-        session, view = self._session, self._session.active_view
-        closed = not view.source.is_closed
-        if session.change(
-            f"{'Close' if closed else 'Open'} {view.source.name}",
-            lambda document: with_closed(document, session.active_index, view, closed),
-        ):
+        """Let the curve return smoothly to its first point, or open it; likewise all chosen as wholes."""
+        session, views = self._session, self._session.views
+        closed, places = not session.active_curve.is_closed, self._several_whole or [session.active_index]
+        what = whole_curves(session.document, places)
+
+        def edit(document: Document) -> Document:
+            for place in places:
+                if document.curves[place].is_closed != closed:
+                    document = with_closed(document, place, views[place], closed)
+            return document
+
+        if session.change(f"{'Close' if closed else 'Open'} {what.words}", edit):
             undo = keys_text(self._context.actions["undo"].shortcuts()[:1])
-            session.say(f"{'Closed' if closed else 'Opened'} “{view.source.name}” · {undo}: undo")
+            session.say(f"{'Closed' if closed else 'Opened'} {what.quoted} · {undo}: undo")
 
     def _reshape(
         self,

@@ -91,7 +91,7 @@ class PointTableController:
         session.say(f"Pasted {what}{passed}.")
         overwritten = range(top, min(top + height, len(view.source.points)))
         session.selected.set_points(range(top, top + height))
-        self._panel.tell_who_kept(*keepers(view, overwritten, columns))
+        self._panel.tell_who_kept(session.document, *keepers(view, overwritten, columns))
         self._show_points()
 
     def _reset(self, rows: Collection[int], columns: Sequence[Column]) -> None:

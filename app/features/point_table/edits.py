@@ -12,6 +12,7 @@ from ...document import edits
 from ...document.derivatives import DERIVATIVES
 from ...document.edits import EditError
 from ...document.model import Document, Point
+from ...document.paper import vector_word
 from ...document.words import enumerated
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.points.appending import appended_parameter, with_points_appended
@@ -140,12 +141,13 @@ def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -
     return found, explicit_orders(points, found, shown)
 
 
-def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
-    """Return "Point 8 keeps its own velocity"."""
-    kept = [each for each in DERIVATIVES if each.order in orders]
-    if len(indices) == 1:
-        return f"Point {indices[0]} keeps its own {enumerated([each.name for each in kept])}"
-    return f"{len(indices)} points keep their own {enumerated([each.plural for each in kept])}"
+def keeping_sentence(document: Document, indices: Sequence[int], orders: Collection[int]) -> str:
+    """Return "Point 8 keeps its own velocity", or its own handle where it has that."""
+    many = len(indices) != 1
+    kept = enumerated([vector_word(document, order, many=many) for order in sorted(orders)])
+    return (
+        f"{len(indices)} points keep their own {kept}" if many else f"Point {indices[0]} keeps its own {kept}"
+    )
 
 
 def reset_name(indices: Collection[int], columns: Sequence[Column]) -> str:

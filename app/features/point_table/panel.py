@@ -15,6 +15,7 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
 from ...document.edits import EditError
+from ...document.model import Document
 from ...document.words import count_of
 from ...exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from ...qt.labels import Label, html_of
@@ -375,12 +376,12 @@ class PointTable(FollowsTheme, QWidget):
         orders = [column.order for column in self.model.columns]
         return orders.index(POSITION) if width == 2 else 0
 
-    def tell_who_kept(self, indices: list[int], orders: set[int]) -> None:
+    def tell_who_kept(self, document: Document, indices: list[int], orders: set[int]) -> None:
         """Say whose velocities are still those of the old places, and offer to have them estimated."""
         if not indices:
             return
         self._to_reset = indices, [column for column in self.model.columns if column.order in orders]
-        sentence = keeping_sentence(indices, orders)
+        sentence = keeping_sentence(document, indices, orders)
         self._tell(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
         self.said.emit(f"{sentence}; “Reset to estimated” has the rules estimate again.")
 

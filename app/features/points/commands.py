@@ -12,7 +12,8 @@ from ...actions.sections import (
 from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import edits
-from ...document.selection import NONE_FREE, all_points, free_curves
+from ...document.contents import is_content, refusal_of
+from ...document.selection import NONE_FREE, all_points, free_curves, with_points
 from ...view_model.curve.jets import is_explicit
 from ...workbench.context import WindowContext
 
@@ -27,6 +28,21 @@ def _has_explicit(now: Situation) -> bool:
         for order in (1, 2)
         for ahead in (False, True)
     )
+
+
+def _can_be_edited(now: Situation) -> bool:
+    """Whether anything that is chosen, or else the active curve, has points to edit."""
+    session = now.session
+    places = session.selected.chosen or {session.active_index}
+    return session.selected.is_editing or bool(with_points(session.document.curves, places))
+
+
+def _why_not_edited(now: Situation) -> str:
+    curve = now.session.active_curve
+    return refusal_of(curve) if is_content(curve) else ""
+
+
+_WITH_POINTS = Need("a curve with points", _can_be_edited, why=_why_not_edited)
 
 
 class PointCommands:
@@ -55,6 +71,7 @@ class PointCommands:
         CURVE_EDITING,
         icon="spline-pointer",
         checked=lambda now: now.session.selected.is_editing,
+        needs=_WITH_POINTS,
         keywords="points nodes whole curves leave objects",
     )
     @also(CANVAS_MENU(13), CHOSEN_MENU(1), CURVE_LIST_MENU(1))

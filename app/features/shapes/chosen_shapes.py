@@ -9,10 +9,16 @@ from PySide6.QtCore import QPoint
 
 from ...actions.needs import Need
 from ...canvas.canvas import Canvas
+from ...document.selection import with_points
 from ...document.shapes import whole_shapes
 from ...session import Session
 
-A_SHAPE: Final = Need("a shape", lambda now: bool(meant(now.session)) and not now.is_blank)
+AN_OBJECT: Final = Need("a curve", lambda now: bool(meant(now.session)) and not now.is_blank)
+
+A_SHAPE: Final = Need(
+    "a shape",
+    lambda now: bool(with_points(now.session.document.curves, meant(now.session))) and not now.is_blank,
+)
 
 _BESIDE = 6
 """Pixels between a field and the shapes."""

@@ -25,7 +25,7 @@ from ...document.shapes import shape_of
 from ...document.words import count_of
 from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
-from .chosen_shapes import A_SHAPE, meant
+from .chosen_shapes import AN_OBJECT, meant
 from .clip_commands import ClipCommands
 from .corner_commands import CornerCommands
 from .offset_commands import OffsetCommands
@@ -122,7 +122,7 @@ class ShapeCommands:
         "Ctrl+G",
         "group",
         full_name="Group Curves",
-        needs=A_SHAPE,
+        needs=AN_OBJECT,
     )
     @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53), OBJECT_BAR(20))
     def _group(self) -> None:

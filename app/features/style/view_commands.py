@@ -36,7 +36,7 @@ class StyleViewCommands:
     def _show_looks(self) -> None:
         page = self._session.document.page
         width = page.usual_width if page is not None else 0.0
-        self._canvas.drawing.curves.set_looks(Looks(self._store.state.thin_lines, width))
+        self._canvas.drawing.curves.set_looks(Looks(self._store.state.thin_lines, width, page))
 
     def _show_paper(self) -> None:
         wanted, layers = self._store.state.paper(self._session.document, self._theme), self._canvas.layers

@@ -109,8 +109,10 @@ class TangentCommands:
         CURVE_VELOCITIES,
         "",
         "spline-pointer",
-        "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does too",
+        "Give the selected points handles of their own to drag; Alt+drag a point does too",
         needs=HERMITE_POINTS,
+        title=lambda now: f"Pull Out {vector_word(now.session.document, 1).capitalize()}",
+        keywords="handle velocity tangent",
     )
     @also(POINT_MENU(16), POINT_BAR(31))
     def _pull_velocities(self) -> None:

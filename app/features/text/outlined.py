@@ -48,7 +48,7 @@ def _letters(curve: Curve, text: Lettering, names: Names) -> list[Curve]:
     for glyph, style in letters:
         shape = names.different(glyph.letters) if len(glyph.contours) > 1 else ""
         look = Look(replace(style, fill_rule=FillRule.NONZERO), shape, groups, curve.visible)
-        titles = numbered([glyph.letters] * len(glyph.contours))
+        titles = numbered([shape or glyph.letters] * len(glyph.contours))
         paths = [
             ImportedPath(title, look, pieces, closed=True)
             for title, pieces in zip(titles, glyph.contours, strict=False)

@@ -354,7 +354,7 @@ ADD = ToolRecord(
         GestureRow("Click", "add a point"),
         GestureRow(
             "Press and drag",
-            "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: ahead alone",
+            "add a point and set its {handle}; Ctrl or Shift: 15° steps, Alt: ahead alone",
             needs_derivatives=True,
         ),
         GestureRow("Ctrl+click", "add a point at a step of 15°, seen from the last one"),

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from .. import own_data
 from ..basic_shapes import LENGTHS
 from ..form_elements import FORMS, element_of, mapped
 from ..matrices import combined, moved, transform_of
@@ -185,6 +186,17 @@ def note_kinds(source: Source, node: Node, wanted: Wanted) -> None:
         node.set(name or source.sodipodi("nodetypes"), words)
     elif name:
         node.drop(name)
+
+
+def note_own_data(node: Node, wanted: Wanted) -> None:
+    """Have an element say what we know of a shape beside what SVG says; as it is where it does."""
+    data = own_data.of_shape(wanted.outlines)
+    if own_data.read(node.get(own_data.ATTRIBUTE), wanted.pieces) == data:
+        return
+    if words := own_data.words_of(data, wanted.pieces):
+        node.set(own_data.ATTRIBUTE, words)
+    else:
+        node.drop(own_data.ATTRIBUTE)
 
 
 def _form_for(

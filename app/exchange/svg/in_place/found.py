@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,26 +11,31 @@ from itertools import groupby
 from operator import attrgetter
 
 import numpy as np
-from msgspec.structs import replace
+from msgspec.structs import astuple, replace
 
 from curvecore import cubic_path
 from curvecore.arrays import FloatArray
 
 from ....document.content import Content, Lettering, Picture, rough_box
-from ....document.contents import plane_of
+from ....document.contents import plane_of, shortened
 from ....document.empty_layer import EmptyLayer
-from ....document.style import Style
+from ....document.marker import MarkerKind
+from ....document.style import NO_PAINT, FillRule, Style
+from ....document.value import Value
 from ....view_model.curve.curve_view import view_of
 from ...cubics_in import imported, lines
 from ...drawing.outlines import Outline
 from ...errors import ExchangeError
 from ...node_types import guessed
+from ..content_elements import uncut
 from ..groups import Drawn, Group, Settled, is_seen, settled, with_line
 from ..guides import guides_of
 from ..reader import SvgReader
 from ..state import State
 from ..xml_tree import parsed
 from .source import Node, Source, SourceError
+
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +54,8 @@ class Wanted:
         content = self.content
         if isinstance(content, Lettering):
             object.__setattr__(self, "outlines", (_roughly_framed(self.outlines[0], content),))
+        elif isinstance(content, Picture) and not content.link:
+            object.__setattr__(self, "outlines", (uncut(self.outlines[0]),))
 
     @property
     def content(self) -> Content | None:
@@ -66,8 +74,19 @@ class Wanted:
 
     @property
     def style(self) -> Style:
-        """Its style."""
-        return self.outlines[0].style
+        """Its style; of a text and of a picture what is drawn of it."""
+        style = self.outlines[0].style
+        if isinstance(self.content, Picture):
+            return Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips)
+        if self.content is not None:
+            none = MarkerKind.NONE
+            return replace(style, fill_rule=FillRule.NONZERO, start_marker=none, end_marker=none)
+        return style
+
+    @property
+    def is_named_by_words(self) -> bool:
+        """Whether it is called what it shows, as a text without a name is."""
+        return self.content is not None and self.name == shortened(self.content.title)
 
     @property
     def visible(self) -> bool:
@@ -128,6 +147,11 @@ class Found:
         """The text or the picture that it is the frame of."""
         form = self.drawn[0].path.form
         return form if isinstance(form, (Lettering, Picture)) else None
+
+    @property
+    def is_named_by_words(self) -> bool:
+        """Whether it is called what it shows, as a text without a name is."""
+        return self.content is not None and self.name == shortened(self.content.title)
 
     @property
     def style(self) -> Style:
@@ -253,6 +277,15 @@ class Reading:
                 self.layers |= {node} if group.is_layer else set()
 
 
+def by_node(reading: Reading) -> dict[Node, list[Found]]:
+    """Return the shapes that each element shows; where it shows some that have a paint, these."""
+    found: dict[Node, list[Found]] = {}
+    for shape in reading.shapes:
+        found.setdefault(shape.node, []).append(shape)
+    seen = set(reading.seen)
+    return {node: [each for each in shapes if each in seen] or shapes for node, shapes in found.items()}
+
+
 def _roughly_framed(frame: Outline, text: Lettering) -> Outline:
     """Return a text in the frame that a reader without fonts gives it; the letters stay where they are."""
     plane, box = plane_of(text, frame.corners), rough_box(text.lines)
@@ -266,10 +299,21 @@ def same_content(found: Found, wanted: Wanted) -> bool:
     """Whether a shape of the file is the frame of the same as one of the document, or neither is any."""
     one, other = found.content, wanted.content
     if isinstance(one, Lettering) and isinstance(other, Lettering):
-        return one.lines == other.lines
+        return _are_near(one.lines, other.lines)
     if isinstance(one, Picture) and isinstance(other, Picture):
         return one.link == other.link if one.link or other.link else one.data == other.data
     return one is other
+
+
+def _are_near(one: object, other: object) -> bool:
+    """Whether two values are the same, but for rounding."""
+    if isinstance(one, Value) and isinstance(other, Value):
+        return type(one) is type(other) and _are_near(astuple(one), astuple(other))
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_are_near, one, other))
+    if isinstance(one, float) and isinstance(other, float):
+        return math.isclose(one, other, rel_tol=_ROUNDING, abs_tol=_ROUNDING)
+    return one == other
 
 
 def same_course(one: Sequence[FloatArray], other: Sequence[FloatArray], room: float) -> bool:

@@ -35,4 +35,9 @@ def write_content(source: Source, node: Node, found: Found, wanted: Wanted) -> F
     (new,) = source.adopted(content_element(content, Plane(x, -y, (a, -b), (c, -d)), ""))
     node.drop("d")
     node.take_over(new)
+    if wanted.is_named_by_words:
+        for name in [each for each in node.names if each.endswith(":label")]:
+            node.drop(name)
+    else:
+        node.set(source.inkscape("label"), wanted.name)
     return matrix

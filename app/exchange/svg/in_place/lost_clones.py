@@ -25,7 +25,7 @@ def lost_clones(
 
     Not those that a person unlinked.
     """
-    names: defaultdict[str, dict[str, None]] = defaultdict(dict)
+    names: defaultdict[tuple[str, str], dict[str, None]] = defaultdict(dict)
     told = set()
     for entry in plan.entries:
         place = entry.shapes[0]
@@ -34,15 +34,20 @@ def lost_clones(
         now, origin = wanted[place], planner.pairs.get(place)
         if origin is None:
             if now.clone_of:
-                names["it looks otherwise than its original"][f"“{now.name}”"] = None
+                names[_noun(now), "it looks otherwise than its original"][f"“{now.name}”"] = None
             continue
         found = seen[origin]
         is_meant = place in planner.unlinked and motion_of([found], [now], room) is not None
         if found.is_used and found.node not in told and not is_meant:
             told.add(found.node)
             name = name_of(found.drawn[0].anchor.element) or found.name
-            names[_reason(found, now, room, looks)][f"“{name}”"] = None
-    return tuple(_sentence(list(each), reason) for reason, each in names.items())
+            names[_noun(now), _reason(found, now, room, looks)][f"“{name}”"] = None
+    return tuple(_sentence(list(each), *what) for what, each in names.items())
+
+
+def _noun(shape: Wanted) -> str:
+    """Return what a shape is in the file that is no clone."""
+    return shape.content.noun if shape.content is not None else "path"
 
 
 def _reason(found: Found, now: Wanted, room: float, looks: Looks) -> str:
@@ -54,7 +59,7 @@ def _reason(found: Found, now: Wanted, room: float, looks: Looks) -> str:
     return "its original was changed and it was not"
 
 
-def _sentence(names: list[str], reason: str) -> str:
+def _sentence(names: list[str], noun: str, reason: str) -> str:
     if len(names) == 1:
-        return f"The clone {names[0]} became a path, because {reason}."
-    return f"The clones {names_of(names)} became paths; of each, {reason}."
+        return f"The clone {names[0]} became a {noun}, because {reason}."
+    return f"The clones {names_of(names)} became {noun}s; of each, {reason}."

@@ -8,7 +8,9 @@ from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from msgspec.structs import replace
 
+from ....document.content import Lettering
 from .found import Found, Wanted
 
 _Shape = Found | Wanted
@@ -56,7 +58,8 @@ def matched(
     """Return the place of each shape among others.
 
     That of the same name, groups and course first. One that was renamed or put into another group is known by
-    its course, and one that runs otherwise by its name: the likelier of both comes first.
+    its course, and one that runs otherwise by its name: the likelier of both comes first. A text or a picture
+    is known by what it shows, and a text that says something else by its font.
     """
 
     def course(shape: _Shape) -> Hashable:
@@ -71,7 +74,9 @@ def matched(
     keys: tuple[_Key, ...] = (
         lambda shape: (shape.name, shape.groups, course(shape)),
         lambda shape: (shape.name, course(shape)),
+        _shown,
         *((*of_course, *of_name) if by_course else (*of_name, *of_course)),
+        _lettered,
     )
     pairs: dict[int, int] = {}
     left = set(range(len(found)))
@@ -88,3 +93,19 @@ def matched(
         if not left:
             break
     return pairs
+
+
+def _shown(shape: _Shape) -> Hashable:
+    """Return what a frame shows, by which it is known wherever it is; nothing else has the like."""
+    content = shape.content
+    if isinstance(content, Lettering):
+        return shape.groups, content.lines
+    return object() if content is None else (shape.groups, content.link or content.data)
+
+
+def _lettered(shape: _Shape) -> Hashable:
+    """Return the font that a text begins in, and the groups around it."""
+    content = shape.content
+    if not isinstance(content, Lettering):
+        return object()
+    return shape.groups, replace(content.lines[0].runs[0], words="", paint=None)

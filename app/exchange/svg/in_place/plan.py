@@ -114,6 +114,7 @@ class Planner:
         stays = number not in anew and not any(each in self.unlinked for each in places)
         if is_whole and groups is not None and stays:
             is_renamed = wanted.name != found.name and not _is_unnamed(found.node, wanted.name)
+            is_renamed = is_renamed and not (found.is_named_by_words and wanted.is_named_by_words)
             name = wanted.name if is_renamed and len(unit) == 1 else ""
             return Entry(places, groups, number, name=name), found.node
         identity = (found.node.get("id") or "") if len(unit) == 1 else ""

@@ -28,7 +28,6 @@ from ...errors import ExchangeError
 from ...formats import Written
 from ...naming import Names
 from ...rescaled import in_unit
-from .. import own_data
 from ..matrices import combined, is_uneven, mean_scale, moved
 from ..our_own import OurOwn
 from ..sheet import Sheet
@@ -40,11 +39,13 @@ from .courses import (
     move,
     move_whole,
     note_kinds,
+    note_own_data,
     redraw,
 )
 from .empty_layers import arrange_empty_layers, has_empty_layers, set_empty_layers
-from .found import Found, Reading, Wanted, runs_as, same_content
+from .found import Found, Reading, Wanted, by_node, runs_as, same_content
 from .frames import is_unwritten, write_content
+from .letters import reword_texts
 from .looks import Definitions, Looks, declare_style
 from .lost_clones import lost_clones
 from .matching import origins
@@ -212,6 +213,8 @@ class _Round:
         placed = Reading(source)
         if self._move_groups(placed):
             placed = Reading(source)
+        if self._reword_texts(placed, ways):
+            placed = Reading(source)
         set_guides(source, placed, job.document.guides)
         self._definitions = Definitions(Names(source.ids, between="_"))
         self.wrong: list[int | None] = []
@@ -228,12 +231,12 @@ class _Round:
 
     def _adapt_all(self, reading: Reading, ways: dict[int, Way]) -> None:
         """Make all elements show what they should; a clone once that which it shows does."""
-        entries, shapes = list(zip(self._plan.entries, self._placing.nodes, strict=True)), _by_node(reading)
+        entries, shapes = list(zip(self._plan.entries, self._placing.nodes, strict=True)), by_node(reading)
         depths = {node: found[0].clones for node, found in shapes.items()}
         for depth in sorted({depths.get(node, 0) for _, node in entries}):
             if depth:
                 # Where a clone is now, and how it looks, its original says.
-                shapes = _by_node(Reading(self._source))
+                shapes = by_node(Reading(self._source))
             for entry, node in entries:
                 if depths.get(node, 0) != depth:
                     continue
@@ -244,9 +247,20 @@ class _Round:
             for each in self._source.adopted(self._definitions.taken()):
                 each.put_last(definitions(self._source))
 
+    def _reword_texts(self, reading: Reading, ways: dict[int, Way]) -> bool:
+        """Make texts say what they should where they are; return whether some said something else."""
+        known = {
+            node: entry
+            for entry, node in zip(self._plan.entries, self._placing.nodes, strict=True)
+            if entry.number is not None
+        }
+        wanted = {node: [self._job.wanted[each] for each in entry.shapes] for node, entry in known.items()}
+        anew = {node for node, entry in known.items() if ways.get(entry.number or 0) is Way.REDRAWN}
+        return reword_texts(self._source, by_node(reading), wanted, anew)
+
     def _move_groups(self, reading: Reading) -> bool:
         """Move groups of which everything moved alike, with what else is in them; return whether some did."""
-        shapes, done = _by_node(reading), set[str]()
+        shapes, done = by_node(reading), set[str]()
         entries = list(zip(self._plan.entries, self._placing.nodes, strict=True))
         for name, group in self._plan.groups.items():
             inside = [(entry, node) for entry, node in entries if name in entry.groups]
@@ -286,7 +300,7 @@ class _Round:
             else:
                 redraw(self._source, node, wanted[0], inverse_of(matrix))
         if is_own:
-            _note_own_data(node, wanted[0])
+            note_own_data(node, wanted[0])
         return all(
             self._show_as(node, *pair, by, way, is_alone=len(wanted) == 1)
             for pair in zip(found, wanted, strict=True)
@@ -294,7 +308,9 @@ class _Round:
 
     def _motion(self, node: Node, found: list[Found], wanted: list[Wanted], way: Way) -> FloatArray | None:
         """Return how an element is to be moved as it is; None where it is to be drawn anew."""
-        if way is not Way.IN_ITS_PLACE or (len(found) == 1 and is_plain_path(node, found[0])):
+        # A frame cannot be drawn otherwise.
+        is_drawn_anew = way is not Way.IN_ITS_PLACE and found[0].content is None
+        if is_drawn_anew or (len(found) == 1 and is_plain_path(node, found[0])):
             return None
         by = motion_of(found, wanted, self._job.room)
         # Where no line shows it, a clone may be stretched; what has its own frame may always.
@@ -328,8 +344,7 @@ class _Round:
         style = style.mapped(lambda place: _pair(moved(np.array(place), by)))
         # A gradient may hang on the box around the element, which is another one now.
         parts = self._job.looks.differing_of(node, style, wanted.style, with_gradients=way is Way.REDRAWN)
-        own = is_alone and not found.is_used
-        if (parts or found.visible != wanted.visible) and not own:
+        if (parts and found.is_used) or ((parts or found.visible != wanted.visible) and not is_alone):
             return False
         if parts:
             inverse = inverse_of(combined(by, matrix))
@@ -348,7 +363,7 @@ class _Round:
 
     def _check(self, reading: Reading) -> list[int | None]:
         """Return what is not as the document has it; None among it where order or groups are others."""
-        shapes, nodes = _by_node(reading), self._placing.nodes
+        shapes, nodes = by_node(reading), self._placing.nodes
         wrong: list[int | None] = [
             entry.key
             for entry, node in zip(self._plan.entries, nodes, strict=True)
@@ -379,26 +394,6 @@ class _Round:
             and (shape.visible, shape.locked) == (other.visible, other.locked)
             for shape, other in zip(found, wanted, strict=True)
         )
-
-
-def _by_node(reading: Reading) -> dict[Node, list[Found]]:
-    """Return the shapes that each element shows; where it shows some that have a paint, these."""
-    found: dict[Node, list[Found]] = {}
-    for shape in reading.shapes:
-        found.setdefault(shape.node, []).append(shape)
-    seen = set(reading.seen)
-    return {node: [each for each in shapes if each in seen] or shapes for node, shapes in found.items()}
-
-
-def _note_own_data(node: Node, wanted: Wanted) -> None:
-    """Have an element say what we know of a shape beside what SVG says; as it is where it does."""
-    data = own_data.of_shape(wanted.outlines)
-    if own_data.read(node.get(own_data.ATTRIBUTE), wanted.pieces) == data:
-        return
-    if words := own_data.words_of(data, wanted.pieces):
-        node.set(own_data.ATTRIBUTE, words)
-    else:
-        node.drop(own_data.ATTRIBUTE)
 
 
 def _pair(point: FloatArray) -> Vector:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ..escapes import quoted
 from ..names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 
+_LINK = "xlink:href"
 _TOKEN = re.compile(
     r"""(?P<other><!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|<!(?>[^>"']|"[^"]*"|'[^']*')*>)"""
     r"|</[^>]*(?P<end>>)"
@@ -73,7 +74,7 @@ class Node:
     def get(self, name: str) -> str | None:
         """Return an attribute; None without."""
         found = next((each for each in _ATTRIBUTE.finditer(self._attributes) if each[2] == name), None)
-        return _ENTITY.sub(_character, found[4][1:-1]) if found else None
+        return unescaped(found[4][1:-1]) if found else None
 
     def set(self, name: str, value: str) -> None:
         """Set an attribute; a new one stands behind the others, and as they stand."""
@@ -168,6 +169,10 @@ class Node:
         for name in other.names:
             self.set(name, other.get(name) or "")
 
+    def fill(self) -> None:
+        """Take note that there is something in it."""
+        self._is_empty = False
+
     def close_with(self, end: str) -> None:
         """Take note of the tag that ends it, as it is written."""
         self._end = end
@@ -245,7 +250,7 @@ class Source:
         return Node(self.root.name.removesuffix(self.root.tag) + tag)
 
     def adopted(self, text: str) -> list[Node]:
-        """Return elements of SVG that were written without a prefix."""
+        """Return elements of SVG that were written without a prefix, and with the usual one of XLink."""
         around = Node("", is_empty=False)
         _fill(around, text)
         prefix = self.root.name.removesuffix(self.root.tag)
@@ -253,12 +258,20 @@ class Source:
             each.parent = None
             for node in each.walk():
                 node.rename(node.tag, prefix)
+                if (link := node.get(_LINK)) is not None:
+                    node.drop(_LINK)
+                    node.set(self.xlink("href"), link)
         return around.elements
 
     @property
     def ids(self) -> set[str]:
         """All ids."""
         return {each.get("id") or "" for each in self.root.walk()}
+
+
+def unescaped(text: str) -> str:
+    """Return text of XML with the characters that its entities stand for."""
+    return _ENTITY.sub(_character, text)
 
 
 def _fill(around: Node, text: str) -> None:
