@@ -59,10 +59,19 @@ def _density_in_png(data: bytes) -> tuple[float, float] | None:
         length, kind = struct.unpack(">I4s", data[place : place + 8])
         if kind == b"pHYs":
             across, up, unit = struct.unpack(">IIB", data[place + 8 : place + 17])
-            return (across * _INCH, up * _INCH) if unit == 1 else None
+            return (_per_inch(across), _per_inch(up)) if unit == 1 else None
         if kind in (b"IDAT", b"IEND"):
             return None
         place += 12 + length
+
+
+def _per_inch(per_metre: int) -> float:
+    """Return pixels per inch as they were meant: a PNG has whole ones per metre, which people have not.
+
+    Of 96 some programs make 3780, and others 3779.
+    """
+    whole = round(per_metre * _INCH)
+    return float(whole) if abs(whole / _INCH - per_metre) < 1.0 else per_metre * _INCH
 
 
 def _density_in_jpeg(data: bytes) -> tuple[float, float] | None:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from base64 import b64encode
 
+from msgspec.structs import replace
+
 from .. import exchange
 from ..document.content import MOST_DATA, Picture
 from ..document.edits import EditError
 from ..document.form_edits import framed
 from ..document.model import Curve, Document, Vector
+from ..document.style import NO_PAINT
 from ..qt.picture_data import ImageFileError, upright
 
 USUAL_DENSITY = 96.0
@@ -51,7 +54,9 @@ def picture_curve(data: bytes, name: str, title: str, document: Document) -> Cur
         )
     width, height = _fitted(_natural(size, exchange.picture_sizes.density_of(data), document), document)
     corners = [(0.0, height), (width, height), (width, 0.0), (0.0, 0.0)]
-    return framed(Picture(0.0, 0.0, width, height, text), corners, name)
+    frame = framed(Picture(0.0, 0.0, width, height, text), corners, name)
+    # It is shown without a line around it, and says so.
+    return replace(frame, style=replace(frame.style, stroke=NO_PAINT))
 
 
 def _natural(size: Vector, density: Vector | None, document: Document) -> Vector:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from app.document.content import Picture
 from app.document.contents import corners_of
+from app.document.style import NO_PAINT
 from app.exchange.svg.reader import read_svg
 from app.features.import_export.export_commands import ExportCommands
 from app.workbench import placed_pictures
@@ -75,7 +76,8 @@ def test_one_that_is_imported_is_an_object_as_large_as_it_is_on_paper(sheet, imp
         path = picture(tmp_path / name, dots_per_inch=dots)
         imported(path)
         placed = session.document.curves[-1]
-        assert size(placed) == pytest.approx((96 / dots * INCH, 48 / dots * INCH), rel=1e-3)
+        assert size(placed) == pytest.approx((96 / dots * INCH, 48 / dots * INCH))
+        assert (placed.style.fill, placed.style.stroke) == (NO_PAINT, NO_PAINT)
         assert base64.b64decode(placed.form.data) == path.read_bytes()
         assert session.selected.curves == {len(session.document.curves) - 1}
         assert session.undo_stack.undoText() == f"Import {name}"
@@ -155,7 +157,7 @@ def test_one_on_the_clipboard_is_pasted(sheet, tmp_path):
         assert len(pictures(sheet)) == count
         left, bottom, right, top = box(pictures(sheet)[-1])
         assert ((left + right) / 2, (bottom + top) / 2) == pytest.approx((60, 80), abs=2 * sheet.pixel)
-        assert right - left == pytest.approx(2 * INCH, rel=1e-3)
+        assert right - left == pytest.approx(2 * INCH)
         assert session.undo_stack.undoText() == f"Paste {pictures(sheet)[-1].name}"
         assert session.selected.curves == {count - 1}
     # A spreadsheet offers a picture of its cells.
