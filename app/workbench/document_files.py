@@ -32,7 +32,9 @@ from .file_names import (
     file_stem,
     is_misnamed,
     is_svg,
+    kind_to_save,
     path_to_save,
+    proposed_ending,
     why_not_saved_as,
 )
 from .new_documents import as_usual, blank_document, blank_drawing, blank_sketch
@@ -258,16 +260,18 @@ class DocumentFiles:
         """Let the person choose a file and save there; an SVG beside the window, unless that `waits`."""
         foreign = self._foreign
         folder = foreign.path.parent if foreign is not None else self._preferences.last_folder
-        proposed, path = file_stem(self._session) + SUFFIX, self._session.files.path
-        start = path or folder / proposed
-        if is_misnamed(start):
-            start = start.with_name(proposed)
+        stem, path = file_stem(self._session), self._session.files.path
+        start = path or folder / (stem + proposed_ending(self._session.committed))
+        if path is not None and is_misnamed(path):
+            start = path.with_name(stem + SUFFIX)
         if self._session.files.is_read_only:
-            start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
-        name, kind = QFileDialog.getSaveFileName(self._window, "Save As", str(start), SAVED_KINDS)
+            start = start.with_name(f"{stem} copy{SUFFIX}")
+        name, kind = QFileDialog.getSaveFileName(
+            self._window, "Save As", str(start), SAVED_KINDS, kind_to_save(start)
+        )
         if not name:
             return False
-        path = path_to_save(Path(name), kind)
+        path = path_to_save(Path(name), kind, start)
         reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
             # The dialog asked about the name without the suffix, if it asked at all.

@@ -20,12 +20,10 @@ from ...document.shapes import counted_shapes
 from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import (
-    FORMATS,
     ContentKind,
     can_write_back,
     ending_in,
     file_filters,
-    format_of,
     is_document,
 )
 from ...session.next_style import Marked, choose_brought
@@ -105,7 +103,7 @@ class ImportCommands:
 
     def _begin(self, path: Path) -> None:
         def work(report: Report) -> Imported | _OpenTable:
-            form = format_of(path, FORMATS.read)
+            form = exchange.reading.format_to_read(path)
             if form.kind is not ContentKind.TABLE:
                 return as_here(exchange.reading.import_file(path, report=report))
             report(0.0, "Reading")
