@@ -7,6 +7,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
 
 from app.document.contents import corners_of, is_content
 from app.document.edits import move_points
@@ -244,3 +245,111 @@ def test_what_is_drawn_next_is_not_like_a_text(drawing):
     new = session.active_curve
     assert new.parametrization == Parametrization()
     assert new.form is None
+
+
+def runs_of(editor, place=TEXT):
+    """Return words, weight, slant and size of each run of a text, line by line."""
+    lines = editor.session.document.curves[place].form.lines
+    return [[(run.words, run.weight, run.italic, run.size) for run in line.runs] for line in lines]
+
+
+def choose_letters(field, start, count):
+    """Choose letters with the keys."""
+    field.words.setFocus()
+    QTest.keyClick(field.words, Qt.Key.Key_Home, Qt.KeyboardModifier.ControlModifier)
+    for _ in range(start):
+        QTest.keyClick(field.words, Qt.Key.Key_Right)
+    for _ in range(count):
+        QTest.keyClick(field.words, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+
+
+RUNS = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
+    '<text id="t" x="10" y="30" font-size="10" font-family="Curvebench Blocks">plain '
+    '<tspan dy="-4" font-weight="700" fill="#ff0000">raised</tspan> on</text></svg>'
+)
+
+
+@pytest.fixture
+def writing(open_drawing):
+    """A text of several runs, whose words are edited."""
+    editor = open_drawing(RUNS)
+    editor.window.activateWindow()
+    editor.session.selected.choose({0})
+    editor.trigger("editText")
+    yield editor, editor.window.commands[TextCommands].field
+    if editor.window.commands[TextCommands].field.isVisible():
+        press(editor, Qt.Key.Key_Escape)
+
+
+def test_bold_italic_and_size_are_of_the_chosen_letters_live_in_one_step(writing):
+    editor, field = writing
+    begun, steps = editor.session.document, editor.session.undo_stack.index()
+    choose_letters(field, 8, 2)
+    assert field.bold.isChecked()
+    press(editor, Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
+    assert runs_of(editor, 0) == [[
+        ("plain ", 400, False, 10), ("ra", 700, False, 10), ("is", 700, True, 10), ("ed", 700, False, 10),
+        (" on", 400, False, 10),
+    ]]  # fmt: skip
+    runs = editor.session.document.curves[0].form.lines[0].runs
+    # It is raised once, and in one colour still.
+    assert [run.down for run in runs] == [0, -4, 0, 0, 0]
+    assert {run.paint and run.paint.fill for run in runs[1:4]} == {"#ff0000"}
+    QTest.mouseClick(field.bold, Qt.MouseButton.LeftButton)
+    assert runs_of(editor, 0)[0][2] == ("is", 400, True, 10)
+    field.size_edit.setFocus()
+    field.size_edit.selectAll()
+    QTest.keyClicks(field.size_edit, "20")
+    press(editor, Qt.Key.Key_Return)
+    assert runs_of(editor, 0)[0][2] == ("is", 400, True, pytest.approx(20))
+    assert field.words.textCursor().selectedText() == "is"
+    # What is typed behind it is as it is.
+    choose_letters(field, 10, 0)
+    QTest.keyClicks(field.words, "X")
+    assert runs_of(editor, 0)[0][2:4] == [("isX", 400, True, pytest.approx(20)), ("ed", 700, False, 10)]
+    press(editor, Qt.Key.Key_Return)
+    assert editor.session.undo_stack.index() == steps + 1
+    editor.trigger("undo")
+    assert editor.session.document == begun
+
+
+def test_without_chosen_letters_all_change_and_undo_in_the_field_takes_it_back(writing):
+    editor, field = writing
+    begun, steps = editor.session.document, editor.session.undo_stack.index()
+    choose_letters(field, 2, 0)
+    press(editor, Qt.Key.Key_B, Qt.KeyboardModifier.ControlModifier)
+    assert [weight for _, weight, *_ in runs_of(editor, 0)[0]] == [700, 700, 700]
+    press(editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert editor.session.document == begun
+    press(editor, Qt.Key.Key_Return)
+    assert (editor.session.document, editor.session.undo_stack.index()) == (begun, steps)
+
+
+def test_a_font_that_is_pointed_at_is_seen_in_the_chosen_letters_and_forgotten(writing):
+    editor, field = writing
+    begun = editor.session.document
+    choose_letters(field, 0, 5)
+    field.font_box.setFocus()
+    field.font_box.showPopup()
+    QTest.keyClick(field.font_box.view(), Qt.Key.Key_Up)
+    fonts = [run.font for run in editor.session.document.curves[0].form.lines[0].runs]
+    assert fonts[0] != fonts[1] == fonts[3] == ("Curvebench Blocks",)
+    QTest.keyClick(field.font_box.view(), Qt.Key.Key_Escape)
+    editor.settle()
+    assert editor.session.document == begun
+
+
+def test_a_word_of_a_new_text_is_written_bold(open_drawing):
+    editor = open_drawing(RUNS)
+    editor.window.activateWindow()
+    editor.trigger("textTool")
+    editor.click((20, 10))
+    field = editor.window.commands[TextCommands].field
+    QTest.keyClicks(field.words, "two words")
+    choose_letters(field, 4, 5)
+    press(editor, Qt.Key.Key_B, Qt.KeyboardModifier.ControlModifier)
+    field.words.setFocus()
+    press(editor, Qt.Key.Key_Return)
+    (runs,) = runs_of(editor, 1)
+    assert [run[:2] for run in runs] == [("two ", 400), ("words", 700)]

@@ -46,6 +46,7 @@ class TextCommands:
         self._edited: text.rewriting.Written | text.wording.Worded | None = None
         # What the field said of it when it was opened.
         self._begun: Text | None = None
+        self._begun_typed: text.wording.Typed = ()
         self._before = self._session.selected.choice
         self._model = self._session.model
         # Left, bottom and top of its letters.
@@ -86,7 +87,10 @@ class TextCommands:
         if self._has_fonts():
             self._edited = None
             self.field.set_setting(self._setting)
-            self._open(place, self._size or clean_step_within(self._view_height * _SHARE))
+            size = self._size or clean_step_within(self._view_height * _SHARE)
+            is_drawing = kind_of(self._session.committed) is DocumentKind.DRAWING
+            self.field.begin_new(size, has_parts=is_drawing)
+            self._open(place, size)
 
     @action(
         "editText",
@@ -118,7 +122,10 @@ class TextCommands:
             session.refuse(locked_sentence(locked))
             return
         self._edited, self._begun = written, None
-        self.field.begin_with(written.text.words, written.face)
+        if isinstance(written, text.wording.Worded):
+            self.field.begin_again(written.typed, written.scale, written.face)
+        else:
+            self.field.begin_with(written.text.words, written.face)
         self.field.set_setting(written.text.setting)
         self._open((written.text.x, written.text.y), written.text.size)
 
@@ -134,7 +141,7 @@ class TextCommands:
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
         self.field.open_beside(self._area, size, self._session.document.unit)
-        self._begun = self._text
+        self._begun, self._begun_typed = self._text, self._typed
         self._show()
 
     @property
@@ -196,16 +203,25 @@ class TextCommands:
         text = Text(words, face.family, x, y, field.text_size, face.bold, face.italic)
         return replace(text, **field.setting._asdict())
 
+    @property
+    def _typed(self) -> text.wording.Typed:
+        """The letters, each as it looks."""
+        return text.wording.cut(self.field.typed, LONGEST_TEXT)
+
     def _written(self, name: str) -> tuple[Document, range]:
         """Return the document with the text, and the places of its curves."""
         session = self._session
         if isinstance(self._edited, text.wording.Worded) and self._begun is not None:
-            return text.wording.reworded(session.committed, self._edited, self._begun, self._text)
+            return text.wording.reworded(
+                session.committed, self._edited, self._begun, self._text, self._typed
+            )
         if isinstance(self._edited, text.rewriting.Written):
             return text.rewriting.rewritten(session.committed, self._edited, self._text, self._outlines)
         if kind_of(session.committed) is DocumentKind.DRAWING:
             style = text.letters.filled(self._model.style)
-            return text.wording.with_worded(session.committed, style, self._text, session.selected.layer)
+            return text.wording.with_worded(
+                session.committed, style, self._text, self._typed, session.selected.layer
+            )
         return text.letters.with_text(
             session.committed, self._model, name, self._outlines, self._text, session.selected.layer
         )
@@ -250,7 +266,8 @@ class TextCommands:
         """Whether the text that is edited is the same still, and tells what its letters are."""
         edited = self._edited
         if isinstance(edited, text.wording.Worded):
-            return self._text == self._begun
+            is_set = self._begun is not None and self.field.setting == self._begun.setting
+            return is_set and self._typed == self._begun_typed
         if edited is None or edited.is_changed:
             return False
         return self._text == edited.text

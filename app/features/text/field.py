@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
 from PySide6.QtGui import QFont, QKeyEvent
-from PySide6.QtWidgets import QApplication, QFontComboBox, QPlainTextEdit, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QFontComboBox, QToolButton, QWidget
 
 from ...appearance.theme import Theme
+from ...document.content import TextRun
 from ...document.text import Setting
 from ...document.transforms import decimal_sum
 from ...qt.glyphs import Face
@@ -24,45 +27,14 @@ from ...widgets.length_text import read_length
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
 from .setting_row import SettingRow
+from .wording import BOLD, WEIGHTS, Typed
+from .words_edit import WordsEdit, grown
 
 _WIDTH, _FONT_WIDTH = 360, 140
 _LONGEST_SIZE = "00000.000"
-_MOST_LINES, _LEAST = 4, 1e-9
+_LEAST = 1e-9
 _GAP = 10
 """Pixels between the field and the text."""
-
-
-class WordsEdit(Guarded, QPlainTextEdit):
-    """Lines to type into, as high as they are many; Shift+Enter or Ctrl+Enter begins another."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        named(self, "textWords", "Words", "Enter ends the text, Shift+Enter begins another line")
-        self.setPlaceholderText("Type; Enter ends the text")
-        self.setTabChangesFocus(True)
-        self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.fit_height()
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() not in ENTER:
-            super().keyPressEvent(event)
-        elif event.modifiers() & (Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier):
-            self.insertPlainText("\n")
-        else:
-            # It belongs to the frame.
-            event.ignore()
-
-    def fit_height(self) -> None:
-        """Be as high as the lines are many, up to some."""
-        lines, policy = self.blockCount(), Qt.ScrollBarPolicy
-        # One with little room for a single line would show its bar there.
-        self.setVerticalScrollBarPolicy(
-            policy.ScrollBarAlwaysOff if lines <= _MOST_LINES else policy.ScrollBarAsNeeded
-        )
-        lines = min(lines, _MOST_LINES)
-        around = 2 * (self.frameWidth() + round(self.document().documentMargin()))
-        self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + around)
 
 
 class FontBox(Guarded, QFontComboBox):
@@ -71,10 +43,13 @@ class FontBox(Guarded, QFontComboBox):
     Signals
     -------
     pointed_at
-        Another one counts.
+        Another one is to be seen; none any more where that is empty.
+    picked
+        One is chosen.
     """
 
-    pointed_at = Signal()
+    pointed_at = Signal(str)
+    picked = Signal(str)
 
     def __init__(self, family: str) -> None:
         super().__init__()
@@ -85,7 +60,7 @@ class FontBox(Guarded, QFontComboBox):
         self._pointed_at = ""
         self.take(family)
         self.textHighlighted.connect(self._point_at)
-        self.activated.connect(lambda: self._point_at(""))
+        self.activated.connect(self._pick)
         # Not told of in other ways: Escape puts the list away.
         self.view().installEventFilter(self)
 
@@ -102,8 +77,13 @@ class FontBox(Guarded, QFontComboBox):
             line.home(False)
 
     def _point_at(self, family: str) -> None:
-        self._pointed_at = family
-        self.pointed_at.emit()
+        if family != self._pointed_at:
+            self._pointed_at = family
+            self.pointed_at.emit(family)
+
+    def _pick(self) -> None:
+        self._point_at("")
+        self.picked.emit(self.currentFont().family())
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Hide:
@@ -145,13 +125,20 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.setAccessibleName("Text")
         self.text_size, self._unit = 1.0, ""
         self._area: Callable[[], QRect] = QRect
+        # How long a unit of the text is, and whether its letters may differ.
+        self._scale, self._has_parts = 1.0, False
+        self._is_trying = False
         self.words = WordsEdit()
         self.words.textChanged.connect(self._follow_words)
+        self.words.chosen_changed.connect(self._show_chosen)
         self.font_box = FontBox(face.family)
         self.font_box.setMinimumWidth(_FONT_WIDTH)
-        self.font_box.pointed_at.connect(self.changed)
+        self.font_box.pointed_at.connect(self._look_at_font)
+        self.font_box.picked.connect(self._take_font)
         self.bold = self._letter("textBold", "B", "Bold", face.bold)
         self.italic = self._letter("textItalic", "I", "Italic", face.italic)
+        self.bold.clicked.connect(lambda is_on: self._restyle(weight=WEIGHTS[is_on]))
+        self.italic.clicked.connect(lambda is_on: self._restyle(italic=is_on))
         self._make_size_edit()
         self.setting_row = SettingRow()
         self.setting_row.changed.connect(self.changed)
@@ -174,7 +161,8 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.size_edit.left.connect(lambda: self.remark(""))
 
     def _letter(self, name: str, letter: str, title: str, is_on: bool) -> QToolButton:
-        button = tool_button(name, title, f"{title} letters", text=letter)
+        tip = f"{title} letters (Ctrl+{letter}): those that are chosen, else all"
+        button = tool_button(name, title, tip, text=letter)
         font = button.font()
         font.setBold(letter == "B")
         font.setItalic(letter == "I")
@@ -183,7 +171,6 @@ class TextField(ClaimsKeys, OverlayFrame):
         button.setChecked(is_on)
         # Else a click on it would give the focus to the canvas.
         button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        button.clicked.connect(self.changed)
         return button
 
     # What is asked for
@@ -194,8 +181,13 @@ class TextField(ClaimsKeys, OverlayFrame):
         return self.words.toPlainText()
 
     @property
+    def typed(self) -> Typed:
+        """Its letters, and how they look."""
+        return self.words.typed
+
+    @property
     def face(self) -> Face:
-        """The font."""
+        """The font that is shown."""
         return Face(self.font_box.family, self.bold.isChecked(), self.italic.isChecked())
 
     @property
@@ -216,16 +208,36 @@ class TextField(ClaimsKeys, OverlayFrame):
     # Opened and closed
 
     def begin_with(self, text: str, face: Face) -> None:
-        """Have a text and a font to begin with."""
+        """Have a text all of whose letters are in one font to begin with."""
+        self._has_parts = False
         self.words.setPlainText(text)
+        self._show_face(face)
+
+    def begin_new(self, size: float, *, has_parts: bool) -> None:
+        """Have a text of a size to begin with, in the font of the last one, or words that are there."""
+        self._scale, self._has_parts = 1.0, has_parts
+        face = self.face
+        run = TextRun("", (face.family,), size, WEIGHTS[face.bold], face.italic)
+        if has_parts and self.text:
+            self.words.restyle(partial(grown, by=size / self.words.first.size), chosen=False)
+        else:
+            self.words.begin_in(run)
+
+    def begin_again(self, typed: Typed, scale: float, face: Face) -> None:
+        """Have the letters of a text to begin with, a unit of which is so long."""
+        self._scale, self._has_parts = scale, True
+        self.words.begin_with(typed)
+        self._show_face(face)
+
+    def _show_face(self, face: Face) -> None:
         self.font_box.take(face.family)
         self.bold.setChecked(face.bold)
         self.italic.setChecked(face.italic)
 
     def open_beside(self, area: Callable[[], QRect], size: float, unit: str) -> None:
         """Ask for a text of a size, beside the area on the canvas that it takes."""
-        self._area, self.text_size, self._unit = area, size, unit
-        self.size_edit.show_number(size, 6)
+        self._area, self._unit = area, unit
+        self._show_size(size)
         self._suffix.setText(unit)
         self._suffix.setVisible(bool(unit))
         self.remark("")
@@ -250,10 +262,12 @@ class TextField(ClaimsKeys, OverlayFrame):
             self.left.emit()
 
     def claims(self, event: QKeyEvent) -> bool:
-        return event.key() in (*ENTER, Qt.Key.Key_Escape)
+        return event.key() in (*ENTER, Qt.Key.Key_Escape) or self._button_of(event) is not None
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape:
+        if (button := self._button_of(event)) is not None:
+            button.click()
+        elif event.key() == Qt.Key.Key_Escape:
             self.given_up.emit()
         elif event.key() not in ENTER:
             super().keyPressEvent(event)
@@ -263,7 +277,48 @@ class TextField(ClaimsKeys, OverlayFrame):
             # What was typed beside them was taken; one that cannot be used is mended first.
             self.words.setFocus(Qt.FocusReason.OtherFocusReason)
 
+    def _button_of(self, event: QKeyEvent) -> QToolButton | None:
+        is_control = event.modifiers() == Qt.KeyboardModifier.ControlModifier
+        buttons = {Qt.Key.Key_B: self.bold, Qt.Key.Key_I: self.italic}
+        return buttons.get(Qt.Key(event.key())) if is_control else None
+
     # Changes
+
+    def _restyle(self, **fields: object) -> None:
+        self._change(lambda run: replace(run, **fields))
+
+    def _change(self, change: Callable[[TextRun], TextRun]) -> None:
+        """Have the chosen letters, or all where none are, look otherwise."""
+        # What changes letters says so.
+        if not self.words.restyle(change, chosen=self._has_parts):
+            self.changed.emit()
+
+    def _look_at_font(self, family: str) -> None:
+        """Show the letters in a font, until it is another one or none."""
+        if self._is_trying:
+            self._is_trying = False
+            self.words.document().undo()
+        if family and self.text:
+            self._is_trying = True
+            self._restyle(font=(family,))
+        else:
+            self.changed.emit()
+
+    def _take_font(self, family: str) -> None:
+        self._restyle(font=(family,))
+
+    def _show_chosen(self) -> None:
+        """Show font and size of the letters that are chosen."""
+        if not self._has_parts or self.isHidden():
+            return
+        run = self.words.run
+        family = run.font[0] if run.font else ""
+        self._show_face(Face(family, run.weight >= BOLD, run.italic))
+        self._show_size(run.size * self._scale)
+
+    def _show_size(self, size: float) -> None:
+        self.text_size = size
+        self.size_edit.show_number(size, 6)
 
     def _follow_words(self) -> None:
         self.words.fit_height()
@@ -279,9 +334,9 @@ class TextField(ClaimsKeys, OverlayFrame):
             self.size_edit.keep()
             self.remark("A size is greater than 0.")
             return
-        self.text_size = size
-        self.size_edit.show_number(size, 6)
-        self.changed.emit()
+        by = size / self.text_size
+        self._show_size(size)
+        self._change(partial(grown, by=by))
 
     # Look
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
-from difflib import SequenceMatcher
+from itertools import count
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -19,7 +20,7 @@ from ...document.text import LONGEST_TEXT, Text, TextAlign
 from ...qt.contents import fitted, line_step
 from ...qt.glyphs import Face
 
-_BOLD, _WEIGHTS = 600.0, (400.0, 700.0)
+BOLD, WEIGHTS = 600.0, (400.0, 700.0)
 """Weight from which letters count as bold; those of letters that are not, and that are."""
 
 _LINE = 1.25
@@ -27,6 +28,24 @@ _LINE = 1.25
 
 _ALIGNED = dict(zip(Anchor, TextAlign, strict=True))
 _ANCHORS = {align: anchor for anchor, align in _ALIGNED.items()}
+
+
+class Look(NamedTuple):
+    """How letters look, and which run of the text as it was they are of: that begins where it did."""
+
+    run: TextRun
+    source: int
+
+
+class Letters(NamedTuple):
+    """Letters that look alike, one after the other."""
+
+    words: str
+    look: Look
+
+
+Typed = tuple[tuple[Letters, ...], ...]
+"""Lines of letters."""
 
 
 class Worded(NamedTuple):
@@ -38,10 +57,16 @@ class Worded(NamedTuple):
         Of its frame.
     text
         Its words, and the font and the size that its first letters have.
+    typed
+        Its letters.
+    scale
+        How long a unit of it is.
     """
 
     places: range
     text: Text
+    typed: Typed
+    scale: float
     is_changed: bool = False
 
     @property
@@ -75,14 +100,26 @@ def worded_at(document: Document, place: int) -> Worded | None:
             x,
             y,
             run.size * plane.scale,
-            run.weight >= _BOLD,
+            run.weight >= BOLD,
             run.italic,
             align=_ALIGNED[text.lines[0].anchor],
         ),
+        _typed(text.lines),
+        plane.scale,
     )
 
 
-def with_worded(document: Document, style: Style, text: Text, layer: str = "") -> tuple[Document, range]:
+def _typed(lines: Sequence[TextLine]) -> Typed:
+    places = count()
+    return tuple(
+        tuple(Letters(run.words, Look(replace(run, words=""), next(places))) for run in line.runs)
+        for line in lines
+    )
+
+
+def with_worded(
+    document: Document, style: Style, text: Text, typed: Typed, layer: str = ""
+) -> tuple[Document, range]:
     """Return the document with a text in front in a layer, and its place; there must be letters to see.
 
     Raises
@@ -90,19 +127,11 @@ def with_worded(document: Document, style: Style, text: Text, layer: str = "") -
     EditError
         If the numbers are beyond what a document may hold.
     """
-    run = TextRun(
-        "",
-        (text.font,),
-        text.size,
-        _WEIGHTS[text.bold],
-        text.italic,
-        spacing=text.letter_spacing * text.size,
-    )
-    step = text.line_spacing * line_step(run)
+    runs = _runs(typed, text.letter_spacing)
+    most = max((run for line in runs for run in line), key=lambda run: len(run.words))
+    step = text.line_spacing * line_step(most)
     lines = tuple(
-        TextLine(0.0, at * step, (replace(run, words=words),), _ANCHORS[text.align])
-        for at, words in enumerate(" ".join(text.words.split("\t")).split("\n"))
-        if words.strip()
+        TextLine(0.0, at * step, line, _ANCHORS[text.align]) for at, line in enumerate(runs) if _is_seen(line)
     )
     form = lettering(lines, rough_box(lines))
     left, top, right, bottom = form.box
@@ -115,72 +144,80 @@ def with_worded(document: Document, style: Style, text: Text, layer: str = "") -
     return new, range(place, place + 1)
 
 
-def reworded(document: Document, edited: Worded, before: Text, now: Text) -> tuple[Document, range]:
+def reworded(
+    document: Document, edited: Worded, before: Text, now: Text, typed: Typed
+) -> tuple[Document, range]:
     """Return the document with a text that says something else; what was not changed stays as it was."""
     place = edited.places.start
     curve = document.curves[place]
     text = curve.form
     assert isinstance(text, Lettering)
-    said = _lines(text.lines, now.words.split("\n"))
-    lines = tuple(_in_font(line, before, now) for line in said if line.words.strip())
-    apart = now.line_spacing / before.line_spacing * now.size / before.size
-    lines = tuple(replace(each, y=lines[0].y + (each.y - lines[0].y) * apart) for each in lines)
-    if not lines:
+    runs = _runs(typed, now.letter_spacing - before.letter_spacing)
+    anchor = _ANCHORS[now.align] if now.align != before.align else None
+    said = [
+        replace(line, runs=run, anchor=anchor or line.anchor)
+        for line, run in zip(_lines(text.lines, len(runs)), runs, strict=True)
+        if _is_seen(run)
+    ]
+    if not said:
         return document, edited.places
+    apart = now.line_spacing / before.line_spacing * _growth(text.lines, typed)
+    lines = tuple(replace(each, y=said[0].y + (each.y - said[0].y) * apart) for each in said)
     named = curve.name == shortened(text.title)
     new = replace(text, lines=lines)
     made = fitted(replace(curve, form=new, name=shortened(new.title) if named else curve.name))
     return document.with_curve(place, made), edited.places
 
 
-def _lines(before: Sequence[TextLine], words: Sequence[str]) -> list[TextLine]:
-    """Return lines with these words, where those before were; further ones below."""
+def cut(typed: Typed, most: int) -> Typed:
+    """Return the first letters; an end of a line is one, too."""
+    found = list[tuple[Letters, ...]]()
+    for line in typed:
+        if most < 0:
+            break
+        kept = list[Letters]()
+        for letters in line:
+            if words := letters.words[:most]:
+                kept.append(letters._replace(words=words))
+            most -= len(words)
+        found.append(tuple(kept))
+        most -= 1
+    return tuple(found)
+
+
+def _is_seen(runs: Sequence[TextRun]) -> bool:
+    return any(run.words.strip() for run in runs)
+
+
+def _lines(before: Sequence[TextLine], many: int) -> list[TextLine]:
+    """Return so many lines, where those before were; further ones below."""
     step = before[-1].y - before[-2].y if len(before) > 1 else _LINE * before[0].runs[0].size
-    found = list[TextLine]()
-    for number, each in enumerate(words):
-        line = before[min(number, len(before) - 1)]
-        below = step * max(number - len(before) + 1, 0)
-        new = line.words != each or below
-        found.append(replace(line, y=line.y + below, runs=_runs(line.runs, each)) if new else line)
+    found = list(before[:many])
+    return found + [
+        replace(before[-1], y=before[-1].y + below * step) for below in range(1, many - len(found) + 1)
+    ]
+
+
+def _runs(typed: Typed, spacing: float) -> list[tuple[TextRun, ...]]:
+    """Return the runs of lines of letters, further apart by so many sizes."""
+    begun, found = set[int](), list[tuple[TextRun, ...]]()
+    for line in typed:
+        runs = list[TextRun]()
+        for words, (look, source) in line:
+            apart = look.spacing + spacing * look.size
+            run = replace(look, words=words.replace("\t", " "), spacing=apart)
+            # What was parted is moved but once.
+            runs.append(replace(run, right=0.0, down=0.0) if source in begun else run)
+            begun.add(source)
+        found.append(tuple(runs))
     return found
 
 
-def _runs(before: Sequence[TextRun], words: str) -> tuple[TextRun, ...]:
-    """Return the runs of a line with other words: each letter as the one that it takes the place of."""
-    owners = [at for at, run in enumerate(before) for _ in run.words]
-    old, made = "".join(run.words for run in before), list[tuple[int, str]]()
-    for kind, start, end, first, last in SequenceMatcher(None, old, words, autojunk=False).get_opcodes():
-        for at in range(first, last):
-            # What is put between letters is as the one before.
-            owner = start + at - first if kind == "equal" else min(start + at - first, end - 1)
-            owner = owners[max(owner, 0)] if owners else 0
-            if made and made[-1][0] == owner:
-                made[-1] = (owner, made[-1][1] + words[at])
-            else:
-                made.append((owner, words[at]))
-    return tuple(replace(before[owner], words=letters) for owner, letters in made)
-
-
-def _in_font(line: TextLine, before: Text, now: Text) -> TextLine:
-    """Return a line in the font, of the size and at the side that were chosen since."""
-    changed: dict[str, object] = {}
-    if now.font != before.font:
-        changed["font"] = (now.font,)
-    if now.bold != before.bold:
-        changed["weight"] = _WEIGHTS[now.bold]
-    if now.italic != before.italic:
-        changed["italic"] = now.italic
-    grow = now.size / before.size
-    runs = tuple(
-        replace(
-            run,
-            **changed,
-            size=run.size * grow,
-            right=run.right * grow,
-            down=run.down * grow,
-            spacing=run.spacing * grow + (now.letter_spacing - before.letter_spacing) * run.size * grow,
-        )
-        for run in line.runs
-    )
-    anchor = _ANCHORS[now.align] if now.align != before.align else line.anchor
-    return replace(line, runs=runs, anchor=anchor)
+def _growth(before: Sequence[TextLine], typed: Typed) -> float:
+    """Return how many times as large most letters are."""
+    sizes = [run.size for line in before for run in line.runs]
+    found = Counter[float]()
+    for line in typed:
+        for words, (run, source) in line:
+            found[run.size / sizes[source]] += len(words)
+    return found.most_common(1)[0][0]
