@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtCore import QEvent, QObject, QRect, QSignalBlocker, QStringListModel, Qt, Signal
+from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QFontComboBox, QPlainTextEdit, QToolButton, QWidget
 
 from ...appearance.theme import Theme
@@ -26,6 +27,7 @@ from ...widgets.tool_buttons import tool_button
 from .setting_row import SettingRow
 
 _WIDTH, _FONT_WIDTH = 360, 140
+_MAKER = re.compile(r"\s*\[[^\[\]]*\]$")
 _LONGEST_SIZE = "00000.000"
 _MOST_LINES, _LEAST = 4, 1e-9
 _GAP = 10
@@ -65,6 +67,11 @@ class WordsEdit(Guarded, QPlainTextEdit):
         self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + around)
 
 
+def plain_family(family: str) -> str:
+    """Return the name of a family without that of its maker, which Qt adds where there are several."""
+    return _MAKER.sub("", family)
+
+
 class FontBox(Guarded, QFontComboBox):
     """Fonts with outlines: of the list, while it is open, the one pointed at counts.
 
@@ -84,6 +91,7 @@ class FontBox(Guarded, QFontComboBox):
         self.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
         self._pointed_at = ""
         self.take(family)
+        QGuiApplication.instance().fontDatabaseChanged.connect(self._name_each_once)  # type: ignore[union-attr]
         self.textHighlighted.connect(self._point_at)
         self.activated.connect(lambda: self._point_at(""))
         # Not told of in other ways: Escape puts the list away.
@@ -92,17 +100,30 @@ class FontBox(Guarded, QFontComboBox):
     @property
     def family(self) -> str:
         """Family of the font that counts."""
-        return self._pointed_at or self.currentFont().family()
+        return self._pointed_at or plain_family(self.currentFont().family())
 
     def take(self, family: str) -> None:
         """Have another one count."""
-        self.setCurrentFont(QFont(family))
+        self.setCurrentFont(QFont(plain_family(family)))
+        self._name_each_once()
+        self._pointed_at = ""
         if (line := self.lineEdit()) is not None:
             # Of a long name the beginning is seen.
             line.home(False)
 
+    def _name_each_once(self) -> None:
+        """List a family that several makers have once, by its plain name."""
+        fonts, shown = self.model(), self.currentText()
+        assert isinstance(fonts, QStringListModel)
+        names = fonts.stringList()
+        plain = list(dict.fromkeys(map(plain_family, names)))
+        if plain != names:
+            with QSignalBlocker(self):
+                fonts.setStringList(plain)
+                self.setCurrentIndex(self.findText(plain_family(shown)))
+
     def _point_at(self, family: str) -> None:
-        self._pointed_at = family
+        self._pointed_at = plain_family(family)
         self.pointed_at.emit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
