@@ -13,8 +13,8 @@ from curvecore.arrays import FloatArray
 from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
+from ..view_model.boxes.bounds import seen_line_box
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.geometry.clips import seen_box
 
 if TYPE_CHECKING:
     from .scene import CanvasScene
@@ -210,7 +210,8 @@ def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
 
 
 def _seen_of(view: CurveView) -> FloatArray:
-    """Return the extent of a curve, that of what its clips leave of it if they leave something."""
-    clips = view.source.style.clips
-    seen = seen_box(view.drawn_box, clips) if clips and len(view.polyline) else None
-    return view.extent if seen is None else np.array([seen, seen])
+    """Return the extent of a curve, of a clipped one that of what is seen."""
+    if not view.source.style.clips or not len(view.polyline):
+        return view.extent
+    seen = seen_line_box(view)
+    return np.array([seen, seen])

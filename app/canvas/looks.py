@@ -99,15 +99,6 @@ def printed_width(style: Style, shown: PixelMap, usual: float) -> float:
     return usual if style.width is None else style.width * shown.sx
 
 
-def paint_line(
-    painter: QPainter, view: CurveView, style: Style, shown: PixelMap, theme: Theme, usual: float
-) -> None:
-    """Paint the line of a curve in a style, without its inside; `usual` as for `paint_shape`."""
-    width = printed_width(style, shown, usual)
-    ink = Ink(curve_colour(style.stroke, theme), theme.curve, width, theme.curve)
-    paint_printed(painter, parts_of([view], style, shown), style.with_fields({"fill": NO_PAINT}), ink, shown)
-
-
 def paint_shape(
     painter: QPainter,
     shape: Sequence[CurveView],

@@ -19,6 +19,7 @@ from ..tools.transform import TransformKind
 from ..tools.transform_box import Grip, TransformBox
 from .gradient_marks import paint_gradient
 from .label_place import Surroundings, free_corner
+from .selected_curves_layer import BESIDE
 
 _NOTHING = GestureMarks()
 
@@ -111,6 +112,10 @@ class MarksLayer(Layer):
         frame = _rectangle(shown, box.low, box.high)
         if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
             return
+        if box.is_whole:
+            # Beside a straight stroke, and not on it: its colour is seen.
+            beside = BESIDE * self.scale
+            frame = QRectF(frame.adjusted(-beside, -beside, beside, beside).toRect())
         painter.setBrush(Qt.BrushStyle.NoBrush)
         # On whole pixels, where dashes are sharp.
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)

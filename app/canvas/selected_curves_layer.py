@@ -1,4 +1,4 @@
-"""The curves that are selected beside the active one: with halos, or of many boxes, their points as rings."""
+"""The curves that are selected beside the active one: with lines on them or boxes, their points as rings."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from ..plotting.drawing import Stroke
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
+from ..view_model.boxes.bounds import seen_line_box
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
-from .looks import Looks, Shape, line_of, paint_line, printed_width
+from .looks import Looks, Shape, line_of, printed_width
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
@@ -30,7 +31,7 @@ _HALO_SHARE = 0.28
 _HALOS_UP_TO = 12
 """Curves above which boxes mark them: wide lines would take half of the time of a drag of thirty."""
 
-_BESIDE, _BEYOND = 2.0, 8.0
+BESIDE, _BEYOND = 2.0, 8.0
 """Pixels from what a shape prints to its box, and from the picture to the sides of a box that leaves it."""
 
 _RADIUS, _RIM = 3.5, 1.5
@@ -62,7 +63,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             self.update()
 
     def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
-        """Paint the marks of choice and rings into the picture: halos and lines, or of many curves boxes."""
+        """Paint the marks of choice and rings into the picture: lines on curves, or boxes around shapes."""
         views = [view for shape in shapes for view in shape]
         is_many = len(self._views) > _HALOS_UP_TO
         stroke = Stroke()
@@ -70,11 +71,12 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             if self._is_line(view):
                 stroke.show(line_of(view, shown).points, shown)
                 self._paint_line_of(painter, stroke, view, has_halo=not is_many)
-            elif not is_many:
-                stroke.show(line_of(view, shown, self.looks.outline_of(view)).points, shown)
+            elif not is_many and not self._is_fine(view, shown):
                 self._paint_over_print(painter, stroke, view, shown)
-        if is_many:
-            self._paint_boxes(painter, shown, views)
+        # Over a fine line, and on the colours beside it, any other one would hide them.
+        boxed = views if is_many else [view for view in views if self._is_fine(view, shown)]
+        if boxed:
+            self._paint_boxes(painter, shown, boxed)
         if self._has_rings:
             self._paint_rings(painter, shown, views)
 
@@ -86,31 +88,32 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         """Paint the line of a curve that has no looks of its own, or is hidden."""
         is_seen = view.source.visible
         if has_halo:
-            self._paint_halo(painter, stroke, view, _WIDTH)
+            self._paint_halo(painter, stroke, view)
         painter.setPen(
             self._line(self._colour(view), _WIDTH) if is_seen else self._line(self.theme.handle, FAINT_WIDTH)
         )
         stroke.draw(painter)
 
+    def _is_fine(self, view: CurveView, shown: PixelMap) -> bool:
+        """Whether a curve prints a line that is too fine for another one on it."""
+        return not self._is_line(view) and 0 < self._printed_width(view, shown) < _WIDE
+
+    def _printed_width(self, view: CurveView, shown: PixelMap) -> float:
+        return printed_width(self.looks.outline_of(view), shown, _WIDTH * self.scale) / self.scale
+
     def _paint_over_print(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
-        """Mark what a curve prints: a fine line by a halo; a wide one, or an inside, by a thin line on it."""
-        style = self.looks.outline_of(view)
-        width = printed_width(style, shown, _WIDTH * self.scale) / self.scale
-        if 0 < width < _WIDE:
-            self._paint_halo(painter, stroke, view, width)
-            # Over a fine line no other one would leave any of its colour.
-            paint_line(painter, view, style, shown, self.theme, _WIDTH * self.scale)
-            return
-        casing = [(self.theme.paper, _CASED)] if width >= _WIDE else []
+        """Mark what a curve prints, a wide line or an inside, by a thin line on it."""
+        stroke.show(line_of(view, shown, self.looks.outline_of(view)).points, shown)
+        casing = [(self.theme.paper, _CASED)] if self._printed_width(view, shown) else []
         for pen in [*casing, (self.theme.accent, _OVER_PRINT)]:
             painter.setPen(self._line(*pen))
             stroke.draw(painter)
 
-    def _paint_halo(self, painter: QPainter, stroke: Stroke, view: CurveView, width: float) -> None:
+    def _paint_halo(self, painter: QPainter, stroke: Stroke, view: CurveView) -> None:
         # No opacity: where the pieces of a line meet, their caps would be seen.
         halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
         painter.setOpacity(opacity_of(view))
-        painter.setPen(self._line(halo, max(_HALO, width + _HALO - _WIDTH)))
+        painter.setPen(self._line(halo, _HALO))
         stroke.draw(painter)
         painter.setOpacity(1.0)
 
@@ -155,9 +158,9 @@ def _ring(painter: QPainter, radius: float, _form: int) -> None:
 
 def _frames_of(views: Sequence[CurveView], looks: Looks, shown: PixelMap, scale: float) -> list[QRect]:
     """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
-    corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
+    corners = shown.points(np.concatenate([seen_line_box(view) for view in views])).reshape(-1, 2, 2)
     widths = [printed_width(looks.outline_of(view), shown, _WIDTH * scale) for view in views]
-    pads = _BESIDE * scale + np.array(widths)[:, None] / 2
+    pads = BESIDE * scale + np.array(widths)[:, None] / 2
     names = [view.source.shape for view in views]
     starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]
     lows = np.minimum.reduceat(corners.min(axis=1) - pads, starts)

@@ -25,6 +25,7 @@ from app.document.transforms import Affine
 from app.families import HERMITE
 from app.features.import_export.export_commands import ExportCommands
 from app.features.text.commands import TextCommands
+from app.features.text.field import FontBox
 from app.qt.glyphs import Face, outlines_of
 from app.view_model.curve.curve_view import view_of
 
@@ -226,6 +227,32 @@ def test_lines_fonts_and_sizes_are_seen_at_once(drawing):
     assert drawing.window.canvas.viewport().rect().contains(field(drawing).geometry())
     press(drawing, Qt.Key.Key_Return)
     assert drawing.session.undo_stack.undoText() == "Add Text “I I”"
+
+
+def test_a_family_of_several_makers_is_listed_once_by_its_plain_name(qtbot):
+    data, at = FONT.read_bytes(), FONT.read_bytes().index(b"????")
+    fonts = [data[:at] + maker + data[at + 4 :] for maker in (b"ABCD", b"EFGH", b"IJKL")]
+    added = [QFontDatabase.addApplicationFontFromData(font) for font in fonts[:2]]
+    try:
+        assert f"{FAMILY} [EFGH]" in QFontDatabase.families()
+        box = FontBox(f"{FAMILY} [EFGH]")
+        qtbot.addWidget(box)
+
+        def listed():
+            return [box.itemText(at) for at in range(box.count()) if box.itemText(at).startswith(FAMILY)]
+
+        assert (listed(), box.currentText(), box.family) == ([FAMILY], FAMILY, FAMILY)
+        # Fonts that are installed meanwhile are listed in the same way.
+        added.append(QFontDatabase.addApplicationFontFromData(fonts[2]))
+        qtbot.waitUntil(lambda: f"{FAMILY} [IJKL]" in QFontDatabase.families())
+        assert (listed(), box.currentText()) == ([FAMILY], FAMILY)
+        box.take(box.itemText(0))
+        assert (box.family, listed()) == (box.itemText(0), [FAMILY])
+        box.take(FAMILY)
+        assert box.family == FAMILY
+    finally:
+        for each in added:
+            QFontDatabase.removeApplicationFont(each)
 
 
 def test_words_wait_when_something_else_changes_the_document(drawing):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from functools import partial
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject, QRect, Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtCore import QEvent, QObject, QRect, QSignalBlocker, QStringListModel, Qt, Signal
+from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QFontComboBox, QToolButton, QWidget
 
 from ...appearance.theme import Theme
@@ -31,10 +32,16 @@ from .wording import BOLD, WEIGHTS, Typed
 from .words_edit import WordsEdit, grown
 
 _WIDTH, _FONT_WIDTH = 360, 140
+_MAKER = re.compile(r"\s*\[[^\[\]]*\]$")
 _LONGEST_SIZE = "00000.000"
 _LEAST = 1e-9
 _GAP = 10
 """Pixels between the field and the text."""
+
+
+def plain_family(family: str) -> str:
+    """Return the name of a family without that of its maker, which Qt adds where there are several."""
+    return _MAKER.sub("", family)
 
 
 class FontBox(Guarded, QFontComboBox):
@@ -59,6 +66,7 @@ class FontBox(Guarded, QFontComboBox):
         self.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
         self._pointed_at = ""
         self.take(family)
+        QGuiApplication.instance().fontDatabaseChanged.connect(self._name_each_once)  # type: ignore[union-attr]
         self.textHighlighted.connect(self._point_at)
         self.activated.connect(self._pick)
         # Not told of in other ways: Escape puts the list away.
@@ -67,23 +75,37 @@ class FontBox(Guarded, QFontComboBox):
     @property
     def family(self) -> str:
         """Family of the font that counts."""
-        return self._pointed_at or self.currentFont().family()
+        return self._pointed_at or plain_family(self.currentFont().family())
 
     def take(self, family: str) -> None:
         """Have another one count."""
-        self.setCurrentFont(QFont(family))
+        self.setCurrentFont(QFont(plain_family(family)))
+        self._name_each_once()
+        self._pointed_at = ""
         if (line := self.lineEdit()) is not None:
             # Of a long name the beginning is seen.
             line.home(False)
 
+    def _name_each_once(self) -> None:
+        """List a family that several makers have once, by its plain name."""
+        fonts, shown = self.model(), self.currentText()
+        assert isinstance(fonts, QStringListModel)
+        names = fonts.stringList()
+        plain = list(dict.fromkeys(map(plain_family, names)))
+        if plain != names:
+            with QSignalBlocker(self):
+                fonts.setStringList(plain)
+                self.setCurrentIndex(self.findText(plain_family(shown)))
+
     def _point_at(self, family: str) -> None:
+        family = plain_family(family)
         if family != self._pointed_at:
             self._pointed_at = family
             self.pointed_at.emit(family)
 
     def _pick(self) -> None:
         self._point_at("")
-        self.picked.emit(self.currentFont().family())
+        self.picked.emit(plain_family(self.currentFont().family()))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Hide:

@@ -262,6 +262,13 @@ def _exact_line(view: CurveView) -> Line | None:
     return line_of(pieces.controls, pieces.exponent, (xs, ys), is_closed=view.source.is_closed)
 
 
+def seen_line_box(view: CurveView) -> FloatArray:
+    """Return the box of what clips leave of a drawn line, (2, 2), and of all of it if that is nothing."""
+    clips = view.source.style.clips
+    seen = seen_box(view.drawn_box, clips) if clips else None
+    return view.drawn_box if seen is None else seen
+
+
 def around(boxes: Sequence[FloatArray]) -> Bounds | None:
     """Return the box around points, (k, 2) each; None where there are none."""
     if not boxes:
