@@ -13,7 +13,7 @@ import msgspec
 
 from ..view_model.analysis.overlay import Group
 from .needs import CHOSEN, NOTHING, Need
-from .strips import CHOSEN_MENU, CURVE_MENU, Place
+from .strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, Place
 
 MENUS: list[Menu] = []
 """The menus of the menu bar, in order."""
@@ -106,7 +106,9 @@ EDIT_TOOLS = EDIT.section("Tools")
 EDIT_PEN = EDIT.section("Tools")
 EDIT_PENCIL = EDIT.section("Pencil", is_separated=False)
 EDIT_SELECT = EDIT.section()
-EDIT_SAME = EDIT.section("Select Same", is_separated=False, also=[CHOSEN_MENU(20), CURVE_MENU(49)])
+EDIT_SAME = EDIT.section(
+    "Select Same", is_separated=False, also=[CHOSEN_MENU(20), CURVE_MENU(49), CURVE_LIST_MENU(26)]
+)
 EDIT_TRANSFORM = EDIT.section("Transform", is_separated=False)
 EDIT_TRANSFORM_AGAIN = EDIT.section("Transform")
 EDIT_TRANSFORM_BOX = EDIT.section("Transform")
@@ -116,7 +118,9 @@ EDIT_ALIGN_UP = EDIT.section("Align and Distribute")
 EDIT_DISTRIBUTE = EDIT.section("Align and Distribute")
 EDIT_ALIGN_TO = EDIT.section("Align and Distribute")
 EDIT_LAYERS = EDIT.section("Layers", is_separated=False)
-EDIT_LAYER_MOVES = EDIT.section("Layers", also=[CHOSEN_MENU(22), CURVE_MENU(46)], called="Layer")
+EDIT_LAYER_MOVES = EDIT.section(
+    "Layers", also=[CHOSEN_MENU(22), CURVE_MENU(46), CURVE_LIST_MENU(61)], called="Layer"
+)
 EDIT_PAGE = EDIT.section("Page", is_separated=False)
 EDIT_DELETE = EDIT.section(is_separated=False)
 EDIT_CLIPBOARD = EDIT.section()
@@ -148,10 +152,12 @@ CURVE_SETTINGS = CURVE.section("Properties")
 CURVE_NAME = CURVE.section("Properties", is_separated=False)
 CURVE_SHAPES = CURVE.section("Arrange", is_separated=False, also=[CHOSEN_MENU(35)], called="Paths")
 CURVE_PATHS = CURVE.section("Arrange", also=[CHOSEN_MENU(35)], called="Paths")
-CURVE_OFFSETS = CURVE.section("Arrange")
+CURVE_OFFSETS = CURVE.section("Arrange", is_separated=False)
 CURVE_CLIPS = CURVE.section("Arrange")
-CURVE_GROUPS = CURVE.section("Arrange")
-CURVE_ORDER = CURVE.section("Arrange", also=[CHOSEN_MENU(21), CURVE_MENU(45)], called="Order")
+CURVE_GROUPS = CURVE.section("Arrange", is_separated=False)
+CURVE_ORDER = CURVE.section(
+    "Arrange", also=[CHOSEN_MENU(21), CURVE_MENU(45), CURVE_LIST_MENU(20)], called="Order"
+)
 CURVE_WALK = CURVE.section("Arrange", needs=NOTHING)
 
 ANALYSIS = Menu("Analysis")

@@ -14,6 +14,7 @@ from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
 from ..view_model.curve.curve_view import CurveView
+from ..view_model.geometry.clips import seen_box
 
 if TYPE_CHECKING:
     from .scene import CanvasScene
@@ -198,7 +199,7 @@ def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     They are those of the curves, and at most three times as large as their points.
     One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
     """
-    extents = np.array([view.extent for view in views if len(view.points)]).reshape(-1, 2, 2, 2)
+    extents = np.array([_seen_of(view) for view in views if len(view.points)]).reshape(-1, 2, 2, 2)
     points, curves = extents[:, 0], extents[:, 1]
     size = np.ptp(points, axis=1).max(axis=1)
     low = np.maximum(curves[:, 0], points[:, 0] - size[:, None])
@@ -206,3 +207,10 @@ def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     visible = np.maximum(1e-6 * np.abs(high).max(axis=1), 1e-7)
     counts = np.where(size > 0.0, np.maximum((high - low).max(axis=1), visible), 4.0)
     return np.stack([low, high], axis=1), counts
+
+
+def _seen_of(view: CurveView) -> FloatArray:
+    """Return the extent of a curve, that of what its clips leave of it if they leave something."""
+    clips = view.source.style.clips
+    seen = seen_box(view.drawn_box, clips) if clips and len(view.polyline) else None
+    return view.extent if seen is None else np.array([seen, seen])

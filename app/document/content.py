@@ -21,6 +21,9 @@ MOST_LETTERS: Final = 20_000
 MOST_DATA: Final = 24_000_000
 """Characters that the files of all pictures of a drawing take."""
 
+MOST_PIXELS: Final = 64_000_000
+"""Of a picture."""
+
 LONGEST_LINK: Final = 4096
 """Characters of the place of a picture's file."""
 

@@ -50,6 +50,8 @@ def _for_new_spacing(before: Curve, after: Curve, together: Collection[int]) -> 
     if exponent is None:
         return after
     old, new = _spacings(before, exponent), _spacings(after, exponent)
+    if _are_alike(old, new):
+        return after
     whole = sum(old), sum(new)
     if not all(0.0 < total < math.inf for total in whole):
         return after
@@ -62,6 +64,13 @@ def _for_new_spacing(before: Curve, after: Curve, together: Collection[int]) -> 
             factors[index] = far * behind, far * ahead
     pairs = zip(after.points, factors, strict=True)
     return replace(after, points=tuple(stretched_beside(point, *each) for point, each in pairs))
+
+
+def _are_alike(old: Sequence[float], new: Sequence[float]) -> bool:
+    """Whether spacings differ by roundings alone: of what was moved, turned or flipped as a whole."""
+    if len(old) != len(new):
+        return False
+    return all(abs(now - was) <= 0.25 * _NOISE * was for was, now in zip(old, new, strict=True))
 
 
 def _moved(before: Curve, after: Curve, together: Collection[int]) -> frozenset[int]:

@@ -7,6 +7,7 @@ handle pulled out of it is all that it takes to bend it. No Qt, no arrays.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Collection, Iterator
 
@@ -91,10 +92,14 @@ def lines_to_keep(before: Curve, after: Curve) -> list[KeptLine]:
     Not those of which both velocities have been changed, too: they are bent, or mapped with their ends.
     """
     kept = []
-    for segment in _segments_moved(before, after):
+    # Thousands of curves are mapped at once: what takes long is asked of few segments.
+    for segment in _apart(before):
+        chord = chord_of(before, segment)
+        if chord == chord_of(after, segment):
+            continue
         was, now = _ends_in(before, segment), _ends_in(after, segment)
-        if is_line(before, segment) and (was[0] == now[0] or was[1] == now[1]):
-            kept.append(KeptLine(segment, chord_of(before, segment), by_start=was[0] == now[0]))
+        if (was[0] == now[0] or was[1] == now[1]) and is_line(before, segment):
+            kept.append(KeptLine(segment, chord, by_start=was[0] == now[0]))
     return kept
 
 
@@ -116,16 +121,14 @@ def _field(point: Point, *, ahead: bool) -> str:
     return DERIVATIVES[0].after if point.corner and ahead else DERIVATIVES[0].name
 
 
-def _segments_moved(before: Curve, after: Curve) -> Iterator[int]:
-    """Yield the segments of which exactly one end, or both by different ways, have moved."""
-    pairs = zip(before.points, after.points, strict=True)
-    moved = [i for i, (a, b) in enumerate(pairs) if a is not b and a.position != b.position]
-    count = len(before.points)
-    for segment in sorted({index for point in moved for index in ((point - 1) % count, point)}):
-        if (before.is_closed or segment < count - 1) and chord_of(before, segment) != chord_of(
-            after, segment
-        ):
-            yield segment
+def _apart(curve: Curve) -> Iterator[int]:
+    """Yield the segments that have derivatives of their own at both ends: corners, ends of an open curve."""
+    own = [point.corner for point in curve.points]
+    if curve.is_closed:
+        own += own[:1]
+    elif own:
+        own[0] = own[-1] = True
+    return (segment for segment, (start, end) in enumerate(itertools.pairwise(own)) if start and end)
 
 
 def _ends_in(curve: Curve, segment: int) -> tuple[Vector | None, Vector | None]:

@@ -10,6 +10,7 @@ from . import lasting as lasting
 from . import linked as linked
 from . import options as options
 from . import parts as parts
+from . import picture_sizes as picture_sizes
 from . import reading as reading
 from . import rescaled as rescaled
 from . import svg as svg

@@ -8,8 +8,8 @@ from urllib.parse import unquote
 
 from msgspec.structs import replace
 
-from ..document.content import MOST_DATA, Inner, Picture
-from ..document.contents import corners_of, plane_of
+from ..document.content import MOST_DATA, MOST_PIXELS, Inner, Picture
+from ..document.contents import corners_of, plane_of, shortened
 from ..document.model import Curve, Document
 from .picture_sizes import size_of
 
@@ -31,7 +31,8 @@ def words_about_missing(document: Document) -> tuple[str, ...]:
         each.form.link for each in document.curves if isinstance(each.form, Picture) and _is_missing(each)
     )
     return tuple(
-        f"“{Path(link).name or link}” is not in the folder of the drawing: a frame shows where it is."
+        f"“{shortened(Path(link).name or link)}” is no PNG or JPEG picture of up to "
+        f"{MOST_PIXELS // 1_000_000} megapixels in the folder of the drawing: a frame shows where it is."
         for link in dict.fromkeys(links)
     )
 

@@ -13,6 +13,7 @@ from ..document.contents import has_contents
 from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ..storage.files import document_in, read_content
 from ..storage.format_error import FormatError
+from ..storage.unread import clause_about_name
 from ..tasks.progress import Report, silent
 from . import table
 from .errors import ExchangeError
@@ -71,7 +72,7 @@ def import_file(
         If the file cannot be read at all.
     """
     options = options or ImportOptions()
-    form = format_of(path, FORMATS.read)
+    form = format_to_read(path)
     content = read_content(path)
     try:
         found = _imported(Path(path), form, content.data, options, report)
@@ -81,6 +82,19 @@ def import_file(
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
     found = replace(found, digest=content.stamp.digest)
     return found.called(options.only) if options.only else found
+
+
+def format_to_read(path: str | os.PathLike[str]) -> Format:
+    """Return the format of a file that is read.
+
+    Raises
+    ------
+    ExchangeError
+        For an unknown ending; of known kinds that are not read it says what to do.
+    """
+    if clause := clause_about_name(os.fspath(path)):
+        raise ExchangeError(f"{clause[0].upper()}{clause[1:]}.")
+    return format_of(path, FORMATS.read)
 
 
 def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, report: Report) -> Imported:

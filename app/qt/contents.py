@@ -38,6 +38,9 @@ _WIDEST = 4.0
 _EM = 1000
 """Pixels of an em in which outlines of letters are made: next to nothing of them is rounded."""
 
+_PNG = "iVBOR"
+"""How a PNG file begins in Base64."""
+
 Corners = Sequence[Vector]
 """Those of a frame in the plane, from the upper left one on clockwise."""
 
@@ -212,6 +215,8 @@ def paint_picture(
         painter.setTransform(way_of(plane_of(picture, corners)) * way, True)
         painter.setOpacity(painter.opacity() * opacity)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        # A PDF has a drawing with sharp edges as a JPEG otherwise.
+        painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering, picture.data.startswith(_PNG))
         if picture.part != WHOLE:
             painter.setClipRect(QRectF(left, top, right - left, bottom - top), Qt.ClipOperation.IntersectClip)
         painter.drawImage(QRectF(0, 0, 1, 1), image)

@@ -25,6 +25,7 @@ from .kept_before import KeptPicture, KeptText, with_kept
 from .migration import can_migrate, migrated
 from .repeated_keys import repeated_key
 from .setting_check import settings_problem, without_default_settings
+from .unread import clause_about
 from .validation import validate
 
 Values = TypeVar("Values", bound=Value)
@@ -214,6 +215,8 @@ def _refuse_other_text(data: bytes) -> None:
         raise FormatError("the file is empty")
     if data.startswith(_BYTE_ORDER_MARK):
         raise FormatError("the file starts with a byte order mark; save it as UTF-8 without one")
+    if clause := clause_about(data):
+        raise FormatError(clause)
     try:
         data.decode("utf-8")
     except UnicodeDecodeError as problem:

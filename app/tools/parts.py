@@ -94,7 +94,7 @@ def dragged_with(context: ToolContext, hit: Hit) -> str:
     if hit.index in group.of(curve) and group.count > 1:
         return group.words
     source = host.views[curve].source
-    of = f" of “{source.seen_name}”" if curve != host.active_index else ""
+    of = f" of “{source.name}”" if curve != host.active_index else ""
     return f"{source.family.point} {hit.index}{of}"
 
 

@@ -28,6 +28,7 @@ from ..actions.qactions import Actions
 from ..actions.situation import Situation
 from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
+from ..document.model import Vector
 from ..document.paper import kind_of
 from ..plotting.tool_plot import ToolPlot
 from ..qt.overrides import Guarded
@@ -232,7 +233,7 @@ class MainWindow(Guarded, QMainWindow):
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         files = accepted(event)
         if files is not None:
-            self.status_line.show_tip(files.invitation)
+            self.status_line.show_tip(files.invitation(kind_of(self.session.document)))
         elif self.commands.drops.accepts_drawing(event):
             self.status_line.show_tip("Drop to add the drawing here")
 
@@ -247,10 +248,12 @@ class MainWindow(Guarded, QMainWindow):
         self.status_line.show_tip("")
         files = accepted(event)
         if files is not None:
-            self.commands.drops.take(files)
+            self.commands.drops.take(files, at=self._place_of(event))
         elif self.commands.drops.accepts_drawing(event):
-            place = self.canvas.viewport().mapFrom(self, event.position().toPoint())
-            self.commands.drops.take_drawing(event, self.canvas.to_plane(place))
+            self.commands.drops.take_drawing(event, self._place_of(event))
+
+    def _place_of(self, event: QDropEvent) -> Vector:
+        return self.canvas.to_plane(self.canvas.viewport().mapFrom(self, event.position().toPoint()))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.asks_before_closing and not self.context.files.may_discard():

@@ -10,7 +10,8 @@ from typing import Any
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
-from ..document.model import Document
+from ..document.model import Document, Vector
+from ..document.paper import DocumentKind, kind_of
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
 from ..session import Session
@@ -31,7 +32,9 @@ from .file_names import (
     file_stem,
     is_misnamed,
     is_svg,
+    kind_to_save,
     path_to_save,
+    proposed_ending,
     why_not_saved_as,
 )
 from .new_documents import as_usual, blank_document, blank_drawing, blank_sketch
@@ -71,6 +74,8 @@ class DocumentFiles:
         """Opens a file of another format as a new document."""
         self.trace: Callable[[Sequence[Path]], str] = lambda _paths: ""
         """Puts the first of these pictures behind the curves; returns what it says of the others."""
+        self.place: Callable[[Sequence[Path], Vector | None], str] = lambda _paths, _at: ""
+        """Adds these pictures to a drawing, there or in sight; returns what it says of the others."""
         self.save_back: Callable[[bool], bool] | None = None
         """Saves to the file of another format that the document was opened from; returns whether it is saved.
 
@@ -177,6 +182,13 @@ class DocumentFiles:
         else:
             self._after_opening.append(then)
 
+    def take_pictures(self, paths: Sequence[Path], at: Vector | None = None) -> str:
+        """Place pictures in a drawing, there or in sight, trace one in a sketch; return what was left out."""
+        if not paths:
+            return ""
+        is_drawing = kind_of(self._session.document) is DocumentKind.DRAWING
+        return self.place(paths, at) if is_drawing else self.trace(paths)
+
     def why_not(self, path: Path) -> str:
         """Return why a document cannot be opened, as a sentence; empty where it can."""
         try:
@@ -248,16 +260,18 @@ class DocumentFiles:
         """Let the person choose a file and save there; an SVG beside the window, unless that `waits`."""
         foreign = self._foreign
         folder = foreign.path.parent if foreign is not None else self._preferences.last_folder
-        proposed, path = file_stem(self._session) + SUFFIX, self._session.files.path
-        start = path or folder / proposed
-        if is_misnamed(start):
-            start = start.with_name(proposed)
+        stem, path = file_stem(self._session), self._session.files.path
+        start = path or folder / (stem + proposed_ending(self._session.committed))
+        if path is not None and is_misnamed(path):
+            start = path.with_name(stem + SUFFIX)
         if self._session.files.is_read_only:
-            start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
-        name, kind = QFileDialog.getSaveFileName(self._window, "Save As", str(start), SAVED_KINDS)
+            start = start.with_name(f"{stem} copy{SUFFIX}")
+        name, kind = QFileDialog.getSaveFileName(
+            self._window, "Save As", str(start), SAVED_KINDS, kind_to_save(start)
+        )
         if not name:
             return False
-        path = path_to_save(Path(name), kind)
+        path = path_to_save(Path(name), kind, start)
         reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
             # The dialog asked about the name without the suffix, if it asked at all.

@@ -5,13 +5,16 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from .. import exchange
+from ..document.model import Document
+from ..document.paper import DocumentKind, kind_of
 from ..exchange.formats import DOCUMENT_ENDING, FORMATS, endings_of, format_of
 from ..session import Session
 
 SUFFIX = DOCUMENT_ENDING
 _SVG = ".svg"
-_SVG_KIND = f"SVG drawings (*{_SVG})"
-SAVED_KINDS = f"Curvebench documents (*{SUFFIX});;{_SVG_KIND};;All files (*)"
+_KINDS = {f"Curvebench documents (*{SUFFIX})": SUFFIX, f"SVG drawings (*{_SVG})": _SVG}
+SAVED_KINDS = ";;".join([*_KINDS, "All files (*)"])
 """The kinds of files that a document is saved as, for the dialog that asks for a name."""
 
 _LONGEST_STEM = 80
@@ -62,16 +65,40 @@ def is_misnamed(path: Path) -> bool:
     return is_svg(path) or bool(why_not_saved_as(path.name))
 
 
-def path_to_save(typed: Path, kind: str) -> Path:
+def proposed_ending(document: Document) -> str:
+    """Return the ending under which a new document is saved unless somebody wants another one.
+
+    A drawing of which an SVG keeps everything is one: others can open it, too.
+    """
+    counts = {len(curve.points) for curve in document.curves}
+    # A point alone is nothing to draw.
+    if kind_of(document) is not DocumentKind.DRAWING or 1 in counts or counts == {0}:
+        return SUFFIX
+    path, lasting = Path(f"drawing{_SVG}"), exchange.lasting
+    is_kept = not lasting.words_about_loss(document, path) and not lasting.words_about_plain(document, path)
+    return _SVG if is_kept else SUFFIX
+
+
+def kind_to_save(path: Path) -> str:
+    """Return the kind of files of `SAVED_KINDS` that a document is proposed to be saved as."""
+    return next(kind for kind, ending in _KINDS.items() if is_svg(path) == (ending == _SVG))
+
+
+def path_to_save(typed: Path, kind: str, proposed: Path) -> Path:
     """Return where a document is saved for a typed name and a kind of files, as `SAVED_KINDS` has it.
 
-    What is neither JSON nor a file of a known format by its name gets the suffix of documents.
+    The kind counts where it is another than that of the proposed path, and for a name without an ending. What
+    is neither JSON nor a file of a known format by its name gets the suffix of documents.
     """
-    name = typed.name
-    if kind == _SVG_KIND and not is_svg(typed):
-        return typed.with_name(name.removesuffix(SUFFIX) + _SVG)
+    name, ending = typed.name, _KINDS.get(kind, "")
+    first = _KINDS[kind_to_save(proposed)]
+    is_other = ending not in ("", first) and not name.lower().endswith(ending)
+    if is_other and (ending == _SVG or is_svg(typed)):
+        return typed.with_name(
+            name[: -len(first)] + ending if name.lower().endswith(first) else name + ending
+        )
     known = (".json", *endings_of(FORMATS.written))
-    return typed if name.lower().endswith(known) else typed.with_name(name + SUFFIX)
+    return typed if name.lower().endswith(known) else typed.with_name(name + (ending or SUFFIX))
 
 
 def why_not_saved_as(name: str) -> str:

@@ -21,17 +21,19 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, box_edges, end_to_end, require_plane, tolerance_value
+from curvecore.arrays import FloatArray, IntArray, box_edges, end_to_end, require_plane, tolerance_value
 from curvecore.bezier.arcs import Arcs
+from curvecore.bezier.bernstein import evaluate_inside, weighted_columns
 from curvecore.bezier.control_points import drawable_pieces, equal_parts
 from curvecore.bezier.flatten_samples import sampled_pieces
 from curvecore.bezier.polylines import MAX_VERTICES, Pieces, chord_bound, may_enter, merged_pieces, points_at
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import UNIT_ROUNDOFF
+from curvecore.scaling import LIMIT, UNIT_ROUNDOFF
 
 _FINE = 64  # a segment with more pieces is split, so that what is outside the box is left out
 _SPLIT = 8
 _ROUNDS = 20
+_WIDEST = 16  # control points of a segment, for which sums of powers are exact to some digits
 
 
 class ToleranceWarning(UserWarning):
@@ -208,9 +210,11 @@ def flatten_pieces(curve: ParametricCurve, tolerance: float, box: ArrayLike | No
     require_plane(curve.points, "be flattened")
     edges = None if box is None else box_edges(box)
     if len(curve.pieces) > 1:
-        parts = [flatten_pieces(piece, tolerance, box) for piece in curve.pieces]
-        parameters, points, deviations = zip(*parts, strict=True)
-        return Pieces(end_to_end(parameters), end_to_end(points), np.concatenate(deviations))
+        return _chained_pieces(curve, limit, edges) or _pieces_apart(curve, limit, edges)
+    return _pieces_of_one(curve, limit, edges)
+
+
+def _pieces_of_one(curve: ParametricCurve, limit: float, edges: FloatArray | None) -> Pieces:
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         controls = drawable_pieces(curve)
         if controls is not None:
@@ -218,6 +222,39 @@ def flatten_pieces(curve: ParametricCurve, tolerance: float, box: ArrayLike | No
         else:
             pieces = sampled_pieces(curve, limit, edges)
         return merged_pieces(pieces, limit)
+
+
+def _pieces_apart(curve: ParametricCurve, limit: float, edges: FloatArray | None) -> Pieces:
+    """Flatten the curves of a chain one by one, each with as many vertices as a curve may have."""
+    parts = [_pieces_of_one(piece, limit, edges) for piece in curve.pieces]
+    parameters, points, deviations = zip(*parts, strict=True)
+    return Pieces(end_to_end(parameters), end_to_end(points), np.concatenate(deviations))
+
+
+def _chained_pieces(curve: ParametricCurve, limit: float, edges: FloatArray | None) -> Pieces | None:
+    """Flatten a chain at once; its corners stay vertices. None where that is not possible.
+
+    A drawing has thousands of paths with a corner at every other point: one by one, the curves between two
+    corners take ten times as long.
+    """
+    parts = [drawable_pieces(piece) for piece in curve.pieces]
+    controls = [part for part in parts if part is not None]
+    widths = {part.shape[1] for part in controls}
+    if len(controls) < len(parts) or len(widths) > 1 or max(widths) > _WIDEST:
+        return None
+    together, breaks = np.concatenate(controls), curve.breaks
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        arcs = _divided(together, limit, edges)
+        # What is too wild for the vertices of one curve gets those of each; so do bounds that are no numbers.
+        if not arcs.need.sum() <= MAX_VERTICES:
+            return None
+        t, segment, deviation = _uniform_parameters(breaks, arcs)
+        is_corner = np.zeros(len(t), dtype=np.bool_)
+        is_corner[np.searchsorted(t, [piece.domain[0] for piece in curve.pieces[1:]])] = True
+        # Where the point of a corner is not the same for both, that of the curve before it is drawn.
+        segment[is_corner] -= 1
+        points = np.clip(evaluate_inside(t, segment, breaks, weighted_columns(together)), -LIMIT, LIMIT)
+        return merged_pieces(Pieces(t, points, deviation), limit, is_corner)
 
 
 class _Division(NamedTuple):
@@ -242,6 +279,11 @@ class _Division(NamedTuple):
 def _bezier_pieces(
     curve: ParametricCurve, controls: FloatArray, tolerance: float, box: FloatArray | None
 ) -> Pieces:
+    t, _segment, deviation = _uniform_parameters(curve.breaks, _divided(controls, tolerance, box))
+    return Pieces(t, points_at(curve, t), deviation)
+
+
+def _divided(controls: FloatArray, tolerance: float, box: FloatArray | None) -> _Division:
     ends = np.arange(len(controls) + 1, dtype=np.float64)
     arcs = Arcs(controls, ends[:-1], ends[1:])
     done: list[_Division] = []
@@ -263,11 +305,11 @@ def _bezier_pieces(
         arcs = arcs.taken(~fine).halved().halved().halved()
     together = _Division(*(np.concatenate(column) for column in zip(*done, strict=True)))
     order = np.argsort(together.start, kind="stable")
-    return _uniform_pieces(curve, _Division(*(each[order] for each in together)))
+    return _Division(*(each[order] for each in together))
 
 
-def _uniform_pieces(curve: ParametricCurve, arcs: _Division) -> Pieces:
-    breaks = curve.breaks
+def _uniform_parameters(breaks: FloatArray, arcs: _Division) -> tuple[FloatArray, IntArray, FloatArray]:
+    """Return the vertices' parameters, the segments they are in, and bounds of the pieces between them."""
     room = max(MAX_VERTICES, 4 * len(breaks)) - 1
     # Data that differ by hundreds of orders of magnitude may ask for more than any number, or for none.
     need = np.fmin(arcs.need, room)
@@ -278,8 +320,9 @@ def _uniform_pieces(curve: ParametricCurve, arcs: _Division) -> Pieces:
     segment = np.minimum(position.astype(np.intp), len(breaks) - 2)
     t = breaks[segment] + (position - segment) * (breaks[segment + 1] - breaks[segment])
     t = np.append(np.minimum(t, breaks[segment + 1]), breaks[-1])
+    segment = np.append(segment, len(breaks) - 2)
     deviation = (arcs.bound / need**2)[arc]
-    distinct = t[1:] > t[:-1]
+    distinct = np.append(t[1:] > t[:-1], True)
     if not distinct.all():
-        t, deviation = np.append(t[:-1][distinct], t[-1]), deviation[distinct]
-    return Pieces(t, points_at(curve, t), deviation)
+        t, segment, deviation = t[distinct], segment[distinct], deviation[distinct[:-1]]
+    return t, segment, deviation

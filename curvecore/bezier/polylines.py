@@ -95,8 +95,8 @@ def segment_distance(points: FloatArray, start: FloatArray, end: FloatArray) -> 
     return np.hypot(rest[..., 0], rest[..., 1])
 
 
-def merged_pieces(pieces: Pieces, tolerance: float) -> Pieces:
-    """Leave out the vertices that the tolerance does not need.
+def merged_pieces(pieces: Pieces, tolerance: float, is_fixed: BoolArray | None = None) -> Pieces:
+    """Leave out the vertices that the tolerance does not need, but those that are fixed, (k + 1,).
 
     A chord of two pieces is at most as far from the curve as the worse of
     their own chords is, plus the middle vertex's distance from it.
@@ -109,11 +109,14 @@ def merged_pieces(pieces: Pieces, tolerance: float) -> Pieces:
         joined = np.maximum(deviation[middle - 1], deviation[middle])
         joined += segment_distance(points[middle], points[middle - 1], points[middle + 1])
         dropped = joined <= tolerance
+        if is_fixed is not None:
+            dropped &= ~is_fixed[middle]
         deviation[middle[dropped] - 1] = joined[dropped]
         # Straight parts halve in every round; a few vertices more are not worth another one.
         idle = 0 if 32 * np.count_nonzero(dropped) > t.size else idle + 1
         kept = np.ones(t.size, dtype=bool)
         kept[middle[dropped]] = False
         t, points, deviation = t[kept], points[kept], deviation[kept[:-1]]
+        is_fixed = None if is_fixed is None else is_fixed[kept]
         offset = 1 - offset
     return Pieces(t, points, deviation)

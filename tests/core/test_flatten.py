@@ -7,6 +7,7 @@ from hypothesis.strategies import integers, lists, sampled_from
 
 from curvecore import (
     MAX_VERTICES,
+    Chain,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
@@ -20,6 +21,7 @@ from curvecore import (
     natural_spline_velocities,
     uniform,
 )
+from tests.effort import calls_of
 
 
 def distances(curve, parameters, box=None, samples=40):
@@ -304,3 +306,54 @@ def test_curves_that_run_to_and_fro_stay_within_the_tolerance(along, slope, widt
     size = np.ptp(curve.evaluate(np.linspace(0.0, 1.0, 200)), axis=0).max()
     tolerance = size / fineness
     assert distances(curve, flatten_parameters(curve, tolerance)) <= tolerance
+
+
+def chain(rng, count, made=HermiteCurve, joints=3):
+    """Curves of as many joints end to end, with corners between them; the first and the last are straight."""
+    points = np.cumsum(rng.normal(size=(count * (joints - 1) + 1, 2)), axis=0)
+    straight = np.array([1.0, 0.5])
+    points[: 2 * joints - 1] = straight * np.arange(2 * joints - 1)[:, None]
+    pieces = []
+    for index in range(count):
+        own = slice(index * (joints - 1), (index + 1) * (joints - 1) + 1)
+        slopes = rng.normal(size=(joints, 2)) if index > 1 else np.tile(straight, (joints, 1))
+        t = np.arange(own.start, own.stop, dtype=float)
+        pieces.append(made(points[own], slopes, t) if made is HermiteCurve else made(points[own], t))
+    return Chain(pieces)
+
+
+@pytest.mark.parametrize("made", [HermiteCurve, LagrangeCurve])
+@pytest.mark.parametrize("box", [None, (-1.0, -1.0, 2.0, 2.0)])
+@pytest.mark.parametrize("tolerance", [1.0, 1e-2, 1e-4])
+def test_a_chain_is_within_tolerance_and_keeps_its_corners(rng, made, box, tolerance):
+    curve = chain(rng, 9, made)
+    pieces = flatten_pieces(curve, tolerance, box)
+    assert (np.diff(pieces.parameters) > 0.0).all()
+    corners = [piece.domain[0] for piece in curve.pieces] + [curve.domain[1]]
+    assert np.isin(corners, pieces.parameters).all()
+    np.testing.assert_allclose(pieces.points, curve.evaluate(pieces.parameters), atol=1e-13)
+    assert pieces.reached <= tolerance
+    for piece in curve.pieces:
+        first, last = np.searchsorted(pieces.parameters, piece.domain)
+        assert distances(piece, pieces.parameters[first : last + 1], box) <= tolerance * (1.0 + 1e-9)
+
+
+def test_where_a_chain_jumps_the_end_of_the_curve_before_is_drawn():
+    before = HermiteCurve([[0, 0], [1, 0]], [[1, 0], [1, 0]], [0, 1])
+    after = HermiteCurve([[1, 1], [2, 1]], [[1, 0], [1, 0]], [1, 2])
+    assert flatten_pieces(Chain([before, after]), 0.1).points.tolist() == [[0, 0], [1, 0], [2, 1]]
+
+
+def test_a_wild_chain_has_vertices_for_each_of_its_curves(rng):
+    curve = chain(rng, 4)
+    wild = curve.with_jets(curve.jets * 1e9)
+    pieces = flatten_pieces(wild, 1e-3)
+    assert len(pieces.parameters) > MAX_VERTICES
+    assert np.isfinite(pieces.points).all()
+
+
+def test_more_corners_take_hardly_more_calls(rng):
+    """Some 250 for each curve between two corners, when they were flattened apart."""
+    few, many = (chain(rng, count) for count in (5, 45))
+    calls = [calls_of(lambda curve=curve: flatten_pieces(curve, 1e-2)) for curve in (few, many)]
+    assert calls[1] - calls[0] < 40 * 60

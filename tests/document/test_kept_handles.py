@@ -7,6 +7,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.edits import EditError, delete_points, move_points, set_position
+from app.document.kept_handles import with_handles_kept
 from app.document.model import (
     Curve,
     Document,
@@ -17,6 +18,7 @@ from app.document.model import (
 from app.document.transforms import rotation, scaling, step_points, transform_points
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
+from tests.effort import calls_of
 
 BY_DISTANCE = (
     Parametrization(ParametrizationKind.CHORD_LENGTH),
@@ -175,3 +177,29 @@ def test_a_derivative_beyond_what_a_document_may_hold_is_refused():
     before = Document((Curve("Tiny", HERMITE, BY_DISTANCE[0], points),))
     with pytest.raises(EditError, match="derivative"):
         move_points(before, 0, {2}, (1.0, 0.0))
+
+
+@pytest.mark.parametrize("rule", BY_DISTANCE)
+@pytest.mark.parametrize(("is_corner", "calls"), [(False, 19), (True, 50)])
+def test_what_goes_as_a_whole_keeps_its_derivatives_and_costs_little(rule, is_corner, calls):
+    """Thousands of curves are moved at once."""
+    points = [
+        Point(np.cos(k), np.sin(3 * k), velocity=(1.0 + k, 2.0), corner=is_corner, velocity_after=(1.0, -k))
+        for k in range(300)
+    ]
+    before = Curve("Whole", HERMITE, rule, tuple(points))
+    # Distances differ by roundings; the second map has turned the derivatives.
+    for x, sign in ((0.1, 1.0), (0.2, -1.0)):
+        there = [
+            replace(
+                each,
+                x=sign * each.x + x,
+                y=each.y + 0.7,
+                velocity=(sign * each.velocity[0], 2.0),
+                velocity_after=(sign, each.velocity_after[1]),
+            )
+            for each in points
+        ]
+        after = replace(before, points=tuple(there))
+        assert with_handles_kept(before, after, range(300)) == after
+        assert calls_of(lambda after=after: with_handles_kept(before, after, range(300))) < 300 * calls

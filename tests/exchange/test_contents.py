@@ -153,7 +153,25 @@ def test_pictures_are_read_from_the_folder_of_their_drawing_and_from_nowhere_els
     assert [bool(each.data) for each in pictures] == [True] * len(near) + [False] * len(far)
     # It keeps its proportions in the middle of its place.
     assert pictures[0].part == (0.0, -0.5, 1.0, 1.5)
-    assert words_about_missing(document)[0].startswith("“d.png” is not in the folder of the drawing")
+    assert words_about_missing(document)[0].startswith("“d.png” is no PNG or JPEG picture of up to 64")
+
+
+def test_what_is_too_large_is_told_and_not_read(tmp_path):
+    """A picture of a thousand megapixels takes a megabyte; it was drawn as nothing, without a word."""
+    head = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + (40_000).to_bytes(4, "big") * 2
+    held = base64.b64encode(head).decode()
+    text = f"<text>{'a' * MOST_LETTERS}</text>"
+    data = file_of(f'{LINE}<image width="9" height="9" href="data:image/png;base64,{held}"/>{text}{text}')
+    found = read_svg(data)
+    assert [each.why for each in found.missed] == [
+        "it is no PNG or JPEG picture of up to 64 megapixels, or too much beside others",
+        "of all texts 20000 letters are read",
+    ]
+    assert [each.form and each.form.noun for each in found.document.curves] == [None, "picture", "text"]
+    assert found.document.curves[1].form.data == ""
+    (tmp_path / "large.png").write_bytes(head)
+    linked = kept('<image width="9" height="9" href="large.png"/>')
+    assert with_files(linked, tmp_path) == linked
 
 
 def test_files_and_other_units_keep_them(tmp_path):
@@ -444,6 +462,9 @@ def test_copies_come_into_the_file_and_what_went_comes_back():
     copied = add_copies(begun, {2, 3, 6}).document
     written = rewritten(data, copied, begun).data
     assert (written.count(b"<text"), written.count(b"<image")) == (6, 2)
+    # Inkscape 1.2 shows a picture by no other name; that of the file is as it was.
+    assert (written.count(b" href="), written.count(b"xlink:href=")) == (1, 1)
+    assert svg_of(copied, Options(unit="mm")).data.count(b"xlink:href=") == 2
     again = from_lower_left(read_svg(written).document)
     assert [each.groups for each in again.curves] == [each.groups for each in copied.curves]
     for mine, read in zip(places(copied), places(again), strict=True):

@@ -16,7 +16,6 @@ from app.document.several_curves import stepped, whole_curves
 from app.document.shapes import tidy_shapes, whole_shapes
 from app.document.transforms import rotation, transform_points
 from app.exchange.drawing.drawing import drawing_of
-from app.exchange.drawing.extents import extent_of
 from app.exchange.formats.pictures import read
 from app.exchange.options import DEFAULT, Options
 from app.exchange.rescaled import in_unit
@@ -25,6 +24,7 @@ from app.exchange.svg.in_place.source import Source
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import with_changes
 from app.tasks.progress import silent
+from app.view_model.geometry.extents import extent_of
 from app.view_model.shapes.formed import formed, with_form
 
 DATA = Path(__file__).parents[1] / "data"

@@ -16,7 +16,6 @@ from app.document.model import Document, Page, make_curve
 from app.document.style import Style
 from app.exchange.choice import ExportChoice, choice_from
 from app.exchange.drawing.drawing import drawing_of
-from app.exchange.drawing.extents import extent_of
 from app.exchange.drawing.image import png_preview
 from app.exchange.drawing.trim import trimmed
 from app.exchange.errors import ExchangeError
@@ -29,6 +28,7 @@ from app.exchange.units import MILLIMETRES, known_unit
 from app.exchange.writing import export
 from app.families import HERMITE
 from app.storage.files import save
+from app.view_model.geometry.extents import extent_of
 
 pytestmark = pytest.mark.usefixtures("qapp")
 

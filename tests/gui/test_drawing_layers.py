@@ -9,6 +9,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLabel
 
+from app.actions.strips import CURVE_LIST_MENU
 from app.document.layers import layer_of, with_layer_looks
 from app.document.shape_edits import moved_into
 from app.exchange.options import Options
@@ -18,6 +19,7 @@ from app.exchange.svg.writer import svg_of
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.storage.format import decode, encode
 from app.tools.canvas.select import SELECT
+from app.workbench.strip_menu import strip_menu
 from tests.gui.curve_rows import rows, view_of
 
 LEFT = Qt.MouseButton.LeftButton
@@ -322,6 +324,7 @@ def test_a_layer_has_a_short_menu_of_its_own(layered):
         "newLayer",
         "raiseLayer",
         "lowerLayer",
+        "selectAllInLayer",
         "deleteLayer",
     ]
     assert entries["renameLayer"].isEnabled()
@@ -428,3 +431,30 @@ def test_with_everything_deleted_the_next_drawing_comes_into_the_same_layer(laye
     layered.trigger("undo")
     layered.trigger("undo")
     assert layered.session.document == before
+
+
+def test_all_in_a_layer_is_chosen_and_nothing_locked_or_of_another_layer(layered):
+    session = layered.session
+    layered.trigger("selectAllInLayer")
+    assert {session.document.curves[at].name for at in session.selected.chosen} == {"left", "right"}
+    assert session.selected.layer == "Art"
+    click_row(layered, "Back")
+    layered.trigger("selectAllInLayer")
+    assert {session.document.curves[at].name for at in session.selected.chosen} == {"ground"}
+    click_row(layered, "Sketch")
+    before = session.selected.choice
+    layered.trigger("selectAllInLayer")
+    assert layered.status == "“Sketch” has no curve that is seen and not locked."
+    assert session.selected.choice == before
+
+
+def test_the_menu_of_a_row_has_the_submenus_of_the_canvas(layered):
+    """Order stood there entry by entry, layers and looks not at all."""
+    menu = strip_menu(layered.window.context, CURVE_LIST_MENU)
+    submenus = {each.text(): each.menu() for each in menu.actions() if each.menu()}
+    assert list(submenus) == ["Order", "Select Same", "Layer"]
+    names = {each.objectName() for each in menu.actions()}
+    assert "raiseCurve" not in names
+    of_layers = {each.objectName() for each in submenus["Layer"].actions()} - {""}
+    assert of_layers == {"moveToLayerAbove", "moveToLayerBelow"}
+    assert {"raiseCurve", "lowerToBottom"} <= {each.objectName() for each in submenus["Order"].actions()}

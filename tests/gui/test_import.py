@@ -579,6 +579,12 @@ def test_another_document_comes_in_too(editor, tmp_path):
         ("a.dxf", "  0\nSECTION\n", "cut off"),
         ("a.csv", "", "The file is empty"),
         ("a.json", "{", "a.json was not imported. It is not JSON; the file ends too early."),
+        (
+            "a.PDF",
+            "%PDF-1.5",
+            "a.PDF was not imported. It is a PDF, which is not read here; open it in Inkscape",
+        ),
+        ("a.ai", "%PDF-1.5", "It is an Illustrator drawing, which is not read here; open it in Inkscape and"),
         ("a.gif", "GIF89a", "does not end in a known format"),
     ],
 )

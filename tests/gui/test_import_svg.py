@@ -246,7 +246,7 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     editor.trigger("undo")
     assert session.files.is_modified
     editor.trigger("saveDocumentAs")
-    assert saved == [str(tmp_path / "badge.curve.json")]
+    assert saved == [str(path)]
     assert sorted(each.name for each in tmp_path.iterdir()) == ["badge.svg", "badge.svg.before.bak"]
 
 

@@ -210,10 +210,10 @@ def test_saving_proposes_drawing_and_forms_are_named_by_what_they_are(drawing, m
     assert drawing.session.document.curves[-1].name not in taken
     proposed = []
 
-    def ask(_window, _title, start, _kinds):
-        proposed.append(Path(start).name)
+    def ask(_window, _title, start, _kinds, kind):
+        proposed.append((Path(start).name, kind))
         return "", ""
 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
     drawing.trigger("saveDocumentAs")
-    assert proposed == ["Drawing.curve.json"]
+    assert proposed == [("Drawing.svg", "SVG drawings (*.svg)")]

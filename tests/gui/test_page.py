@@ -213,6 +213,18 @@ def colour_at(editor, x, y):
     return image.pixelColor(round(pixel.x() * ratio), round(pixel.y() * ratio))
 
 
+def test_a_tall_page_is_shown_as_wide_as_there_is_room_for(drawn):
+    assert not drawn.action("fitPageWidth").isEnabled()
+    drawn.session.change("Page", lambda document: replace(document, page=Page(0.0, 0.0, 8.0, 80.0)))
+    drawn.trigger("fitPage")
+    whole = drawn.window.canvas.pixel_map
+    drawn.trigger("fitPageWidth")
+    shown = drawn.window.canvas.pixel_map
+    assert 8 * whole.sx < shown.width / 4
+    assert 0.7 * shown.width < 8 * shown.sx < shown.width
+    assert shown.plane(shown.width / 2, shown.height / 2) == pytest.approx((4.0, 40.0), abs=0.05)
+
+
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
 def test_a_page_is_seen_as_it_prints_until_the_person_chooses_otherwise(drawn, mode):
     """In the dark the page was black, and ink on it white; in the light it was as grey as all around it."""

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog
 
+from app.document.model import make_curve
 from app.document.several_curves import mapped, whole_curves
 from app.document.transforms import skewing
 from app.exchange.svg.reader import read_svg
+from app.families import HERMITE, LAGRANGE
 from app.storage.files import load
 from app.workbench.file_names import SAVED_KINDS, title_of
 
 pytestmark = pytest.mark.usefixtures("drawings_read_here")
 
-ANY, SVG = "", SAVED_KINDS.split(";;")[1]
+ANY, (OWN, SVG, _) = "", SAVED_KINDS.split(";;")
 A4 = 297.0
 
 
@@ -28,13 +31,15 @@ def save_as(editor, tmp_path, monkeypatch):
     def save(name, kind=ANY):
         answer = str(tmp_path / name), kind
         monkeypatch.setattr(
-            QFileDialog, "getSaveFileName", lambda *words: proposed.append(words[2]) or answer
+            QFileDialog,
+            "getSaveFileName",
+            lambda *words: proposed.append(words[2]) or kinds.append(words[4]) or answer,
         )
         editor.trigger("saveDocumentAs")
         editor.wait_for_work()
 
-    proposed = []
-    save.proposed = proposed
+    proposed, kinds = [], []
+    save.proposed, save.kinds = proposed, kinds
     return save
 
 
@@ -78,6 +83,39 @@ def test_a_document_saved_as_svg_is_one_and_stands_for_it_from_then_on(editor, s
         "own a.curve.json",
         "own b.curve.json",
     ]
+
+
+def test_a_drawing_that_an_svg_keeps_is_proposed_as_one(editor, save_as, tmp_path):
+    """It was a file that no other program opens, unless somebody found the list of kinds."""
+    session = editor.session
+    for typed, kind, name in (
+        ("left.svg", OWN, "left.curve.json"),
+        ("bare", SVG, "bare.svg"),
+        ("own.curve.json", SVG, "own.curve.json"),
+    ):
+        session.files.begin(session.document)
+        save_as(typed, kind)
+        assert (save_as.proposed[-1].rsplit("/")[-1], save_as.kinds[-1]) == ("Drawing.svg", SVG)
+        assert editor.status.startswith(f"Saved {name}")
+        assert (tmp_path / name).exists()
+    assert holds(tmp_path / "bare.svg", editor)
+    # One with a file of ours stays that.
+    save_as("again.curve.json", OWN)
+    assert (save_as.proposed[-1], save_as.kinds[-1]) == (str(tmp_path / "own.curve.json"), OWN)
+    drawn, places = session.document, [(10.0, 10.0), (20.0, 40.0), (60.0, 20.0)]
+    for family, page, count, kind in (
+        (LAGRANGE, drawn.page, 3, OWN),
+        (HERMITE, None, 3, OWN),
+        (HERMITE, drawn.page, 3, SVG),
+        (HERMITE, drawn.page, 1, OWN),
+        (HERMITE, drawn.page, 0, OWN),
+    ):
+        curve = make_curve(places[:count], family=family)
+        session.files.begin(replace(drawn, curves=(curve,), page=page))
+        save_as(f"{count} {family.name}.json", OWN)
+        assert save_as.kinds[-1] == kind
+        assert save_as.proposed[-1].endswith(".svg" if kind == SVG else ".curve.json")
+    session.files.begin(drawn)
 
 
 def test_what_an_svg_has_as_plain_paths_is_told(editor, save_as):

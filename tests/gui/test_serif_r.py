@@ -8,6 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QFileDialog, QToolButton
 
+from app.document.content import Picture
+from app.document.contents import corners_of
 from app.document.lines import is_line
 from app.document.style import NO_PAINT
 from app.features.import_export.export_commands import ExportCommands
@@ -47,7 +49,7 @@ outer contour, Ctrl+K.
 @pytest.fixture
 def sheet(editor, tmp_path, monkeypatch):
     """A new drawing, and a picture that the next file dialog chooses."""
-    picture = QImage(60, 80, QImage.Format.Format_RGB32)
+    picture = QImage(320, 180, QImage.Format.Format_RGB32)
     picture.fill(QColor("white"))
     assert picture.save(str(tmp_path / "R.png"))
     monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: ([str(tmp_path / "R.png")], ""))
@@ -71,12 +73,16 @@ def trace(hands, contour):
 def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sheet, tmp_path):
     hands = Hands(sheet)
     hands.press(Key.Key_I, CTRL)
-    assert sheet.session.document.image is not None
+    # It is chosen, and lies where the letter is drawn: locked it is out of the way.
+    (placed,) = sheet.session.document.curves
+    assert isinstance(placed.form, Picture)
+    hands.press(Key.Key_L, CTRL)
     # Nothing snaps to the page.
     hands.press(Key.Key_Percent)
     trace(hands, OUTER)
     trace(hands, INNER)
-    assert [len(curve.points) for curve in sheet.session.document.curves] == [len(OUTER), len(INNER)]
+    drawn = sheet.session.document.curves[1:]
+    assert [len(curve.points) for curve in drawn] == [len(OUTER), len(INNER)]
     hands.press(Key.Key_A, CTRL | SHIFT)
     hands.press(Key.Key_K, CTRL | ALT)
     hands.click_on(QToolButton, "fillPaint_Ink")
@@ -88,13 +94,15 @@ def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sh
 
 def check_letter(editor):
     """One shape with a hole, corners only where the letter has some, and lines that are straight."""
-    outer, inner = editor.session.document.curves
+    placed, outer, inner = editor.session.document.curves
+    assert placed.locked
+    assert covers(placed, outer)
     assert outer.shape == inner.shape != ""
     assert outer.closed
     assert inner.closed
     assert (outer.style.fill, outer.style.stroke) == ("", NO_PAINT)
     assert [is_line(inner, segment) for segment in range(5)] == [True, False, False, True, True]
-    kinds = [POINT_KINDS[kind] for kind in kinds_of(editor.session.views[1])]
+    kinds = [POINT_KINDS[kind] for kind in kinds_of(editor.session.views[2])]
     # Beside the stem, where two lines meet.
     assert [kind is CORNER for kind in kinds] == [True, False, False, False, True]
     image = editor.screenshot()
@@ -102,6 +110,12 @@ def check_letter(editor):
     assert ink.lightnessF() < 0.3
     assert hole.lightnessF() > 0.9
     assert pixel_at(editor, image, (27, 26)).lightnessF() < 0.3
+
+
+def covers(frame, curve):
+    """Whether all points of a curve lie in a frame."""
+    (left, top), _, (right, bottom), _ = corners_of(frame)
+    return all(left <= x <= right and bottom <= y <= top for x, y in (each.position for each in curve.points))
 
 
 def pixel_at(editor, image, place):

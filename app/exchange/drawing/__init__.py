@@ -4,7 +4,7 @@
   ``outlines``: one curve as such.  ``frames``: what a picture shows.
   ``cloned``: what of it is the image of something else in it.
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
-- ``trim``: the frame at true size, without a margin.  ``extents``: of cubic pieces.
+- ``trim``: the frame at true size, without a margin.  ``extents``: of what is painted.
 - ``image``: it as PNG and PDF.  ``painting``: how it is painted.  Both need Qt.
 - ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs
   Qt.  ``pillow``: what writes some of them.

@@ -1,65 +1,23 @@
-"""Extents of cubic Bézier pieces, and of what is painted along them."""
+"""Extents of what is painted along outlines."""
 
 from __future__ import annotations
 
-import itertools
-
-import numpy as np
-
 from curvecore.arrays import FloatArray
 
+from ...view_model.geometry.clips import seen_box
+from ...view_model.geometry.extents import extent_of, turns_within
 from ...view_model.geometry.stroked import half_width, line_of, stroke_box
 from .outlines import Outline
 
 
-def extent_of(control_points: FloatArray) -> FloatArray:
-    """Return the lower left and the upper right corner, (2, 2), of cubic Bézier pieces (k, 4, 2).
-
-    Exact up to rounding: the extremes lie at the ends of the pieces and where a coordinate's derivative,
-    a quadratic, is zero.
-    """
-    pieces = control_points.transpose(0, 2, 1).reshape(-1, 4)
-    extremes = _cubic_values(pieces, _turning_points(pieces))
-    extremes = extremes.reshape(-1, 2, 2).transpose(0, 2, 1).reshape(-1, 2)
-    points = np.vstack([control_points[:, 0], control_points[:, 3], extremes])
-    return np.array([points.min(axis=0), points.max(axis=0)])
-
-
 def painted_extent(outline: Outline) -> FloatArray:
-    """Return the same of a curve with its stroke: with its caps, joins and miters."""
+    """Return the corners, (2, 2), of the box of a curve with its stroke: with its caps, joins and miters.
+
+    Of a clipped one it is the box of what is seen, unless that is nothing.
+    """
     controls, line = outline.control_points, None
     if outline.content is None and half_width(outline.style) > 0.0:
-        line = line_of(controls, 0, _turns(controls), is_closed=outline.closed)
-    return extent_of(controls) if line is None else stroke_box(line, outline.style)
-
-
-def _turns(control_points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the coordinates x, and y, at which pieces turn within."""
-    pieces = control_points.transpose(0, 2, 1).reshape(-1, 4)
-    places = _turning_points(pieces)
-    values = np.where(places > 0.0, _cubic_values(pieces, places), np.nan).reshape(-1, 2, 2)
-    xs, ys = values[:, 0].ravel(), values[:, 1].ravel()
-    return xs[~np.isnan(xs)], ys[~np.isnan(ys)]
-
-
-def _turning_points(pieces: FloatArray) -> FloatArray:
-    """Return where in [0, 1] the cubics (k, 4) turn, (k, 2); zero stands for "nowhere".
-
-    The roots of a s² − 2 b s + c are taken as c / q and q / a with q = b ± √(b² − a c), the sign chosen
-    so that nothing cancels.
-    """
-    first, second, third = np.diff(pieces, axis=1).T
-    a, b, c = first - 2 * second + third, first - second, first
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-        q = b + np.copysign(np.sqrt(b * b - a * c), b)
-        roots = np.stack([c / q, q / a], axis=1)
-    inside = (roots > 0) & (roots < 1)
-    return np.where(inside, roots, 0.0)
-
-
-def _cubic_values(pieces: FloatArray, s: FloatArray) -> FloatArray:
-    """Return the values (k, m) of the cubics (k, 4) at s (k, m), by de Casteljau's scheme."""
-    level = [pieces[:, [i]] for i in range(4)]
-    while len(level) > 1:
-        level = [(1 - s) * low + s * high for low, high in itertools.pairwise(level)]
-    return level[0]
+        line = line_of(controls, 0, turns_within(controls), is_closed=outline.closed)
+    box = extent_of(controls) if line is None else stroke_box(line, outline.style)
+    seen = seen_box(box, outline.style.clips) if outline.style.clips else box
+    return box if seen is None else seen

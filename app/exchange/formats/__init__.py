@@ -287,7 +287,7 @@ def file_filters(pictures: str = "") -> str:
     kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
     if pictures:
         everything = f"Curves, tables and pictures ({read} {pictures})"
-        return ";;".join([everything, *kinds, f"Pictures to trace ({pictures})", "All files (*)"])
+        return ";;".join([everything, *kinds, f"Pictures ({pictures})", "All files (*)"])
     return ";;".join([f"Curves and tables ({read})", *kinds, "All files (*)"])
 
 

@@ -14,7 +14,7 @@
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``cascade``, ``properties``, ``paint``, ``gradients``, ``markers``: the style of an element, from attributes
-  and rules.  ``flaw``: what of it is lost.
+  and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
   ``copied``: as Inkscape does.
 - ``in_place``: files with the changes of a document in them, and everything else as it was.

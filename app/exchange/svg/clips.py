@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 from ...document.clip import MOST_CLIPS, MOST_NUMBERS, MOST_RINGS, Clip, ring_of
 from ...document.model import MAX_MAGNITUDE
 from ...document.style import Style
-from ..drawing.extents import extent_of
+from ...view_model.geometry.extents import extent_of
 from ..errors import ExchangeError
 from .lengths import Viewport
 from .matrices import Box, combined, moved, transform_of

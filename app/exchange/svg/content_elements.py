@@ -22,7 +22,10 @@ _NOISE = 1e-13
 
 
 def content_element(content: Content, plane: Plane, said: str) -> str:
-    """Return a text or a picture that lies so; `said` are attributes of it, each after a blank."""
+    """Return a text or a picture that lies so; `said` are attributes of it, each after a blank.
+
+    Pictures refer to their files by XLink: Inkscape shows no others.
+    """
     if isinstance(content, Lettering):
         return _text(content, plane, said)
     if content.link and not content.data:
@@ -86,7 +89,7 @@ def _picture(picture: Picture, matrix: str, said: str) -> str:
     kind = "png" if picture.data.startswith("iVBOR") else "jpeg"
     return (
         f'<image{said}{matrix} width="1" height="1" preserveAspectRatio="none" '
-        f'href="data:image/{kind};base64,{picture.data}"/>'
+        f'xlink:href="data:image/{kind};base64,{picture.data}"/>'
     )
 
 
@@ -101,7 +104,7 @@ def _linked(picture: Picture, plane: Plane, said: str) -> str:
     ratio = ' preserveAspectRatio="none"' if picture.stretched else ""
     return (
         f'<image{said}{_matrix(own)} width="{number(width)}" height="{number(height)}"{ratio} '
-        f'href="{quoted(picture.link)}"/>'
+        f'xlink:href="{quoted(picture.link)}"/>'
     )
 
 

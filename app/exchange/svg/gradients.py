@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.gradient import MOST_STOPS, Gradient, GradientKind, Spread, Stop
 from ...document.model import MAX_MAGNITUDE, Vector
-from ..drawing.extents import extent_of
+from ...view_model.geometry.extents import extent_of
 from ..errors import ExchangeError
 from .lengths import Viewport, length
 from .matrices import combined, moved, transform_of

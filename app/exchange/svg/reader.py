@@ -43,7 +43,8 @@ from .matrices import (
     shifting,
     transform_of,
 )
-from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, label_of, name_of, shown_name
+from .missing import Missing, effects_on
+from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, label_of, name_of
 from .our_own import OurOwn
 from .own_data import NOTHING
 from .paint import Paints, share_of
@@ -59,12 +60,6 @@ MAX_PATHS = 10_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
-_EFFECTS = {
-    "mask": Flaw("a mask covers some of it", "it comes in whole"),
-    "filter": Flaw("a filter changes it", "it comes in without"),
-    "mix-blend-mode": Flaw("it is blended with what lies below", "it covers that"),
-}
-_NO_EFFECT = ("none", "normal")
 _CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
@@ -101,7 +96,7 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     reader = SvgReader(root, tolerance, is_in_groups=is_in_groups)
     # Those of one file are no others' when something of both comes into one document.
     drawn, guides = reader.all_paths(f"{crc32(data):08x}-"), reader.guides()
-    found = imported(drawn.paths, missed=tuple(reader.missed))
+    found = imported(drawn.paths, missed=reader.missed)
     sheet = reader.sheet
     document = msgspec.structs.replace(
         found.document,
@@ -121,8 +116,6 @@ class SvgReader:
     ----------
     sheet
         Its size.
-    missed
-        What does not come in as it is.
     layers
         The layers that were met, each with those around it.
     """
@@ -131,13 +124,12 @@ class SvgReader:
         self, root: ET.Element, tolerance: float | None = None, *, is_in_groups: bool = False
     ) -> None:
         self._root, self._tolerance, self._is_in_groups = root, tolerance, is_in_groups
-        self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
         self._by_id = {element.get("id", ""): element for element in root.iter()}
         self._ours = OurOwn(root)
         sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
         self.sheet, self._place = sheet if self._ours.has_page else replace(sheet, page=None), sheet
         self._cascade = Cascade(root)
-        self.missed: dict[Missed, None] = dict.fromkeys(self._cascade.missed)
+        self._missing = Missing(root, self._cascade.missed)
         paints = Paints(self._by_id, self._cascade.of)
         self._styles, self._shown = StyleReader(paints, self._by_id), Shown(paints, self._cascade.of)
         self._clips = Clips(self._by_id, self._cascade.of)
@@ -155,8 +147,13 @@ class SvgReader:
         instead = "left out" if seen else "it comes in as a line"
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
-            self._miss(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
+            self._missing.note(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
         return settled(linked(seen or [with_line(each) for each in drawn], key), self.layers)
+
+    @property
+    def missed(self) -> tuple[Missed, ...]:
+        """What does not come in as it is."""
+        return tuple(self._missing.found)
 
     def drawn(self) -> list[Drawn]:
         """Return all paths of the file, painted or not."""
@@ -168,7 +165,7 @@ class SvgReader:
         found: dict[Guide, None] = {}
         for element, guide in guides_of(self._root, self._place):
             if guide is None:
-                self._miss(element, _ODD_GUIDE)
+                self._missing.note(element, _ODD_GUIDE)
             else:
                 found[guide] = None
         return tuple(found)
@@ -188,7 +185,7 @@ class SvgReader:
         if tag in CONTENTS:
             yield from self._content(element, tag, state, anchor)
         elif tag in NO_CURVES and state.properties.is_visible:
-            self._miss(element, NO_CURVES[tag])
+            self._missing.note(element, NO_CURVES[tag])
         elif tag in SHAPES:
             yield from self._shape(element, tag, declared, state, anchor)
         elif tag == "use":
@@ -197,7 +194,7 @@ class SvgReader:
             yield from self._contained(element, tag, state, depth, anchor)
         count = len(self._shapes) - first
         if count and state.properties.is_visible:
-            self._miss_effects(element, declared, state, is_many=count > 1)
+            self._note_effects(element, declared, state, is_many=count > 1)
 
     def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
         matrix, windows, clips = state.matrix, state.windows, state.clips
@@ -208,9 +205,9 @@ class SvgReader:
             try:
                 matrix = combined(matrix, transform_of(transform))
             except ExchangeError as problem:
-                raise self._broken(element, str(problem)) from None
+                raise self._missing.broken(element, str(problem)) from None
             if not np.isfinite(matrix).all():
-                raise self._broken(element, "its transform is beyond all numbers.")
+                raise self._missing.broken(element, "its transform is beyond all numbers.")
         if (box := self._clips.box(declared, state.viewport)) is not None:
             windows = (*windows, Window(box, matrix, is_clip=True))
         else:
@@ -270,10 +267,10 @@ class SvgReader:
         reference = reference_of(element)
         target = self._by_id.get(reference.removeprefix("#"))
         if not reference.startswith("#") or target is None:
-            self._miss(element, Flaw("what it uses is not in the file", "left out"))
+            self._missing.note(element, Flaw("what it uses is not in the file", "left out"))
             return
         if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):
-            raise self._broken(element, f"it uses itself by way of “{reference[:40]}”.")
+            raise self._missing.broken(element, f"it uses itself by way of “{reference[:40]}”.")
         x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
         # Of several within each other the outermost is what a person sees as the clone.
         name = state.clone or name_of(element) or f"Clone of {name_of(target)}"
@@ -295,18 +292,18 @@ class SvgReader:
             with np.errstate(all="ignore"):
                 subpaths = subpaths_of(element, state.viewport, tolerance)
         except UnknownLengthError:
-            self._miss(element, _NO_LENGTHS)
+            self._missing.note(element, _NO_LENGTHS)
             return
         except ExchangeError as problem:
-            raise self._broken(element, str(problem)) from None
+            raise self._missing.broken(element, str(problem)) from None
         drawn = [each for each in subpaths if _has_length(each)]
         # A point without a round or square cap is not seen.
         if len(drawn) < len(subpaths) and state.properties.shows_points:
-            self._miss(element, _ONE_POINT)
+            self._missing.note(element, _ONE_POINT)
         if not drawn:
             return
         self._shapes.append(element)
-        name = state.clone or name_of(element) or f"{tag.capitalize()} {self._number[element]}"
+        name = state.clone or name_of(element) or f"{tag.capitalize()} {self._missing.number_of(element)}"
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         controls = [each.controls for each in drawn]
@@ -334,9 +331,9 @@ class SvgReader:
     def _content(self, element: ET.Element, tag: str, state: State, anchor: Anchor) -> Iterator[Drawn]:
         """Yield the frame of a text or of a picture."""
         found = self._shown.found(tag, element, state)
-        flaw = NO_CURVES[tag] if found is None else found.flaw
+        flaw = self._shown.why_not(tag) if found is None else found.flaw
         if flaw is not None and state.properties.is_visible:
-            self._miss(element, flaw)
+            self._missing.note(element, flaw)
         if found is None:
             return
         self._shapes.append(element)
@@ -368,8 +365,7 @@ class SvgReader:
         if style.has_stroke and not keeps_width and is_uneven(state.matrix):
             flaws = (*flaws, _UNEVEN)
         if state.properties.is_visible:
-            for flaw in flaws:
-                self._miss(element, flaw)
+            self._missing.note(element, *flaws)
         visible = state.properties.is_visible
         return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
 
@@ -377,32 +373,18 @@ class SvgReader:
         try:
             return length_of(element, name, state.viewport)
         except ExchangeError as problem:
-            raise self._broken(element, str(problem)) from None
+            raise self._missing.broken(element, str(problem)) from None
 
-    # What is missed
-
-    def _miss_effects(
+    def _note_effects(
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
-        found = [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
+        found = effects_on(declared)
         if not self._clips.is_known(declared, state, has_box=tag_of(element) in SHAPES):
             found.append(_CLIPPED)
         if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
-        for flaw in found:
-            self._miss(element, flaw)
-
-    def _miss(self, element: ET.Element, flaw: Flaw) -> None:
-        number = self._number[element]
-        missed = Missed(f"<{tag_of(element)}>", shown_name(element), number, flaw.why, flaw.instead)
-        # Once, however often an element is used.
-        self.missed[missed] = None
-
-    def _broken(self, element: ET.Element, why: str) -> ExchangeError:
-        if why.startswith("Element "):
-            return ExchangeError(why)
-        return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
+        self._missing.note(element, *found)
 
 
 def _has_length(subpath: Subpath) -> bool:

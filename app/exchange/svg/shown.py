@@ -13,7 +13,7 @@ from msgspec import structs
 from curvecore.arrays import FloatArray
 
 from ...document.clip import Clip
-from ...document.content import Content, Lettering
+from ...document.content import MOST_LETTERS, MOST_PIXELS, Content, Lettering
 from ...document.contents import is_framed, shortened
 from ...document.form_edits import framed
 from ...document.marker import MarkerKind
@@ -28,6 +28,7 @@ from .pictures import Pictures
 from .properties import Properties
 from .state import State
 from .texts import Texts
+from .xml_tree import reference_of
 
 CONTENTS = ("text", "image")
 """Elements that come in as frames of what they show."""
@@ -45,6 +46,11 @@ NO_CURVES |= dict.fromkeys(("set", "animateMotion", "animateTransform"), NO_CURV
 """Elements that show something else than curves, and what is said of them where they do not come in."""
 
 _UNEVEN = Flaw("some of its letters are turned or stretched", "they come in as all others")
+_TOO_LONG = Flaw(f"of all texts {MOST_LETTERS} letters are read", "left out")
+_NO_PICTURE = Flaw(
+    f"it is no PNG or JPEG picture of up to {MOST_PIXELS // 1_000_000} megapixels, or too much beside others",
+    "a frame shows where it is",
+)
 _ELSEWHERE = Flaw("its file lies elsewhere", "a frame shows where it is")
 
 
@@ -123,9 +129,14 @@ class Shown:
             return Found(text.form, state.matrix, clips, text.properties, flaw)
         if tag == "image" and (picture := self._pictures.picture(element, state)) is not None:
             clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in picture.askew))
-            flaw = None if picture.form.data or picture.form.link else _ELSEWHERE
+            missing = _NO_PICTURE if reference_of(element).startswith("data:") else _ELSEWHERE
+            flaw = None if picture.form.data or picture.form.link else missing
             return Found(picture.form, picture.matrix, clips, state.properties, flaw)
         return None
+
+    def why_not(self, tag: str) -> Flaw:
+        """Return what is said of the last element of this kind, which cannot be shown."""
+        return _TOO_LONG if tag == "text" and self._texts.is_full else NO_CURVES[tag]
 
 
 def _is_uneven(text: ET.Element) -> bool:

@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import NamedTuple
 
 import msgspec
@@ -103,11 +104,17 @@ class Texts:
     def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
         self._paints, self._declared, self._left = paints, declared, MOST_LETTERS
 
+    @property
+    def is_full(self) -> bool:
+        """Whether there were more letters than are read."""
+        return self._left < 0
+
     def text(self, element: ET.Element, state: State) -> TextFound | None:
         """Return a text; None where it cannot be shown."""
         if state.properties.values["writing-mode"].lower()[:2] in ("tb", "ve"):
             return None
-        letters = list(_collapsed(self._letters(element, state.properties, (element,), 0.0)))
+        all_of_it = _collapsed(self._letters(element, state.properties, (element,), 0.0))
+        letters = list(islice(all_of_it, max(self._left, 0) + 1))
         self._left -= len(letters)
         laid = [line for line in self._laid(letters, state) if line.words.strip()] if self._left >= 0 else []
         if not laid or not np.linalg.det(state.matrix[:, :2]):

@@ -74,6 +74,11 @@ class Tree:
         self.lines: list[str] = []
 
     @property
+    def has_links(self) -> bool:
+        """Whether anything is referred to by XLink."""
+        return bool(self.uses) or any(isinstance(shape[0].content, Picture) for shape in self._shapes)
+
+    @property
     def definitions(self) -> list[str]:
         """What paints what was written, cuts it and ends its lines, in an element of their own."""
         found = [*self._gradients.lines, *self.clips.lines, *self._markers.lines]

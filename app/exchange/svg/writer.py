@@ -118,7 +118,7 @@ def svg_text(
     """
     frame = drawing.frame
     wide, high = _size_attributes(drawing, width, unit)
-    spaces = f"{_SPACES} {_LINKS}" if curves.uses else _SPACES
+    spaces = f"{_SPACES} {_LINKS}" if curves.has_links else _SPACES
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
     note = accuracy_of(drawing) if tells_exactness else ""

@@ -103,7 +103,7 @@ class CurveCommands:
         full_name="Raise Curve",
         needs=_CURVE_IN_FRONT,
     )
-    @also(CURVE_LIST_MENU(20), OBJECT_BAR(31))
+    @also(OBJECT_BAR(31))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
         self._put("Raise {}", stepped, 1, "one step to the front")
@@ -117,7 +117,7 @@ class CurveCommands:
         full_name="Lower Curve",
         needs=_CURVE_BEHIND,
     )
-    @also(CURVE_LIST_MENU(21), OBJECT_BAR(32))
+    @also(OBJECT_BAR(32))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
         self._put("Lower {}", stepped, -1, "one step to the back")
@@ -132,7 +132,7 @@ class CurveCommands:
         needs=_CURVE_IN_FRONT,
         keywords="bring to front order",
     )
-    @also(CURVE_LIST_MENU(22), OBJECT_BAR(30))
+    @also(OBJECT_BAR(30))
     def _raise_to_top(self) -> None:
         """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
         self._put("Raise {} to top", at_end, 1, "at the top")
@@ -147,7 +147,7 @@ class CurveCommands:
         needs=_CURVE_BEHIND,
         keywords="send to back order",
     )
-    @also(CURVE_LIST_MENU(23), OBJECT_BAR(33))
+    @also(OBJECT_BAR(33))
     def _lower_to_bottom(self) -> None:
         """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
         self._put("Lower {} to bottom", at_end, -1, "at the bottom")

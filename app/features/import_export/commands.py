@@ -20,12 +20,10 @@ from ...document.shapes import counted_shapes
 from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import (
-    FORMATS,
     ContentKind,
     can_write_back,
     ending_in,
     file_filters,
-    format_of,
     is_document,
 )
 from ...session.next_style import Marked, choose_brought
@@ -40,6 +38,7 @@ from .copy_commands import CopyCommands
 from .export_commands import ExportCommands
 from .import_series import ImportSeries
 from .overwrite_commands import OverwriteCommands
+from .picture_commands import PictureCommands
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
@@ -72,12 +71,12 @@ class ImportCommands:
 
     @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
     def _ask_and_import(self) -> None:
-        """Take in curves from SVG, DXF, a table or another document, and a picture to trace."""
+        """Take in curves from SVG, DXF, a table or another document, and pictures."""
         folder, kinds = str(self._preferences.last_folder), file_filters(PICTURES)
         names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, kinds)
         paths = [Path(name) for name in names]
         pictures = [path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES]
-        if others := self._context.files.trace(pictures):
+        if others := self._context.files.take_pictures(pictures):
             self._context.central.message_bar.warn(others)
         drawings = [path for path in paths if path not in pictures]
         if drawings and not self._work.refuse_second():
@@ -104,7 +103,7 @@ class ImportCommands:
 
     def _begin(self, path: Path) -> None:
         def work(report: Report) -> Imported | _OpenTable:
-            form = format_of(path, FORMATS.read)
+            form = exchange.reading.format_to_read(path)
             if form.kind is not ContentKind.TABLE:
                 return as_here(exchange.reading.import_file(path, report=report))
             report(0.0, "Reading")
@@ -306,4 +305,4 @@ class _OpenTable:
     preview: Preview
 
 
-COMMAND_SETS = (ImportCommands, ExportCommands, CopyCommands, OverwriteCommands)
+COMMAND_SETS = (ImportCommands, PictureCommands, ExportCommands, CopyCommands, OverwriteCommands)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from ...actions.declaration import action, also
 from ...actions.needs import SOME_LAYER, Need
-from ...actions.sections import EDIT_LAYER_MOVES, EDIT_LAYERS
+from ...actions.sections import EDIT_LAYER_MOVES, EDIT_LAYERS, EDIT_SELECT
 from ...actions.situation import Situation
 from ...actions.strips import CURVE_LIST_MENU, LAYER_MENU
-from ...document.layers import layers_beside, moved_to_layer, neighbour_of, new_layer, stepped_layer
-from ...document.several_curves import named, place_in
+from ...document.layers import layer_of, layers_beside, moved_to_layer, neighbour_of, new_layer, stepped_layer
+from ...document.selection import free_curves
+from ...document.several_curves import counted, named, place_in
 from ...document.shapes import whole_shapes
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -96,6 +97,20 @@ class LayerCommands:
         if session.change(f"{verb} {layer}", lambda _: document, active=active):
             session.selected.set_layer(layer)
             session.say(f"“{layer}” is {where} “{other}”.")
+
+    @action("selectAllInLayer", "Select All in Layer", EDIT_SELECT, icon="layers", needs=SOME_LAYER)
+    @also(LAYER_MENU(25))
+    def _choose_all(self) -> None:
+        """Choose all curves of the layer that are seen and not locked."""
+        session, layer = self._session, self._session.selected.layer
+        document = session.document
+        inside = {place for place in free_curves(document) if layer_of(document, place) == layer}
+        if not inside:
+            session.refuse(f"“{layer}” has no curve that is seen and not locked.")
+            return
+        session.selected.choose(inside)
+        session.selected.set_layer(layer)
+        session.say(f"{counted(document, inside)} of “{layer}” chosen.")
 
     @action("deleteLayer", "Delete Layer", EDIT_LAYERS, icon="delete", needs=SOME_LAYER)
     @also(LAYER_MENU(30))

@@ -105,6 +105,29 @@ class ZoomCommands:
         self._context.session.say("All of the page is in sight.")
 
     @action(
+        "fitPageWidth",
+        "Fit Page Width",
+        VIEW_ZOOM,
+        "Ctrl+6",
+        "fit-page-width",
+        needs=PAGE,
+        keywords="zoom to page width artboard",
+    )
+    @also(ZOOM_MENU(23))
+    def _fit_page_width(self) -> None:
+        """Show the page as wide as there is room for, and of its height the middle."""
+        page = self._context.session.document.page
+        assert page is not None
+        self._past.begin_move()
+        shown = self._canvas.pixel_map
+        middle = page.y + page.height / 2
+        half = page.width * shown.height / shown.width / 2
+        height = min(half, page.height / 2)
+        corners = ((page.x, middle - height), (page.x + page.width, middle + height))
+        self._canvas.framing.fit_points(np.array(corners))
+        self._context.session.say("All of the width of the page is in sight.")
+
+    @action(
         "fitSelection",
         "Fit Selection",
         VIEW_ZOOM_STEPS,

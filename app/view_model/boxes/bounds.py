@@ -1,6 +1,6 @@
 """Bounds of points that change together: of whole curves those of the curves, of other points their own.
 
-Bounds of curves are those of their lines, or with their strokes, as they print.
+Bounds of curves are those of their lines, or with their strokes, as they print, within their clips.
 """
 
 from __future__ import annotations
@@ -13,12 +13,16 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ...document.clip import Clip
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...document.style import USUAL_WIDTH, Style
 from ..curve.curve_view import CurveView
+from ..geometry.clips import seen_box
 from ..geometry.stroked import Line, farthest_reach, half_width, is_round, line_of, polygonal, stroke_box
 from .exact_boxes import box_found, find_boxes
+
+Clips = tuple[Clip, ...]
 
 
 class Bounds(msgspec.Struct, frozen=True):
@@ -80,11 +84,14 @@ class Strokes(msgspec.Struct, frozen=True):
     side
         Longer side of the page, to which lines whose styles say no width are in proportion; 0 without one,
         where they count as no wider than their curves.
+    clipped
+        Whether bounds are those of what clips leave.
     """
 
     measured: bool = True
     scaled: bool = True
     side: float = 0.0
+    clipped: bool = True
 
     def printed(self, style: Style) -> Style:
         """Return a style with the width that its line has on the page."""
@@ -93,6 +100,9 @@ class Strokes(msgspec.Struct, frozen=True):
 
 BARE: Final = Strokes(measured=False, scaled=False)
 """Curves without their strokes."""
+
+UNCLIPPED: Final = Strokes(measured=False, scaled=False, clipped=False)
+"""Curves without their strokes, also where nothing is seen of them."""
 
 
 def bounds_of(
@@ -111,21 +121,57 @@ def bounds_of(
         for curve, indices in group.parts
         if indices and id(views[curve]) not in known
     ]
+    boxes = some
+    for clips, cut in _by_clips(whole, strokes):
+        boxes += _boxes(cut, clips, strokes, as_drawn=as_drawn)
+    # What clips hide altogether lies where it would be seen.
+    return around(boxes or _boxes(whole, (), strokes, as_drawn=as_drawn))
+
+
+def _by_clips(views: Sequence[CurveView], strokes: Strokes) -> list[tuple[Clips, list[CurveView]]]:
+    """Return views by the clips that count of them."""
+    # At every move of a drag: where there are none it costs no call.
+    for view in views:
+        if strokes.clipped and view.source.style.clips:
+            break
+    else:
+        return [((), [*views])]
+    found: dict[Clips, list[CurveView]] = {}
+    for view in views:
+        found.setdefault(view.source.style.clips, []).append(view)
+    return list(found.items())
+
+
+def _boxes(views: Sequence[CurveView], clips: Clips, strokes: Strokes, *, as_drawn: bool) -> list[FloatArray]:
+    """Return boxes that reach as far as curves do that have the same clips, and none where all is hidden."""
+    if clips:
+        views = [view for view in views if _is_seen(view, clips, strokes)]
     if not as_drawn:
-        whole = _reaching_out(whole, strokes)
-        find_boxes(whole)
-    lines = [view.drawn_box if as_drawn else box_found(view) for view in whole]
-    boxes = [*lines, *some]
+        views = _reaching_out(views, strokes)
+        find_boxes(views)
+    boxes = [view.drawn_box if as_drawn else box_found(view) for view in views]
     if strokes.measured:
-        boxes += _stroke_boxes(whole, lines, strokes, as_drawn=as_drawn)
-    return around(boxes)
+        boxes += _stroke_boxes(views, boxes, strokes, as_drawn=as_drawn)
+    if not clips or not boxes:
+        return boxes
+    corners = np.concatenate(boxes)
+    seen = seen_box(np.array([corners.min(axis=0), corners.max(axis=0)]), clips)
+    return [] if seen is None else [seen]
+
+
+def _is_seen(view: CurveView, clips: Clips, strokes: Strokes) -> bool:
+    """Whether clips may leave something of a curve."""
+    reach = farthest_reach(strokes.printed(view.source.line_style)) if strokes.measured else 0.0
+    low, high = view.drawn_box
+    return seen_box(np.array([low - reach, high + reach]), clips) is not None
 
 
 def bounds_of_each(
     views: Sequence[CurveView], groups: Sequence[PointGroup], strokes: Strokes
 ) -> list[Bounds | None]:
     """Return the bounds of many groups, as `bounds_of`, whose curves are measured all at once."""
-    find_boxes([view for group in groups for view in _reaching_out(_whole(views, group), strokes)])
+    apart = [cut for group in groups for _, cut in _by_clips(_whole(views, group), strokes)]
+    find_boxes([view for cut in apart for view in _reaching_out(cut, strokes)])
     return [bounds_of(views, group, strokes) for group in groups]
 
 

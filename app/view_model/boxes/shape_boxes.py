@@ -1,4 +1,4 @@
-"""Boxes around whole shapes, without their strokes: what gradients are laid across."""
+"""Boxes around whole shapes, without their strokes and clips: what gradients are laid across."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from ...document.model import Curve
 from ...document.point_group import PointGroup
 from ...document.shapes import shape_around
 from ..curve.curve_view import CurveView, view_of
-from .bounds import BARE, bounds_of
+from .bounds import UNCLIPPED, bounds_of
 
 
 def box_of_shape(views: Sequence[CurveView], shape: range) -> Box:
     """Return the box around the curves at some places; around nothing it lies at the origin."""
     points = tuple((place, frozenset(range(len(views[place].points)))) for place in shape)
-    bounds = bounds_of(views, PointGroup(points, is_whole=True), BARE)
+    bounds = bounds_of(views, PointGroup(points, is_whole=True), UNCLIPPED)
     return ((0.0, 0.0), (0.0, 0.0)) if bounds is None else (bounds.low, bounds.high)
 
 

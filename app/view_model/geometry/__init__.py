@@ -4,6 +4,6 @@
 - ``arc_lengths``: lengths to a relative accuracy.
 - ``fills``: insides of outlines.  ``stroked``: the box around a stroked line.
 - ``fixed_point``: equations whose values take a while.
-- ``clips``: what clips leave of curves.
+- ``clips``: what clips leave of curves.  ``extents``: of cubic pieces.
 - ``markers``: outlines of arrowheads at the ends of lines.
 """

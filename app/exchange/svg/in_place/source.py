@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ..escapes import quoted
 from ..names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 
+_LINK = "xlink:href"
 _TOKEN = re.compile(
     r"""(?P<other><!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|<!(?>[^>"']|"[^"]*"|'[^']*')*>)"""
     r"|</[^>]*(?P<end>>)"
@@ -249,7 +250,7 @@ class Source:
         return Node(self.root.name.removesuffix(self.root.tag) + tag)
 
     def adopted(self, text: str) -> list[Node]:
-        """Return elements of SVG that were written without a prefix."""
+        """Return elements of SVG that were written without a prefix, and with the usual one of XLink."""
         around = Node("", is_empty=False)
         _fill(around, text)
         prefix = self.root.name.removesuffix(self.root.tag)
@@ -257,6 +258,9 @@ class Source:
             each.parent = None
             for node in each.walk():
                 node.rename(node.tag, prefix)
+                if (link := node.get(_LINK)) is not None:
+                    node.drop(_LINK)
+                    node.set(self.xlink("href"), link)
         return around.elements
 
     @property
