@@ -214,6 +214,22 @@ def _paint(paint: RunPaint | None, changed: Set[str], style: Style, unit: float)
     return None if is_same else paint
 
 
+def lettered_style(style: Style, paint: RunPaint | None, unit: float) -> Style:
+    """Return the style of letters that may have a paint of their own, where a unit of text is so long."""
+    if paint is None:
+        return style
+    return replace(
+        style,
+        fill=paint.fill,
+        fill_opacity=paint.fill_opacity,
+        fill_gradient=None,
+        stroke=paint.stroke,
+        stroke_opacity=paint.stroke_opacity,
+        stroke_gradient=None,
+        width=paint.width * unit,
+    )
+
+
 # Without them
 
 

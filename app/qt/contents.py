@@ -24,7 +24,7 @@ from PySide6.QtGui import (
 )
 
 from ..document.content import WHOLE, Lettering, Picture, RunPaint, TextLine, TextRun
-from ..document.contents import Plane, corners_of, plane_of
+from ..document.contents import Plane, corners_of, lettered_style, plane_of
 from ..document.form_edits import framed
 from ..document.model import Curve, Document, Vector
 from ..document.style import Style
@@ -65,7 +65,7 @@ def inked(
     linear = (whole.m11(), whole.m12(), whole.m21(), whole.m22())
     seen = area.translated(-whole.dx(), -whole.dy())
     for paint, path, box in _letters_along(text.lines, linear):
-        own = style if paint is None else _styled(style, paint, plane.scale)
+        own = lettered_style(style, paint, plane.scale)
         reach = _WIDEST * (own.width or 0.0) * way.m11() + 1.0 if own.has_stroke else 1.0
         if box.adjusted(-reach, -reach, reach, reach).intersects(seen):
             yield path.translated(whole.dx(), whole.dy()), own
@@ -79,20 +79,6 @@ def _letters_along(
     way = QTransform(*linear, 0.0, 0.0)
     mapped = ((paint, way.map(path)) for paint, path in painted_letters(lines))
     return tuple((paint, path, path.controlPointRect()) for paint, path in mapped)
-
-
-def _styled(style: Style, paint: RunPaint, unit: float) -> Style:
-    """Return the style of letters with a paint of their own."""
-    return replace(
-        style,
-        fill=paint.fill,
-        fill_opacity=paint.fill_opacity,
-        fill_gradient=None,
-        stroke=paint.stroke,
-        stroke_opacity=paint.stroke_opacity,
-        stroke_gradient=None,
-        width=paint.width * unit,
-    )
 
 
 @lru_cache(maxsize=2000)
@@ -139,7 +125,7 @@ def letters_of(text: Lettering, corners: Corners, style: Style) -> Iterator[tupl
     """Yield the outlines of the letters of a text in the plane, each with its style."""
     plane = plane_of(text, corners)
     for run, place in (each for line in text.lines for each in _placed_runs(line)):
-        own = style if run.paint is None else _styled(style, run.paint, plane.scale)
+        own = lettered_style(style, run.paint, plane.scale)
         across, down = np.array(plane.across) * run.size / _EM, np.array(plane.down) * run.size / _EM
         origin = np.array(plane.place(*place))
         for glyph in glyphs.letters_of(run.words, _font_of(run)):

@@ -8,7 +8,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QLineEdit, QToolButton
 
+from app.appearance.colours import CURVE_COLOURS
 from app.document.contents import corners_of, is_content
 from app.document.edits import move_points
 from app.document.model import Parametrization
@@ -16,6 +18,7 @@ from app.document.several_curves import with_appearance
 from app.document.style_edits import with_style
 from app.features.text.commands import TextCommands
 from app.qt import contents
+from app.widgets.paint_field import PaintField
 from tests.effort import noted_calls
 from tests.gui.pixels import is_colour
 from tests.gui.test_text import press
@@ -312,6 +315,74 @@ def test_bold_italic_and_size_are_of_the_chosen_letters_live_in_one_step(writing
     assert editor.session.undo_stack.index() == steps + 1
     editor.trigger("undo")
     assert editor.session.document == begun
+
+
+def paints_of(editor, place=0):
+    """Return words and fill of each run of a text in one line; None for that of the text."""
+    (line,) = editor.session.document.curves[place].form.lines
+    return [(run.words, run.paint and run.paint.fill) for run in line.runs]
+
+
+def swatch(editor, name):
+    editor.window.context.docks["styleDock"].bring_up()
+    editor.settle()
+    found = editor.window.findChild(QToolButton, name)
+    assert found is not None
+    return found
+
+
+def test_a_swatch_and_a_typed_colour_are_for_the_chosen_letters_and_leave_the_field_open(writing):
+    editor, field = writing
+    begun, steps = editor.session.document, editor.session.undo_stack.index()
+    blue = swatch(editor, "fillPaint_Blue")
+    choose_letters(field, 8, 2)
+    assert editor.window.findChild(QLabel, "styleSubject").text() == "2 letters"
+    QTest.mouseClick(blue, Qt.MouseButton.LeftButton)
+    assert paints_of(editor) == [
+        ("plain ", None), ("ra", "#ff0000"), ("is", CURVE_COLOURS["Blue"]), ("ed", "#ff0000"), (" on", None)
+    ]  # fmt: skip
+    edit = editor.window.findChild(QLineEdit, "fillPaintHex")
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "teal")
+    press(editor, Qt.Key.Key_Return)
+    assert field.isVisible()
+    assert field.words.textCursor().selectedText() == "is"
+    assert paints_of(editor)[2] == ("is", "#008080")
+    # A colour that is looked at is forgotten with the popup.
+    popup = editor.window.findChild(PaintField, "fillPaint").open_popup()
+    popup.colour_changed.emit("#123456")
+    assert paints_of(editor)[2] == ("is", "#123456")
+    popup.cancel()
+    assert paints_of(editor)[2] == ("is", "#008080")
+    field.words.setFocus()
+    press(editor, Qt.Key.Key_Return)
+    assert editor.session.undo_stack.index() == steps + 1
+    assert paints_of(editor)[2] == ("is", "#008080")
+    editor.trigger("undo")
+    assert editor.session.document == begun
+
+
+def test_without_chosen_letters_a_colour_and_an_opacity_are_of_the_text(writing):
+    editor, field = writing
+    blue = swatch(editor, "fillPaint_Blue")
+    choose_letters(field, 1, 0)
+    QTest.mouseClick(blue, Qt.MouseButton.LeftButton)
+    edit = editor.window.findChild(QLineEdit, "styleOpacity")
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "50")
+    press(editor, Qt.Key.Key_Return)
+    assert field.isVisible()
+    field.words.setFocus()
+    press(editor, Qt.Key.Key_Return)
+    (curve,) = editor.session.document.curves
+    assert {paint for _, paint in paints_of(editor)} == {None}
+    assert (curve.style.fill, curve.style.opacity) == (CURVE_COLOURS["Blue"], 0.5)
+    # A click on the canvas still makes the text.
+    editor.trigger("editText")
+    editor.click((80, 5))
+    assert not field.isVisible()
 
 
 def test_without_chosen_letters_all_change_and_undo_in_the_field_takes_it_back(writing):

@@ -37,6 +37,7 @@ from ...widgets.percent_field import STEPS
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
+from ...workbench.typed_letters import Painter
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .view_commands import StyleViewCommands
@@ -48,6 +49,7 @@ if TYPE_CHECKING:
 _DRAWN_NEXT = "What is drawn next"
 _HOW_TO_CHOOSE = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
 _NO_SHAPE_YET = "A gradient is laid over a shape; draw or choose one first."
+_FLAT_LETTERS = "Letters have one colour while they are typed; Enter ends the text."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 _MOST_REMEMBERED = 12
 
@@ -69,6 +71,7 @@ class StyleCommands:
         context.session.stop_changed.connect(self._render)
         context.session.stop_changed.connect(context.central.canvas.show_marks)
         context.store.changed.connect(self._render)
+        context.letters.changed.connect(self._render)
         context.central.canvas.colour_picked.connect(self._take_picked)
 
     @LatePanel("styleDock", "Style", UPPER, for_drawings=True)
@@ -79,6 +82,7 @@ class StyleCommands:
         droppers = {"fill": actions["eyedropperTool"], "stroke": actions["strokeEyedropperTool"]}
         tools = style.panel.PanelTools(actions["gradientTool"], actions["swapFillAndStroke"], droppers)
         panel = self._panel = style.panel.StylePanel(buttons, tools, parent)
+        self._context.letters.tools.append(panel)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
@@ -93,7 +97,8 @@ class StyleCommands:
         panel.refused.connect(self._session.refuse)
         for name, field in panel.opacities.items():
             edit, words = partial(self._with_share, name), partial(self._words_of_share, name)
-            self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
+            takes = partial(self._give_share_to_letters, name)
+            self._gestures.append(SliderGesture(self._session, field.slider, edit, words, takes))
             for moved in (field.slider.dropped, field.slider.chosen):
                 moved.connect(partial(self._take_share, name))
         for name, gradient in panel.gradients.items():
@@ -120,12 +125,19 @@ class StyleCommands:
     # What is shown
 
     @property
+    def _letters(self) -> Painter | None:
+        """The letters that are typed, whose style is meant before all others."""
+        return self._context.letters.painter
+
+    @property
     def _curves(self) -> frozenset[int]:
         """The curves whose style is meant; none where it is that of what is drawn next.
 
         An empty curve is what is drawn next.
         """
         session, selected = self._session, self._session.selected
+        if self._letters is not None:
+            return frozenset()
         if selected.next_style.is_of_active(selected.marked):
             return selected.marked
         return frozenset() if session.active_curve.points else frozenset({session.active_index})
@@ -147,9 +159,13 @@ class StyleCommands:
         curves = sorted(whole_shapes(session.document, self._curves))
         # A gradient is laid over a shape, and there is none yet.
         styles = [session.document.curves[place].style for place in curves] or [session.model.style.flat]
+        if self._letters is not None:
+            styles = [*self._letters.styles]
         is_next = not any(session.document.curves[place].points for place in curves)
         subject = _DRAWN_NEXT if is_next else named(session.document, curves)
-        note = self._note(styles) if curves else _HOW_TO_CHOOSE
+        note = self._note(styles) if curves or self._letters is not None else _HOW_TO_CHOOSE
+        if self._letters is not None:
+            subject = self._letters.subject
         panel.show_paper(self._context.store.state.paper(session.document, self._theme))
         panel.show_recent(self._recent(), self._colours())
         panel.render_styles(subject, styles, session.document.unit, note, self._stops(curves))
@@ -191,7 +207,7 @@ class StyleCommands:
 
     def _choose_kind(self, paint: str, kind: PaintKind) -> None:
         if not self._curves and kind not in (PaintKind.NONE, PaintKind.FLAT):
-            self._session.refuse(_NO_SHAPE_YET)
+            self._session.refuse(_NO_SHAPE_YET if self._letters is None else _FLAT_LETTERS)
             self._render()
             return
         views = self._session.views
@@ -235,6 +251,10 @@ class StyleCommands:
     ) -> None:
         """Change the selected curves; the step is named by the fields of the styles, or says `what`."""
         session, curves, fields = self._session, self._curves, list(fields)
+        if self._letters is not None:
+            self._letters.paint(partial(_edited, edit))
+            self._render()
+            return
         if not curves:
             self._set_next(edit)
             return
@@ -265,16 +285,31 @@ class StyleCommands:
         return f"{what} of {named(self._session.committed, self._curves) if self._curves else _DRAWN_NEXT}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
+        if self._letters is not None:
+            self._letters.look_at(lambda style: style.with_fields(fields))
+            return
         session = self._session
         session.preview(with_style(session.committed, self._curves, **fields))
 
     def _give_up(self) -> None:
-        if self._session.is_previewing:
+        if self._letters is not None:
+            self._letters.give_up()
+        elif self._session.is_previewing:
             self._session.cancel()
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
         return with_style(document, self._curves, **{name: position / 100})
+
+    def _give_share_to_letters(self, name: str, position: int | None) -> bool:
+        """Show the letters that are typed as a slider stands; return whether there are any."""
+        if self._letters is None:
+            return False
+        if position is None:
+            self._letters.give_up()
+        else:
+            self._look_at({name: position / STEPS})
+        return True
 
     def _take_share(self, name: str, position: int) -> None:
         share: dict[str, object] = {name: position / STEPS}
@@ -349,6 +384,12 @@ class StyleCommands:
     def _swap(self) -> None:
         """Paint the inside as the line is now, and the line as the inside, with their opacities."""
         self._edit(GRADIENTS, with_paints_swapped, what="Swap fill and stroke")
+
+
+def _edited(edit: Callable[[Document, frozenset[int]], Document], style: Style) -> Style:
+    """Return what an edit of curves makes of a style."""
+    model = msgspec.structs.replace(make_curve(()), style=style)
+    return edit(Document((model,)), frozenset({0})).curves[0].style
 
 
 COMMAND_SETS = (StyleCommands, StyleClipboardCommands, StyleViewCommands)

@@ -1,5 +1,6 @@
 # Modules that are imported when they are first used.
 from . import field as field
+from . import letter_paint as letter_paint
 from . import letters as letters
 from . import outlined as outlined
 from . import rewriting as rewriting

@@ -16,6 +16,7 @@ from ...document.curve_edits import locked_sentence
 from ...document.edits import EditError
 from ...document.model import Document, Vector
 from ...document.paper import DocumentKind, kind_of
+from ...document.style import Style
 from ...document.text import LONGEST_TEXT, Setting, Text
 from ...document.texts import text_around, with_text_known
 from ...document.transforms import clean_step_within
@@ -47,6 +48,8 @@ class TextCommands:
         # What the field said of it when it was opened.
         self._begun: Text | None = None
         self._begun_typed: text.wording.Typed = ()
+        # None where letters are curves.
+        self._painter: text.letter_paint.LetterPainter | None = None
         self._before = self._session.selected.choice
         self._model = self._session.model
         # Left, bottom and top of its letters.
@@ -69,7 +72,7 @@ class TextCommands:
             preferences = self._context.preferences
             family = preferences.text_font or self._canvas.font().family()
             face = Face(family, preferences.text_bold, preferences.text_italic)
-            self._made = field = text.field.TextField(self._canvas.viewport(), face)
+            self._made = field = text.field.TextField(self._canvas.viewport(), face, self._context.letters)
             field.changed.connect(self._show)
             field.entered.connect(self._finish)
             field.left.connect(self._make)
@@ -85,11 +88,13 @@ class TextCommands:
     def _begin(self, place: Vector) -> None:
         """Ask for the words of a text at a place."""
         if self._has_fonts():
-            self._edited = None
+            self._edited = self._painter = None
             self.field.set_setting(self._setting)
             size = self._size or clean_step_within(self._view_height * _SHARE)
             is_drawing = kind_of(self._session.committed) is DocumentKind.DRAWING
             self.field.begin_new(size, has_parts=is_drawing)
+            if is_drawing:
+                self._paint_in(text.letters.filled(self._session.model.style), 1.0)
             self._open(place, size)
 
     @action(
@@ -124,10 +129,16 @@ class TextCommands:
         self._edited, self._begun = written, None
         if isinstance(written, text.wording.Worded):
             self.field.begin_again(written.typed, written.scale, written.face)
+            self._paint_in(session.committed.curves[curve].style, written.scale)
         else:
+            self._painter = None
             self.field.begin_with(written.text.words, written.face)
         self.field.set_setting(written.text.setting)
         self._open((written.text.x, written.text.y), written.text.size)
+
+    def _paint_in(self, style: Style, scale: float) -> None:
+        """Let colours be chosen for letters of a text in a style, a unit of which is so long."""
+        self._painter = text.letter_paint.LetterPainter(self.field, style, scale)
 
     def _has_fonts(self) -> bool:
         if glyphs.has_fonts():
@@ -142,6 +153,8 @@ class TextCommands:
         self._session.selected.choose(())
         self.field.open_beside(self._area, size, self._session.document.unit)
         self._begun, self._begun_typed = self._text, self._typed
+        if self._painter is not None:
+            self._context.letters.begin(self._painter)
         self._show()
 
     @property
@@ -208,19 +221,24 @@ class TextCommands:
         """The letters, each as it looks."""
         return text.wording.cut(self.field.typed, LONGEST_TEXT)
 
+    def _looks(self, style: Style) -> tuple[Style, text.wording.Typed]:
+        """Return the style of the text, and its letters with what they have for themselves."""
+        return (style, self._typed) if self._painter is None else self._painter.looks(self._typed)
+
     def _written(self, name: str) -> tuple[Document, range]:
         """Return the document with the text, and the places of its curves."""
         session = self._session
         if isinstance(self._edited, text.wording.Worded) and self._begun is not None:
+            style, typed = self._looks(session.committed.curves[self._edited.places.start].style)
             return text.wording.reworded(
-                session.committed, self._edited, self._begun, self._text, self._typed
+                session.committed, self._edited, self._begun, self._text, typed, style
             )
         if isinstance(self._edited, text.rewriting.Written):
             return text.rewriting.rewritten(session.committed, self._edited, self._text, self._outlines)
         if kind_of(session.committed) is DocumentKind.DRAWING:
-            style = text.letters.filled(self._model.style)
+            style, typed = self._looks(text.letters.filled(self._model.style))
             return text.wording.with_worded(
-                session.committed, style, self._text, self._typed, session.selected.layer
+                session.committed, style, self._text, typed, session.selected.layer
             )
         return text.letters.with_text(
             session.committed, self._model, name, self._outlines, self._text, session.selected.layer
@@ -267,7 +285,8 @@ class TextCommands:
         edited = self._edited
         if isinstance(edited, text.wording.Worded):
             is_set = self._begun is not None and self.field.setting == self._begun.setting
-            return is_set and self._typed == self._begun_typed
+            is_styled = self._painter is not None and not self._painter.is_as_it_was
+            return is_set and not is_styled and self._typed == self._begun_typed
         if edited is None or edited.is_changed:
             return False
         return self._text == edited.text
@@ -289,6 +308,7 @@ class TextCommands:
             self._close(keeps_words=self._edited is None)
 
     def _close(self, *, keeps_words: bool = False) -> None:
+        self._context.letters.end()
         self.field.close_field(keeps_words=keeps_words)
         self._outlines = glyphs.NO_OUTLINES
 

@@ -27,6 +27,7 @@ from ...widgets.field_edit import NumberEdit
 from ...widgets.length_text import read_length
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
+from ...workbench.typed_letters import TypedLetters
 from .setting_row import SettingRow
 from .wording import BOLD, WEIGHTS, Typed
 from .words_edit import WordsEdit, grown
@@ -142,8 +143,9 @@ class TextField(ClaimsKeys, OverlayFrame):
     given_up = Signal()
     left = Signal()
 
-    def __init__(self, below: QWidget, face: Face) -> None:
+    def __init__(self, below: QWidget, face: Face, letters: TypedLetters) -> None:
         super().__init__("textField", below)
+        self._letters = letters
         self.setAccessibleName("Text")
         self.text_size, self._unit = 1.0, ""
         self._area: Callable[[], QRect] = QRect
@@ -153,14 +155,16 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.words = WordsEdit()
         self.words.textChanged.connect(self._follow_words)
         self.words.chosen_changed.connect(self._show_chosen)
+        self.words.chosen_changed.connect(letters.changed)
+        self.changed.connect(letters.changed)
         self.font_box = FontBox(face.family)
         self.font_box.setMinimumWidth(_FONT_WIDTH)
         self.font_box.pointed_at.connect(self._look_at_font)
         self.font_box.picked.connect(self._take_font)
         self.bold = self._letter("textBold", "B", "Bold", face.bold)
         self.italic = self._letter("textItalic", "I", "Italic", face.italic)
-        self.bold.clicked.connect(lambda is_on: self._restyle(weight=WEIGHTS[is_on]))
-        self.italic.clicked.connect(lambda is_on: self._restyle(italic=is_on))
+        self.bold.clicked.connect(lambda is_on: self._set(weight=WEIGHTS[is_on]))
+        self.italic.clicked.connect(lambda is_on: self._set(italic=is_on))
         self._make_size_edit()
         self.setting_row = SettingRow()
         self.setting_row.changed.connect(self.changed)
@@ -280,7 +284,7 @@ class TextField(ClaimsKeys, OverlayFrame):
         # Without any another window has it; a menu, or the list of fonts, only borrows it.
         if now is None or now.window().windowType() is Qt.WindowType.Popup:
             return
-        if now is not self and not self.isAncestorOf(now):
+        if now is not self and not self.isAncestorOf(now) and not self._letters.has_tool(now):
             self.left.emit()
 
     def claims(self, event: QKeyEvent) -> bool:
@@ -306,28 +310,34 @@ class TextField(ClaimsKeys, OverlayFrame):
 
     # Changes
 
-    def _restyle(self, **fields: object) -> None:
-        self._change(lambda run: replace(run, **fields))
+    def _set(self, **fields: object) -> None:
+        self.restyle(lambda run: replace(run, **fields))
 
-    def _change(self, change: Callable[[TextRun], TextRun]) -> None:
+    def restyle(self, change: Callable[[TextRun], TextRun]) -> None:
         """Have the chosen letters, or all where none are, look otherwise."""
-        # What changes letters says so.
-        if not self.words.restyle(change, chosen=self._has_parts):
-            self.changed.emit()
+        self._end_trial()
+        self.words.restyle(change, chosen=self._has_parts)
+        self.changed.emit()
 
     def _look_at_font(self, family: str) -> None:
-        """Show the letters in a font, until it is another one or none."""
+        self.look_at((lambda run: replace(run, font=(family,))) if family else None)
+
+    def _end_trial(self) -> None:
         if self._is_trying:
             self._is_trying = False
             self.words.document().undo()
-        if family and self.text:
+
+    def look_at(self, change: Callable[[TextRun], TextRun] | None) -> None:
+        """Show how the chosen letters, or all where none are, would look, until another change or none."""
+        self._end_trial()
+        if change is not None and self.text:
             self._is_trying = True
-            self._restyle(font=(family,))
+            self.words.restyle(change, chosen=self._has_parts)
         else:
             self.changed.emit()
 
     def _take_font(self, family: str) -> None:
-        self._restyle(font=(family,))
+        self._set(font=(family,))
 
     def _show_chosen(self) -> None:
         """Show font and size of the letters that are chosen."""
@@ -358,7 +368,7 @@ class TextField(ClaimsKeys, OverlayFrame):
             return
         by = size / self.text_size
         self._show_size(size)
-        self._change(partial(grown, by=by))
+        self.restyle(partial(grown, by=by))
 
     # Look
 

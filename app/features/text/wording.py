@@ -145,7 +145,7 @@ def with_worded(
 
 
 def reworded(
-    document: Document, edited: Worded, before: Text, now: Text, typed: Typed
+    document: Document, edited: Worded, before: Text, now: Text, typed: Typed, style: Style
 ) -> tuple[Document, range]:
     """Return the document with a text that says something else; what was not changed stays as it was."""
     place = edited.places.start
@@ -165,7 +165,7 @@ def reworded(
     lines = tuple(replace(each, y=said[0].y + (each.y - said[0].y) * apart) for each in said)
     named = curve.name == shortened(text.title)
     new = replace(text, lines=lines)
-    made = fitted(replace(curve, form=new, name=shortened(new.title) if named else curve.name))
+    made = fitted(replace(curve, form=new, style=style, name=shortened(new.title) if named else curve.name))
     return document.with_curve(place, made), edited.places
 
 

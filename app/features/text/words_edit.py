@@ -111,7 +111,13 @@ class WordsEdit(Guarded, QPlainTextEdit):
     @property
     def run(self) -> TextRun:
         """How the first of the chosen letters looks; where none are, the first of all."""
-        return next((self._look_at(each.look).run for each in self._parts(chosen=True)), self.first)
+        return self.runs[0]
+
+    @property
+    def runs(self) -> list[TextRun]:
+        """How the chosen letters look, or all where none are, or what is typed first."""
+        places = dict.fromkeys(each.look for each in self._parts(chosen=True))
+        return [self._look_at(each).run for each in places] or [self.first]
 
     def restyle(self, change: Callable[[TextRun], TextRun], *, chosen: bool = True) -> bool:
         """Have the chosen letters, or all where none are, look otherwise; return whether there are any."""
