@@ -277,6 +277,8 @@ class TextField(ClaimsKeys, OverlayFrame):
         """Put it away; words that are kept are there when it is opened again."""
         _application().focusChanged.disconnect(self._follow_focus)
         self.hide()
+        # What was only looked at is not there when it is opened again.
+        self._end_trial()
         if not keeps_words:
             self.words.clear()
 
