@@ -63,7 +63,7 @@ def test_librsvg_draws_clones_where_and_as_they_are(tmp_path):
     rows = [replace(leaf, style=style, closed=index > 0) for index, style in enumerate(styles)]
     added = add_clones(Document(tuple(rows)), range(3), iter("abc").__next__)
     group = whole_curves(added.document, added.places)
-    by = rotation(40.0, (6.0, -3.0))
+    by = rotation(35.0, (6.0, -3.0))
     turned = mapped(added.document, group, by)
     larger = scaled_strokes(mapped(turned, group, scaling(1.5, 1.5, (9.0, 0.0))), group, 1.5, 1.5)
     document = settled(larger, added.document, added.document)
