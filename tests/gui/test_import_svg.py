@@ -109,6 +109,26 @@ def test_what_comes_in_otherwise_is_listed_before(editor):
     dialog.close()
 
 
+def test_a_circle_of_four_arcs_comes_in_as_four_points(editor, tmp_path):
+    """And neither as the pieces of its arcs, nor with the point where it closes twice."""
+    arcs = "M80 30A15 15 0 0 1 65 45A15 15 0 0 1 50 30A15 15 0 0 1 65 15A15 15 0 0 1 80 30Z"
+    (tmp_path / "ring.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="80mm" viewBox="0 0 100 80">'
+        f'<path id="ring" d="{arcs}" stroke="#c62828"/>'
+        '<rect width="9" height="9"/></svg>'
+    )
+    blank(editor)
+    dialog = opened(editor, tmp_path / "ring.svg")
+    row = dialog.groups.topLevelItem(0)
+    assert [row.text(column) for column in range(2)] == ["ring", "4 points"]
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    ring = editor.session.document.curves[0]
+    assert [point.position for point in ring.points] == [(80, 50), (65, 35), (50, 50), (65, 65)]
+    assert ring.closed
+    assert not any(point.corner for point in ring.points)
+
+
 def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
     blank(editor)
     document = imported(editor, SVG / "inkscape_logo.svg")

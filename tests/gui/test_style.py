@@ -32,6 +32,7 @@ from app.plotting.wide_line import RoundLine, WideLine
 from app.widgets.colour_popup import ColourPopup
 from tests.effort import noted_calls
 
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 BLUE, RED, GREEN = "#0072b2", "#d55e00", "#009e73"
 
 
@@ -422,13 +423,19 @@ def test_a_step_elsewhere_closes_the_choice_of_colours(editor, panel):
 def test_a_style_is_copied_and_pasted_to_all_chosen_curves(editor, panel):
     click(panel, "fillPaint_Blue")
     enter(editor, panel, "strokeWidth", "0.5")
-    editor.trigger("copyStyle")
-    editor.session.selected.set_curves([0, 2])
-    editor.trigger("pasteStyle")
-    assert styles(editor) == [Style(fill=BLUE, width=0.5)] * 3
-    assert editor.session.undo_stack.undoText() == "Paste style to 2 curves"
+    # As in Inkscape: what was copied as a curve gives its style; and the style alone has keys of its own.
+    for copying in (CTRL, CTRL | SHIFT | Qt.KeyboardModifier.AltModifier):
+        editor.session.selected.choose([1])
+        QTest.keyClick(editor.window, Qt.Key.Key_C, copying)
+        editor.session.selected.set_curves([0, 2])
+        QTest.keyClick(editor.window, Qt.Key.Key_V, CTRL | SHIFT)
+        editor.wait_for_work()
+        assert styles(editor) == [Style(fill=BLUE, width=0.5)] * 3
+        assert editor.session.undo_stack.undoText() == "Paste style to 2 curves"
+        QTest.keyClick(editor.window, Qt.Key.Key_Z, CTRL)
+        assert styles(editor) == [Style(), Style(fill=BLUE, width=0.5), Style()]
     editor.paste_text("words")
-    editor.trigger("pasteStyle")
+    QTest.keyClick(editor.window, Qt.Key.Key_V, CTRL | SHIFT)
     assert "no style on the clipboard" in editor.status
 
 
