@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QAbstractSlider, QSlider
 
 from ..qt.overrides import Guarded
@@ -38,6 +38,7 @@ class LiveSlider(Guarded, QSlider):
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
         self._is_over = False
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.sliderPressed.connect(self._begin)
         self.actionTriggered.connect(self._report)
         self.sliderReleased.connect(self._end)
@@ -59,6 +60,13 @@ class LiveSlider(Guarded, QSlider):
             self.abandon()
             return
         super().keyPressEvent(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            # Whatever lies around it scrolls.
+            event.ignore()
 
     def abandon(self) -> None:
         """End a drag here; what the mouse still does before its release means nothing."""

@@ -160,6 +160,9 @@ class Toolbar(Guarded, QToolBar):
         at = _STEPS.index(step)
         if at == len(self._widths):
             self._show_step(step)
+            if (layout := self.layout()) is not None:
+                # Buttons that are new, as those of families behind another bar, tell it only later.
+                layout.invalidate()
             self._widths.append(self.sizeHint().width())
         return self._widths[at] <= self.width()
 

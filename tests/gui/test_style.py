@@ -192,6 +192,10 @@ def test_the_wheel_turns_no_choice_that_it_only_passes(editor, panel):
     editor.window.canvas.setFocus()
     turn(box, -1)
     assert (box.currentIndex(), editor.session.undo_stack.count()) == (0, steps)
+    # What scrolls there brings another field under it.
+    for slider in panel.findChildren(QSlider):
+        turn(slider, -1)
+    assert editor.session.undo_stack.count() == steps
     box.setFocus()
     turn(box, -1)
     assert box.currentIndex() == 1

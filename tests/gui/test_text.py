@@ -568,6 +568,16 @@ def test_on_a_page_a_text_stays_one_with_its_lines_and_becomes_outlines_when_ask
     drawing.wait_for_work()
     written = path.read_text(encoding="utf-8")
     assert (written.count("<text"), "<path" in written) == (1, False)
+    # Escape keeps what was typed, as elsewhere; undo takes it away.
+    steps = session.undo_stack.count()
+    drawing.click((5.0, -2.0))
+    write(drawing, "B")
+    press(drawing, Qt.Key.Key_Escape)
+    assert session.undo_stack.undoText() == "Add Text “B”"
+    drawing.trigger("undo")
+    drawing.click((5.0, -2.0))
+    press(drawing, Qt.Key.Key_Escape)
+    assert session.undo_stack.index() == steps
     # Larger and with lines further apart it is the same object still.
     drawing.trigger("selectTool")
     drawing.double_click((start[0] + 0.5, start[1] + 0.5))

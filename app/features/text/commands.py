@@ -297,6 +297,10 @@ class TextCommands:
         preferences.text_bold, preferences.text_italic = face.bold, face.italic
 
     def _give_up(self) -> None:
+        """Go back to what was, by Escape; what is new in a drawing stays, and undo takes it away."""
+        if self._edited is None and kind_of(self._session.committed) is DocumentKind.DRAWING:
+            self._finish()
+            return
         self._close()
         self._session.cancel()
         self._session.selected.restore(self._before)
