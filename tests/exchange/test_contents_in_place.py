@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 import subprocess
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 
 import numpy as np
@@ -86,15 +87,48 @@ def about(document, place, by, *numbers):
     return mapped(document, whole_curves(document, {place}), by(*numbers, middle))
 
 
-def reworded(document, place, **fields):
+def reworded(document, place, change):
+    """Type into a text: `change` gets its lines, of letters each with how it looks."""
     known = wording.worded_at(document, place)
-    words = fields.pop("says", lambda words: words)(known.text.words)
-    return wording.reworded(document, known, known.text, replace(known.text, words=words, **fields))[0]
+    lines = [[(letter, part.look) for part in line for letter in part.words] for line in known.typed]
+    typed = tuple(
+        tuple(
+            wording.Letters("".join(letter for letter, _ in part), look)
+            for look, part in ((look, list(part)) for look, part in groupby(line, itemgetter(1)))
+        )
+        for line in change(lines)
+    )
+    words = "\n".join("".join(part.words for part in line) for line in typed)
+    now = replace(known.text, words=words)
+    return wording.reworded(document, known, known.text, now, typed, document.curves[place].style)[0]
 
 
 def other_words(document, place):
     table = {"Sir": "Madam", "and ": "or <", "& co": "& Sons"}
-    return reworded(document, place, says=lambda w: re.sub("Sir|and |& co", lambda m: table[m[0]], w))
+
+    def change(lines):
+        for line in lines:
+            for old, new in table.items():
+                at = "".join(letter for letter, _ in line).find(old)
+                if at >= 0:
+                    line[at : at + len(old)] = [(letter, line[at][1]) for letter in new]
+        return lines
+
+    return reworded(document, place, change)
+
+
+def further_line(lines):
+    return [*lines, [(letter, lines[-1][-1][1]) for letter in "and  more"]]
+
+
+def larger_and_bold(lines):
+    return [
+        [
+            (letter, look._replace(run=replace(look.run, size=look.run.size * 1.5, weight=700.0)))
+            for letter, look in line
+        ]
+        for line in lines
+    ]
 
 
 def beside(document, added):
@@ -153,9 +187,9 @@ ANY = {
         lambda d, p: other_words(stepped(d, whole_curves(d, {p}), (7.0, -4.0)), p), MANY_LINES, LINE_OF_TEXT
     ),
     "with a further line": (
-        lambda d, p: reworded(d, p, says=lambda words: f"{words}\nand  more"), MANY_LINES, USED
+        lambda d, p: reworded(d, p, further_line), MANY_LINES, USED
     ),
-    "larger and bold": (lambda d, p: reworded(d, p, size=12.0, bold=True), LINE_OF_TEXT, SLOPE),
+    "larger and bold": (lambda d, p: reworded(d, p, larger_and_bold), LINE_OF_TEXT, SLOPE),
     "as paths": (lambda d, p: outlined.with_outlines(d, {p})[0], MANY_LINES, SLOPE),
 }  # fmt: skip
 CASES = {

@@ -170,6 +170,7 @@ def test_a_text_takes_the_colour_chosen_last(drawing):
         assert len(drawing.session.document.curves) == 3
         fill = drawing.session.document.curves[-1].style.fill
         QTest.keyClick(words, Qt.Key.Key_Escape)
+        drawing.trigger("undo")
         drawing.trigger("selectTool")
         return fill
 
