@@ -12,8 +12,8 @@ from typing import Annotated, Final
 from .box_form import InBox
 from .fields import SHARE, Requirement, above, at_least, between, few, matching
 from .form import FormField, FormHandle, Piece
+from .text import PlaceInLine
 from .value import Value
-from .words import NamedEnum
 
 MOST_LETTERS: Final = 20_000
 """Letters of all texts of a drawing that are read."""
@@ -56,18 +56,8 @@ _WIDTHS = (0.3, 0.9, 0.68, 0.56)
 _ASCENT, _DESCENT = 0.75, 0.22
 
 
-class Anchor(NamedEnum):
-    """Where the place of a line of text lies along it.
-
-    Attributes
-    ----------
-    share
-        How much of the line lies before it.
-    """
-
-    def __init__(self, value: str, label: str = "", share: float = 0.0) -> None:
-        super().__init__(value, label)
-        self.share = share
+class Anchor(PlaceInLine):
+    """Where the place of a line of text lies along it."""
 
     START = "start", "Start", 0.0
     MIDDLE = "middle", "Middle", 0.5

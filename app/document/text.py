@@ -24,8 +24,8 @@ LINE_SPACING: Final = (0.1, 10.0)
 """The same for the way from line to line, in multiples of that of the font."""
 
 
-class TextAlign(NamedEnum):
-    """Part of each line that stands where a text was begun.
+class PlaceInLine(NamedEnum):
+    """Where something lies along a line of text.
 
     Attributes
     ----------
@@ -36,6 +36,10 @@ class TextAlign(NamedEnum):
     def __init__(self, value: str, label: str = "", share: float = 0.0) -> None:
         super().__init__(value, label)
         self.share = share
+
+
+class TextAlign(PlaceInLine):
+    """Part of each line that stands where a text was begun."""
 
     LEFT = "left", "Left", 0.0
     CENTRE = "centre", "Centre", 0.5
