@@ -69,6 +69,8 @@ class Action(msgspec.Struct, frozen=True):
         Where in the menus it stands.
     key
         One or more key sequences, comma separated; empty for none.
+    drawing_key
+        The same in drawings, where it differs: there other programs for drawing have their ways.
     icon
         A file of resources/icons, without suffix; empty for none.
     tip
@@ -119,6 +121,7 @@ class Action(msgspec.Struct, frozen=True):
     keywords: str = ""
     on_sight: Callable[[Situation], Sight] | None = None
     field: str = ""
+    drawing_key: str | None = None
 
     def missing(self, is_met: Callable[[Need], bool]) -> Need | None:
         """Return the first of its needs that is not met, those of its section before its own."""

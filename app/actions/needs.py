@@ -36,6 +36,7 @@ class Need(msgspec.Struct, frozen=True):
 
 
 NOTHING = Need("", lambda _now: True)
+SOME_CURVE = Need("a curve", lambda now: not now.is_blank)
 CHOSEN = Need(
     "a curve that is chosen or edited",
     lambda now: now.session.selected.means_curve,

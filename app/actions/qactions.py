@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
+from ..document.paper import kind_of
 from ..view_model.curve.curve_view import CurveView
 from .declaration import Action, Declared, Sight, all_declared
 from .key_gate import KeyGate
@@ -112,7 +113,8 @@ class Actions(QObject):
                 self._groups[each.group] = QActionGroup(self._window)
             self._groups[each.group].addAction(action)
         name = full_name_of(action).removesuffix("…")
-        self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key)))
+        in_drawings = None if each.drawing_key is None else _sequences(each.drawing_key)
+        self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key), in_drawings))
         if each.key_needs is not NOTHING or each.key_asks is not None:
             self._gate.guard(action, each.key_needs, each.key_asks)
         return action
@@ -258,6 +260,7 @@ class Actions(QObject):
     def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
         now = self._now
+        self.keymap.use(kind_of(now.session.document))
         is_met = _remembering(now)
         for alike in self._alike:
             alike.render(now, is_met)

@@ -93,7 +93,8 @@ FILE_BACK = FILE.section(is_separated=False)
 FILE_SAVE = FILE.section()
 FILE_DISK = FILE.section("Disk", is_separated=False)
 FILE_EXCHANGE = FILE.section()
-FILE_IMAGE = FILE.section(is_separated=False)
+FILE_IMAGE = FILE.section("Reference Image", is_separated=False)
+FILE_PRINT = FILE.section(is_separated=False)
 FILE_FAMILY = FILE.section("Family File")
 FILE_FAMILY_MORE = FILE.section("Family File", is_separated=False)
 FILE_RECOVERY = FILE.section(is_separated=False)
@@ -150,8 +151,10 @@ CURVE_COLOUR = CURVE.section("Properties")
 CURVE_STYLE = CURVE.section("Properties", is_separated=False, needs=NOTHING)
 CURVE_SETTINGS = CURVE.section("Properties")
 CURVE_NAME = CURVE.section("Properties", is_separated=False)
-CURVE_SHAPES = CURVE.section("Arrange", is_separated=False, also=[CHOSEN_MENU(35)], called="Paths")
-CURVE_PATHS = CURVE.section("Arrange", also=[CHOSEN_MENU(35)], called="Paths")
+CURVE_SHAPES = CURVE.section(
+    "Arrange", is_separated=False, also=[CHOSEN_MENU(35), CURVE_LIST_MENU(56)], called="Paths"
+)
+CURVE_PATHS = CURVE.section("Arrange", also=[CHOSEN_MENU(35), CURVE_LIST_MENU(56)], called="Paths")
 CURVE_OFFSETS = CURVE.section("Arrange", is_separated=False)
 CURVE_CLIPS = CURVE.section("Arrange")
 CURVE_GROUPS = CURVE.section("Arrange", is_separated=False)
@@ -159,6 +162,12 @@ CURVE_ORDER = CURVE.section(
     "Arrange", also=[CHOSEN_MENU(21), CURVE_MENU(45), CURVE_LIST_MENU(20)], called="Order"
 )
 CURVE_WALK = CURVE.section("Arrange", needs=NOTHING)
+
+TEXT = Menu("Text", interrupts=True, needs=CHOSEN)
+TEXT_WORDS = TEXT.section()
+TEXT_PATH = TEXT.section()
+TEXT_FRAME = TEXT.section()
+TEXT_OUTLINES = TEXT.section()
 
 ANALYSIS = Menu("Analysis")
 OVERLAY_SECTIONS = [ANALYSIS.section("Overlays", is_separated=group > 0) for group in Group]

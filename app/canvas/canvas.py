@@ -42,9 +42,9 @@ class Canvas(ToolPlot):
     guide_opened
         A guide, by its place in the document, shall be given a place; or a new one, by its axis.
     text_placed
-        A text shall begin at a place.
+        A text shall begin at a place, or fill a frame from there to the opposite corner, if that is not None.
     text_opened
-        The text that a curve is a letter of shall be edited.
+        The text that a curve is a letter of shall be edited, from a place on if that is not None.
     colour_picked
         The "fill" or the "stroke" of what is chosen shall have a colour, "#rrggbb".
     """
@@ -52,8 +52,8 @@ class Canvas(ToolPlot):
     menu_requested = Signal(object, QPoint)
     guide_drawn = Signal()
     guide_opened = Signal(object)
-    text_placed = Signal(object)
-    text_opened = Signal(int)
+    text_placed = Signal(object, object)
+    text_opened = Signal(int, object)
     colour_picked = Signal(str, str)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from msgspec.structs import replace
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from ..appearance.colours import curve_colour
 from ..appearance.theme import Theme
@@ -12,6 +14,7 @@ from ..document.content import Lettering, Picture
 from ..document.contents import corners_of
 from ..document.model import Curve
 from ..document.style import Style
+from ..document.wrapping import is_overset
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import to_pixels
 from ..qt.clips import clipped
@@ -21,6 +24,9 @@ from ..qt.strokes import pen_of, with_opacity
 
 _SHORTEST_DASHES = 0.5
 """Pixels of a pattern below which dashes cannot be told apart."""
+
+_SIGN = 6.0
+"""Pixels that the plus of a frame too small for its words reaches each way."""
 
 
 def paint_content(
@@ -67,6 +73,26 @@ def _paint_text(
                     brush_of(own.stroke_gradient, theme.curve, opacity, lambda place: shown.point(*place))
                 )
             painter.strokePath(path, pen)
+    if is_overset(text):
+        _paint_overset(painter, [QPointF(*shown.point(*place)) for place in corners_of(curve)], theme)
+
+
+def _paint_overset(painter: QPainter, corners: Sequence[QPointF], theme: Theme) -> None:
+    """Paint the frame of words that do not fit, and a plus beside its lower right corner."""
+    pen = QPen(theme.warning, 1.5)
+    pen.setCosmetic(True)
+    painter.save()
+    painter.setPen(pen)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawPolygon(QPolygonF(list(corners)))
+    place = corners[2] + QPointF(2.5 * _SIGN, 0.0)
+    sign = QRectF(place.x() - _SIGN, place.y() - _SIGN, 2 * _SIGN, 2 * _SIGN)
+    painter.fillRect(sign, theme.paper)
+    painter.drawRect(sign)
+    reach = _SIGN - 3
+    painter.drawLine(place - QPointF(reach, 0), place + QPointF(reach, 0))
+    painter.drawLine(place - QPointF(0, reach), place + QPointF(0, reach))
+    painter.restore()
 
 
 def _seen(code: str, theme: Theme) -> QColor:

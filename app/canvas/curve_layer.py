@@ -18,6 +18,8 @@ from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve.curve_view import CurveView, Polyline
+from .blurs import Blurs
+from .group_sheets import GroupSheets
 from .looks import Looks, Shape, line_of, paint_shape
 
 CASING = 1.0
@@ -42,6 +44,8 @@ class EditedShapeLayer(Layer):
         self._shape: Shape = ()
         self._line = RoundLine()
         self._looks = Looks()
+        self._blurs = Blurs(plot, lambda: self.update())  # noqa: PLW0108
+        self.groups = GroupSheets(plot, lambda: self.update())  # noqa: PLW0108
         self.set_visible(False)
 
     def set_looks(self, looks: Looks) -> None:
@@ -59,9 +63,9 @@ class EditedShapeLayer(Layer):
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the shape."""
         if self._shape:
-            style = self._looks.style_of(self._shape[0])
-            usual = _WIDTH * self.scale
-            paint_shape(painter, self._shape, style, shown, self.theme, usual, self._line, self._looks.page)
+            usual, looks = _WIDTH * self.scale, self._looks
+            print_shape = paint_shape if not self._shape[0].source.group_looks else self.groups.paint
+            print_shape(painter, self._shape, looks, shown, self.theme, usual, self._line, self._blurs)
 
 
 class CurveLayer(Layer):

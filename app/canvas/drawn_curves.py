@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from itertools import compress
 from operator import is_not
 
+from ..document.along_edits import along_of
 from ..document.model import Vector
-from ..document.shapes import shape_around, shapes
+from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..tools.pointer import Hit
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
+from .group_sheets import drawn_together
 from .line_finder import LineFinder, is_on_line
 from .looks import Looks, Shape
 from .other_curves_layer import OtherCurvesLayer
@@ -92,6 +94,7 @@ class DrawnCurves:
             (style is other or (style.is_placed and other.is_placed))
             and new.source.visible is old.source.visible
             and new.source.shape == old.source.shape
+            and new.source.group_looks == old.source.group_looks
             # Under a drag there is a curve in every frame.
             and ((new.motion is not None and old.motion is not None) or is_faint(new) is is_faint(old))
         )
@@ -105,13 +108,17 @@ class DrawnCurves:
         found = [
             (place, views[place])
             for place in other
-            if place not in selected and views[place].source.visible and views[place].has_curve
+            if place not in selected
+            and views[place].source.visible
+            and views[place].has_curve
+            and self._has_line(views[place])
         ]
-        below, shape, above = self._in_order(views, active, selected)
+        units = drawn_together(views, is_apart=self.looks.is_thin)
+        below, shape, above = self._in_order(views, units, active, selected)
         self.others.render_shapes(below, found)
         seen = ((place, views[place]) for place in other if views[place].source.visible)
         self._locked.render([each for each in seen if each[1].source.locked and each[1].has_curve])
-        self._edited_places = shape_around([view.source for view in views], active) if shape else range(0)
+        self._edited_places = next(each for each in units if active in each) if shape else range(0)
         self.edited.render(shape)
         self.above.render_shapes(above, [])
         self.selected.render(views, [place for place in other if place in selected])
@@ -120,17 +127,18 @@ class DrawnCurves:
         self.curve.set_covered(bool(above))
 
     def _in_order(
-        self, views: Sequence[CurveView], active: int, selected: Collection[int]
+        self, views: Sequence[CurveView], units: Iterable[range], active: int, selected: Collection[int]
     ) -> tuple[dict[int, Shape], Shape, dict[int, Shape]]:
         """Return the shapes below the edited one, that where it is no plain line, and those over it.
 
-        Each stands at the place of its first curve. With no edited one, −1, all are below.
+        Each stands at the place of its first curve; what is drawn together is one. With no edited
+        one, −1, all are below.
         """
         below: dict[int, Shape] = {}
         above: dict[int, Shape] = {}
         edited: Shape = ()
         is_layered, marked = False, {active, *selected}
-        for places in shapes([view.source for view in views]):
+        for places in units:
             is_line = self.looks.is_line(views[places.start])
             if active in places and not is_line and not is_faint(views[active]):
                 edited, is_layered = tuple(views[place] for place in places), True
@@ -153,8 +161,14 @@ class DrawnCurves:
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve at `pixel`, neither edited nor locked; lines that are thin have no insides."""
         _, active, *_ = self._shown
-        line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
+        line = self.selected.hit(pixel, shown)
+        if line is None or not self._has_line(self._shown[0][line.index]):
+            line = self.others.hit(pixel, shown)
         return line if self.looks.is_thin else self.areas.hit(pixel, shown, active, line)
+
+    def _has_line(self, view: CurveView) -> bool:
+        """Whether a press on its outline means a curve: the frame around letters along a path is not seen."""
+        return self.looks.is_thin or view.source.form is None or along_of(view.source) is None
 
     def locked_at(self, pixel: Vector, shown: PixelMap) -> int:
         """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
@@ -175,7 +189,8 @@ class DrawnCurves:
             on_line = (
                 place
                 for place in places
-                if is_on_line(views[place], pixel, shown, is_whole=self.looks.is_thin)
+                if self._has_line(views[place])
+                and is_on_line(views[place], pixel, shown, is_whole=self.looks.is_thin)
             )
             place = next(on_line, places.start if places.start in areas else None)
             if place is not None:

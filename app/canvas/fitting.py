@@ -186,8 +186,11 @@ class Framing:
         view, selected = self._drawing.view, self._drawing.points.selection
         if view is None or len(selected) != 1:
             return
+        self.reveal(*self._camera.pixel_map.point(*view.points[next(iter(selected))].tolist()))
+
+    def reveal(self, x: float, y: float) -> None:
+        """Move the view so far that a pixel is in sight."""
         shown = self._camera.pixel_map
-        x, y = shown.point(*view.points[next(iter(selected))].tolist())
         dx, dy = way_back_inside(x, shown.width), way_back_inside(y, shown.height)
         if dx or dy:
             self._camera.pan(dx, dy)

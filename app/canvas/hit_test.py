@@ -16,7 +16,7 @@ from ..document.point_group import PointGroup
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, Polyline
-from ..view_model.curve.handles import NO_HANDLES, Handles
+from ..view_model.curve.handle_arms import NO_HANDLES, Handles
 
 POINT_REACH = 10.0
 """Pixels from the pointer within which a point or a handle is grabbed."""

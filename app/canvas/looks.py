@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import msgspec
+from msgspec.structs import replace
 from PySide6.QtGui import QPainter
 
 from ..appearance.colours import curve_colour, fill_colour
@@ -16,6 +17,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
 from ..plotting.wide_line import RoundLine
 from ..view_model.curve.curve_view import CurveView, Polyline
+from .blurs import Blurs, paint_blurred
 from .content_ink import paint_content
 from .desk_outline import outline_on_desk
 
@@ -58,10 +60,12 @@ class Looks(msgspec.Struct, frozen=True):
         return view.source.line_style.with_usual_width(self.usual_width)
 
     def is_line(self, view: CurveView) -> bool:
-        """Whether a curve is a line of the same width at every zoom, whatever its colour."""
+        """Whether a curve is a line of the same width at every zoom: it has no looks but a colour."""
         if self.is_thin:
             return True
-        return not self.usual_width and _is_plain(view.source.style) and not is_content(view.source)
+        if self.usual_width or view.source.group_looks:
+            return False
+        return _is_plain(view.source.style) and not is_content(view.source)
 
 
 def _is_plain(style: Style) -> bool:
@@ -75,6 +79,7 @@ def _is_plain(style: Style) -> bool:
         and style.stroke_opacity == style.opacity == 1.0
         and style.stroke_gradient is None
         and not style.clips
+        and not style.blur
         and not style.has_markers
     )
 
@@ -102,25 +107,37 @@ def printed_width(style: Style, shown: PixelMap, usual: float) -> float:
 def paint_shape(
     painter: QPainter,
     shape: Sequence[CurveView],
-    style: Style,
+    looks: Looks,
     shown: PixelMap,
     theme: Theme,
     usual: float,
     line: RoundLine | None = None,
-    page: Page | None = None,
+    blurs: Blurs | None = None,
+    *,
+    style: Style | None = None,
 ) -> None:
-    """Paint a shape in a style; `usual` is the width in pixels of a line that has none of its own.
+    """Paint a shape as it prints, or in a `style`; `usual` is the width of lines without one, in pixels.
 
-    Whoever paints many keeps a `line`. Beside a `page` that lies on a dark desk what is dark has an outline.
+    Whoever paints many keeps a `line`, and `blurs`. Beside a page that lies on a dark desk what is
+    dark has an outline.
     """
+    style = looks.style_of(shape[0]) if style is None else style
     width = usual if style.width is None else style.width * shown.sx
+    if style.blur:
+        sharp = replace(style, blur=0.0, clips=())
+
+        def paint(inner: QPainter, part: PixelMap, scale: float) -> None:
+            paint_shape(inner, shape, Looks(), part, theme, usual * scale, style=sharp)
+
+        paint_blurred(painter, shape, style, shown, width, (theme,), paint, blurs)
+        return
     if is_content(shape[0].source):
         paint_content(painter, shape[0].source, style, shown, theme, width)
         return
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
     parts = parts_of(shape, style, shown)
-    if page is not None and theme.has_dark_desk:
-        outline_on_desk(painter, parts, style, ink, shown, theme, page)
+    if looks.page is not None and theme.has_dark_desk:
+        outline_on_desk(painter, parts, style, ink, shown, theme, looks.page)
     paint_printed(painter, parts, style, ink, shown, line)
 
 

@@ -18,9 +18,12 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine
 from ..tools.pointer import Hit
+from ..view_model.curve.carried_views import common_way
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.look.line_styles import FILE_STYLE
+from .blurs import Blurs
 from .curve_layer import CASING, FAINT_WIDTH
+from .group_sheets import GroupSheets
 from .line_finder import LineFinder, pixels_of
 from .looks import Looks, Shape, line_of, paint_shape
 from .sections import Section, loose_places, sections_of
@@ -48,7 +51,8 @@ class OtherCurvesLayer(Layer):
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are. While some of them are dragged the
-    picture is in several sheets: what prints below these, between them, and over them.
+    picture is in several sheets: what prints below these, between them, and over them. While hundreds go the
+    same way, the picture goes along.
     """
 
     z = -1.0
@@ -78,6 +82,8 @@ class OtherCurvesLayer(Layer):
         self._next = QTimer(plot, singleShot=True, interval=0)
         self._next.timeout.connect(lambda: self.update())  # noqa: PLW0108
         self._finder = LineFinder()
+        self._blurs = Blurs(plot, self._repaint)
+        self.groups = GroupSheets(plot, self._repaint)
         self.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
@@ -95,10 +101,27 @@ class OtherCurvesLayer(Layer):
             self._views = found
             self._finder.render([each for each in found if not each[1].source.locked])
         if shapes != self._drawn:
-            self._follow(_changed(self._drawn, shapes), len(shapes))
+            if not self._moves_along(shapes):
+                self._follow(_changed(self._drawn, shapes), len(shapes))
             self._drawn, self._shapes = shapes, list(shapes.values())
             self.set_visible(bool(shapes))
             self.update()
+
+    def _moves_along(self, shapes: dict[int, Shape]) -> bool:
+        """Move the picture along where all shapes have gone the same way; return whether it does.
+
+        They are more than can be painted in every frame: what each prints there is painted when they rest.
+        """
+        picture, is_whole = self._picture, len(self._sections) == 1 and self._sections[0].is_still
+        if picture is None or not is_whole or self._seconds <= _SLOW or shapes.keys() != self._drawn.keys():
+            return False
+        old, new = ([view for shape in each.values() for view in shape] for each in (self._drawn, shapes))
+        way = common_way(old, new) if len(old) == len(new) > _FOLLOWED else None
+        if way is None:
+            return False
+        self._picture, self._is_resting = picture.moved(way), False
+        self._rest.start()
+        return True
 
     def _follow(self, changed: frozenset[int], count: int) -> None:
         """Paint what has changed in every frame from now on, where it is few or changes again and again."""
@@ -115,12 +138,16 @@ class OtherCurvesLayer(Layer):
             self._is_cased, self._picture = cased, None
             self.update()
 
+    def _repaint(self) -> None:
+        self._picture = None
+        self._kept.clear()
+        self.update()
+
     def set_looks(self, looks: Looks) -> None:
         """Draw lines so."""
         if looks != self.looks:
-            self.looks, self._picture = looks, None
-            self._kept.clear()
-            self.update()
+            self.looks = looks
+            self._repaint()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible.
@@ -135,6 +162,7 @@ class OtherCurvesLayer(Layer):
         picture = self._picture
         if picture is not None and picture.key == key and picture.shown != shown and self._may_wait(shown):
             self._rest.start()
+            self._paint_more(picture)
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
             self._compose(painter, shown, picture)
             return
@@ -216,9 +244,9 @@ class OtherCurvesLayer(Layer):
                 for view in shape:
                     self._paint_line(painter, stroke, view, shown)
             else:
-                style = self.looks.style_of(shape[0])
-                usual, page = FAINT_WIDTH * self.scale, self.looks.page
-                paint_shape(painter, shape, style, shown, self.theme, usual, line, page)
+                usual = FAINT_WIDTH * self.scale
+                print_shape = paint_shape if not shape[0].source.group_looks else self.groups.paint
+                print_shape(painter, shape, self.looks, shown, self.theme, usual, line, self._blurs)
 
     def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         stroke.show(line_of(view, shown).points, shown)

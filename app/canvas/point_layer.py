@@ -23,7 +23,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.sprites import Mark
 from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.curve.handles import Handles
+from ..view_model.curve.handle_arms import Handles
 from ..view_model.points.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .label_place import Taken, number_place

@@ -20,6 +20,7 @@ from ..document.style import Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, paint_printed
 from ..view_model.curve.curve_view import CurveView
+from .blurs import blurred_box, paint_blurred
 from .content_ink import paint_content
 from .looks import Looks, Shape, parts_of
 
@@ -77,12 +78,22 @@ class SeenColours:
 
 def _box(shape: Shape, style: Style) -> FloatArray:
     """Return a box that a shape in a style does not leave, nor its line with its miters."""
+    if style.blur:
+        return blurred_box(shape, style, style.width or 0.0)
     lines = np.vstack([view.drawn_box for view in shape])
     overhang = (style.width or 0.0) * max(1.0, style.miter_limit, FARTHEST if style.has_markers else 0.0)
     return np.array([lines.min(axis=0) - overhang, lines.max(axis=0) + overhang])
 
 
 def _paint(painter: QPainter, shape: Shape, style: Style, shown: PixelMap, spot: PixelMap) -> None:
+    if style.blur:
+        sharp, width = replace(style, blur=0.0, clips=()), (style.width or 0.0) * shown.sx
+
+        def paint(inner: QPainter, part: PixelMap, _scale: float) -> None:
+            _paint(inner, shape, sharp, part, part)
+
+        paint_blurred(painter, shape, style, spot, width, (), paint)
+        return
     if is_content(shape[0].source):
         paint_content(painter, shape[0].source, style, spot, PRINTED, (style.width or 0.0) * shown.sx)
         return

@@ -71,10 +71,10 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             if self._is_line(view):
                 stroke.show(line_of(view, shown).points, shown)
                 self._paint_line_of(painter, stroke, view, has_halo=not is_many)
-            elif not is_many and not self._is_fine(view, shown):
+            elif not is_many and not self._is_boxed(view, shown):
                 self._paint_over_print(painter, stroke, view, shown)
         # Over a fine line, and on the colours beside it, any other one would hide them.
-        boxed = views if is_many else [view for view in views if self._is_fine(view, shown)]
+        boxed = views if is_many else [view for view in views if self._is_boxed(view, shown)]
         if boxed:
             self._paint_boxes(painter, shown, boxed)
         if self._has_rings:
@@ -94,9 +94,11 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         )
         stroke.draw(painter)
 
-    def _is_fine(self, view: CurveView, shown: PixelMap) -> bool:
-        """Whether a curve prints a line that is too fine for another one on it."""
-        return not self._is_line(view) and 0 < self._printed_width(view, shown) < _WIDE
+    def _is_boxed(self, view: CurveView, shown: PixelMap) -> bool:
+        """Whether a box marks a curve: its line is too fine to be drawn on, or clips hide some."""
+        if self._is_line(view):
+            return False
+        return bool(view.source.style.clips) or 0 < self._printed_width(view, shown) < _WIDE
 
     def _printed_width(self, view: CurveView, shown: PixelMap) -> float:
         return printed_width(self.looks.outline_of(view), shown, _WIDTH * self.scale) / self.scale

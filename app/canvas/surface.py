@@ -19,16 +19,17 @@ class CanvasSurface(Surface):
     plot, drawing
         Where it is drawn, and what lies there.
     write, rewrite, colour
-        Told that a text shall begin at a place, that the one of a curve shall be edited, and that the "fill"
-        or the "stroke" of what is chosen shall have a colour.
+        Told that a text shall begin at a place, or fill a frame from there to the opposite corner; that the
+        one of a curve shall be edited, from a place on if that is not None; and that the "fill" or the
+        "stroke" of what is chosen shall have a colour.
     """
 
     def __init__(
         self,
         plot: ToolPlot,
         drawing: CanvasScene,
-        write: Callable[[Vector], object],
-        rewrite: Callable[[int], object],
+        write: Callable[[Vector, Vector | None], object],
+        rewrite: Callable[[int, Vector | None], object],
         colour: Callable[[str, str], object],
     ) -> None:
         self._plot, self._drawing = plot, drawing
@@ -49,11 +50,11 @@ class CanvasSurface(Surface):
     def grid_spacing(self) -> float:
         return self._drawing.grid.spacing(self._plot.pixel_map)
 
-    def write_at(self, place: Vector) -> None:
-        self._write(place)
+    def write_at(self, place: Vector, opposite: Vector | None = None) -> None:
+        self._write(place, opposite)
 
-    def open_text(self, curve: int) -> None:
-        self._rewrite(curve)
+    def open_text(self, curve: int, place: Vector | None = None) -> None:
+        self._rewrite(curve, place)
 
     def give_colour(self, paint: str, colour: str) -> None:
         self._colour(paint, colour)

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import FrameType
 from typing import IO, Any
 
-from PySide6.QtCore import QObject, QPoint, QSocketNotifier, QTimer
+from PySide6.QtCore import QMargins, QObject, QPoint, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
 from .. import diagnostics
@@ -22,11 +22,11 @@ from ..diagnostics.crash_handler import CrashHandler
 from ..diagnostics.crash_report import versions
 from ..diagnostics.slow_frames import SlowFrames
 from ..document.model import Document
-from ..document.paper import DocumentKind, kind_of
 from ..features.recovery.autosave import Autosave, snapshot_folder, state_folder
 from ..features.recovery.commands import RecoveryCommands
 from ..session import Beginning, Session
 from ..window.main_window import MainWindow
+from ..workbench.document_files import DocumentFiles
 
 _log = logging.getLogger("curvebench.lifecycle")
 
@@ -75,6 +75,7 @@ class Lifecycle(QObject):
         window.commands[RecoveryCommands].keep_with(autosave, self._open_beside)
         window.commands.drops.open_window = self._open_window
         window.context.files.open_window = partial(self._open_empty, window)
+        window.context.files.show_elsewhere = partial(self._show_open, window)
         window.closed.connect(lambda: self._finish(window))
         # Who goes on working has called the end of the system off.
         window.session.history_changed.connect(window.ask_before_closing)
@@ -91,12 +92,27 @@ class Lifecycle(QObject):
         session.open(path)
         self._show(session)
 
-    def _open_empty(self, beside: MainWindow) -> None:
-        """Open an empty document of the same kind in another window, which leaves a part of this in sight."""
+    def _open_empty(self, beside: MainWindow, action: str) -> DocumentFiles:
+        """Open another window beside one that stays in sight, with what an action begins."""
         window = self._show(Session())
-        is_drawing = kind_of(beside.session.document) is DocumentKind.DRAWING
-        window.context.actions["newDrawing" if is_drawing else "newDocument"].trigger()
-        window.move(beside.pos() + QPoint(_ASIDE, _ASIDE))
+        if beside.isMaximized():
+            window.showMaximized()
+        else:
+            _place_beside(window, beside)
+        if action:
+            window.context.actions[action].trigger()
+        return window.context.files
+
+    def _show_open(self, asked_in: MainWindow, path: Path) -> bool:
+        """Bring another window that has a file to the front; return whether there is one."""
+        for window in self._autosaves:
+            files = window.session.files
+            here = files.path or (files.foreign.path if files.foreign is not None else None)
+            if window is not asked_in and here is not None and here.absolute() == path.absolute():
+                window.raise_()
+                window.activateWindow()
+                return True
+        return False
 
     def _show(self, session: Session) -> MainWindow:
         window = MainWindow(session)
@@ -268,3 +284,12 @@ def _give_way(number: int, _frame: FrameType | None) -> None:
 
 def _names_of(path: Path) -> tuple[str, ...]:
     return (str(path), str(path.absolute()), str(path.parent.absolute()), path.name, path.name.split(".")[0])
+
+
+def _place_beside(window: MainWindow, beside: MainWindow) -> None:
+    """Put a window a step down and right of another, as large, but no further out of the screen than that."""
+    frame = beside.frameGeometry()
+    room = beside.screen().availableGeometry().united(frame).bottomRight() - frame.bottomRight()
+    over = QPoint(_ASIDE, _ASIDE) - room
+    window.resize(beside.size().shrunkBy(QMargins(0, 0, max(over.x(), 0), max(over.y(), 0))))
+    window.move(beside.pos() + QPoint(_ASIDE, _ASIDE))

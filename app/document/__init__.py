@@ -4,10 +4,11 @@
   rules that estimate them.  ``limits``: the numbers that they may hold.  ``page``: what pictures show.
   ``reference_image``: the picture to trace.
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
-  ``clip``: what it is cut by.  ``marker``: what stands at its ends.
+  ``clip``: what it is cut by.  ``marker``: what stands at its ends.  ``drawn_kinds``: what begins in which.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.
-- ``content``: texts and pictures as forms.  ``contents``: curves that are the frames of such.
+- ``content``: texts and pictures as forms.  ``contents``: curves that are the frames of such.  ``flow``:
+  how words fill those.  ``wrapping``: where the lines of these end.
 - ``export``: the last export of a document.
 - ``decimals``: numbers added as they are written.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
@@ -19,10 +20,11 @@
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``several_curves``: of several curves at once, and curves from elsewhere.  ``point_group``: points of
-  several that change together.
+  several that change together.  ``whole_edits``: whole curves put elsewhere in one pass.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``layers``: groups that are layers; what is new comes into one.  ``layer_order``: theirs, with empty ones.
   ``empty_layer``: such a one.
+- ``group_look``: groups that are seen through.  ``group_opacity``: how much is seen of groups and shapes.
 - ``guide``: the lines to draw along, and where they meet.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.
@@ -30,6 +32,7 @@
   are, and look.  ``clone_links``: those that come into a document together.
 - ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``box_form``: those in a box.
   ``form_edits``: curves made of such.
+- ``along_path``, ``along_edits``: courses that texts lie along.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.

@@ -7,6 +7,7 @@ from itertools import count
 
 from msgspec.structs import replace
 
+from .along_edits import path_of, put_on
 from .clone_maps import as_cloned
 from .model import Curve, Document
 
@@ -36,7 +37,7 @@ def with_own_links(curves: Sequence[Curve], there: Sequence[Curve]) -> list[Curv
     Of those that have the identity of a curve there, the ones with clones among them get another.
     """
     taken = {curve.identity for curve in there}
-    followed = {curve.clone.of for curve in curves if curve.clone is not None}
+    followed = {curve.clone.of for curve in curves if curve.clone is not None} | {*map(path_of, curves)}
     own = {curve.identity for curve in curves if curve.identity}
     fresh: dict[str, str] = {}
     used = {*taken, *own}
@@ -57,4 +58,6 @@ def _renewed(curve: Curve, fresh: dict[str, str]) -> Curve:
     clone = curve.clone
     if clone is not None and fresh.get(clone.of):
         curve = replace(curve, clone=replace(clone, of=fresh[clone.of]))
+    if curve.form is not None and fresh.get(path_of(curve)):
+        curve = put_on(curve, fresh[path_of(curve)])
     return replace(curve, identity=fresh[curve.identity]) if curve.identity in fresh else curve

@@ -6,14 +6,19 @@ height. `inner` is the part of that which the frame shows, and the map from ther
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
-from typing import Annotated, Final
+from typing import Annotated, ClassVar, Final, Self
 
+from msgspec.structs import replace
+
+from .along_path import Along
 from .box_form import InBox
 from .fields import SHARE, Requirement, above, at_least, between, few, matching
+from .flow import Flow, rough_frame, stretched
 from .form import FormField, FormHandle, Piece
 from .text import PlaceInLine
-from .value import Value
+from .value import Value, Vector
 
 MOST_LETTERS: Final = 20_000
 """Letters of all texts of a drawing that are read."""
@@ -87,8 +92,10 @@ class TextRun(Value, frozen=True):
         What an em is long.
     weight, italic
         The style of the font, 400 being regular.
-    spacing
-        What lies between letters beyond the usual.
+    spacing, word_spacing
+        What lies between letters, and between words, beyond the usual.
+    underline, strike
+        Whether there is a line under it, and through it.
     right, down
         By how much it is moved from where it would follow.
     paint
@@ -104,6 +111,18 @@ class TextRun(Value, frozen=True):
     right: float = 0.0
     down: float = 0.0
     paint: RunPaint | None = None
+    word_spacing: float = 0.0
+    underline: bool = False
+    strike: bool = False
+
+    def resized(self, by: float) -> TextRun:
+        """Return the run so many times as large, with its ways and spaces; its paint stays."""
+        lengths = {name: getattr(self, name) * by for name in _LENGTHS}
+        return replace(self, **lengths)
+
+
+_LENGTHS: Final = ("size", "spacing", "word_spacing", "right", "down")
+"""The fields of a run that are in units of its text."""
 
 
 class TextLine(Value, frozen=True):
@@ -135,7 +154,7 @@ class _Content(InBox, frozen=True):
 
     stretches = True
     is_content = True
-    fields = (
+    fields: ClassVar[tuple[FormField, ...]] = (
         FormField("width", "W", "Width along its own side"),
         FormField("height", "H", "Height along its own side"),
     )
@@ -167,15 +186,22 @@ class Lettering(_Content, frozen=True):
     Attributes
     ----------
     lines
-        Its lines.
+        Its lines; of words that fill a frame its paragraphs, which lie where they are laid out.
     box
-        What the letters take, in units of the text.
+        What the letters take, in units of the text; or the frame that they fill.
+    flow
+        How they fill that; None for lines that end where they do.
+    along
+        The course that its only line lies along; None for straight lines.
     """
 
     lines: Annotated[tuple[TextLine, ...], _MANY]
     box: Annotated[tuple[float, float, float, float], _BOX]
+    flow: Flow | None = None
+    along: Along | None = None
 
     noun, icon = "text", "type"
+    fields = (*_Content.fields, FormField("start", "Start", "Where along its path it begins"))
 
     @property
     def inner(self) -> Inner:
@@ -191,6 +217,61 @@ class Lettering(_Content, frozen=True):
     def title(self) -> str:
         """Its words."""
         return self.words
+
+    @property
+    def handles(self) -> Sequence[FormHandle]:
+        """The sides of the frame that words fill, and a corner."""
+        if self.flow is None:
+            return ()
+        x, y = self.middle
+        return (
+            FormHandle("left", (self.x, y), "width"),
+            FormHandle("right", (self.right, y), "width"),
+            FormHandle("lower", (x, self.y), "height"),
+            FormHandle("lower right", (self.right, self.y), "size"),
+        )
+
+    def dragged(self, handle: str, to: Vector, *, ctrl: bool, shift: bool) -> Self:
+        """Return the text in a frame whose side, or corner, is somewhere else."""
+        left, low, right, top = self.x, self.y, self.right, self.top
+        left, low = to[0] if handle == "left" else left, to[1] if "lower" in handle else low
+        return self._in((left, low, to[0] if "right" in handle else right, top))
+
+    def with_number(self, name: str, value: float) -> Self:
+        """Return the text with a number that was typed: words that fill a frame wrap anew."""
+        if name == "start" and self.along is not None:
+            return replace(self, along=replace(self.along, start=value / self._unit, is_share=False))
+        if self.flow is None or value <= 0:
+            return super().with_number(name, value)
+        if name == "width":
+            return self._in((self.x, self.y, self.x + value, self.top))
+        return self._in((self.x, self.top - value, self.right, self.top))
+
+    def _in(self, frame: Inner) -> Self:
+        """Return the text that fills another frame, y up; itself for one without room."""
+        left, low, right, top = frame
+        if left >= right or low >= top or self.flow is None:
+            return self
+        before = (self.x, self.y, self.right, self.top)
+        box = stretched(self.box, before, frame)
+        flow = replace(self.flow, grows=self.flow.grows and low == self.y)
+        return replace(self, x=left, y=low, width=right - left, height=top - low, box=box, flow=flow)
+
+    @property
+    def start(self) -> float:
+        """Where along its path it begins, or has its middle or end: a length of the plane, or 0."""
+        along = self.along
+        if along is None:
+            return 0.0
+        return self._unit * (along.start * along.length if along.is_share else along.start)
+
+    def has_number(self, name: str) -> bool:
+        """Whether it has a number: where it begins only along a path."""
+        return name != "start" or self.along is not None
+
+    @property
+    def _unit(self) -> float:
+        return self.width / (self.box[2] - self.box[0])
 
 
 class Picture(_Content, frozen=True):
@@ -213,7 +294,7 @@ class Picture(_Content, frozen=True):
     link: Annotated[str, _LINK] = ""
     stretched: bool = False
 
-    noun, icon = "picture", "image"
+    noun, icon, has_paints = "picture", "image", False
 
     @property
     def inner(self) -> Inner:
@@ -231,6 +312,23 @@ def lettering(lines: tuple[TextLine, ...], box: Inner) -> Lettering:
     return Lettering(left, -bottom, right - left, bottom - top, lines, box)
 
 
+def rough_box_of(text: Lettering) -> Inner:
+    """Return the frame of a text as whoever has no fonts finds it."""
+    if text.flow is None:
+        return rough_box_along(text.lines, text.along)
+    first = text.lines[0]
+    return rough_frame(text.box, first.y, first.runs[0].size, text.flow, len(text.lines))
+
+
+def rough_box_along(lines: Sequence[TextLine], along: Along | None) -> Inner:
+    """Return about what a text takes that may lie along a course."""
+    if along is None:
+        return rough_box(lines)
+    left, top, right, bottom = along.box
+    size = max(run.size for line in lines for run in line.runs)
+    return (left - size, top - size, right + size, bottom + size)
+
+
 def rough_box(lines: Iterable[TextLine]) -> Inner:
     """Return about what lines of text take, in their units: it hangs on no font."""
     boxes = list[Inner]()
@@ -239,11 +337,17 @@ def rough_box(lines: Iterable[TextLine]) -> Inner:
         for run in line.runs:
             x, y = x + run.right, y + run.down
             low, high = min(low, y - _ASCENT * run.size), max(high, y + _DESCENT * run.size)
-            x += sum(_width(letter) * run.size + run.spacing for letter in run.words)
+            x += rough_length(run)
         left = line.x - x * line.anchor.share
         boxes.append((left, low, left + max(x, 1e-6), high))
     lefts, tops, rights, bottoms = zip(*boxes, strict=True)
     return min(lefts), min(tops), max(rights), max(bottoms)
+
+
+def rough_length(run: TextRun) -> float:
+    """Return about how far the words of a run lead: it hangs on no font."""
+    between = len(re.findall(" +", run.words)) * run.word_spacing
+    return sum(_width(letter) * run.size + run.spacing for letter in run.words) + between
 
 
 def _width(letter: str) -> float:

@@ -66,6 +66,24 @@ def is_content(curve: Curve) -> bool:
     return curve.form is not None and curve.form.is_content
 
 
+def texts_at(document: Document, places: Iterable[int]) -> dict[int, Lettering]:
+    """Return the texts among curves, by their places in order."""
+    forms = {place: document.curves[place].form for place in sorted(places)}
+    return {place: form for place, form in forms.items() if form is not None and isinstance(form, Lettering)}
+
+
+def has_paints(curve: Curve) -> bool:
+    """Whether a curve shows its fill and its stroke: all but pictures do."""
+    return curve.form is None or curve.form.has_paints
+
+
+def with_shown_style(curve: Curve, style: Style) -> Curve:
+    """Return a curve in a style, as far as it shows that: a picture neither fill nor stroke."""
+    if not has_paints(curve):
+        style = replace(curve.style, opacity=style.opacity, blur=style.blur, clips=style.clips)
+    return replace(curve, style=style)
+
+
 def as_model(curve: Curve) -> Curve:
     """Return a curve as one that others are made like: the rules of a frame are nobody's choice."""
     return replace(curve, form=None, parametrization=Parametrization()) if is_content(curve) else curve

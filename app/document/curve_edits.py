@@ -189,6 +189,7 @@ def without_looks(curve: Curve) -> Curve:
         style=PLAIN_STYLE,
         shape="",
         groups=(),
+        group_looks=(),
         visible=True,
         locked=False,
         text=None,

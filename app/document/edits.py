@@ -83,13 +83,13 @@ def append_point(document: Document, curve: int, point: Point, *, parameter_scal
 
 def move_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move the points at `indices` by the vector `by`; their handles go along, those of others stay."""
+    return with_all_shifted(document, curve, indices, moving(by))
+
+
+def moving(by: Vector) -> PointsChange:
+    """Return what puts points elsewhere, by the vector `by`."""
     x, y = float(by[0]), float(by[1])
-    return with_all_shifted(
-        document,
-        curve,
-        indices,
-        lambda points: all_placed(points, [each.x + x for each in points], [each.y + y for each in points]),
-    )
+    return lambda points: all_placed(points, [each.x + x for each in points], [each.y + y for each in points])
 
 
 def with_all_shifted(

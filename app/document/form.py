@@ -76,6 +76,8 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
         Its numbers, in the order in which they are shown.
     stretches
         Whether it is one of its kind still when it is wider than high; else it grows alike both ways.
+    has_paints
+        Whether its fill and its stroke are seen: all but pictures show theirs.
     is_content
         Whether it shows something in a frame, and is no outline: a text, a picture.
     icon
@@ -88,6 +90,7 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     noun: ClassVar[str] = ""
     fields: ClassVar[tuple[FormField, ...]] = ()
     stretches: ClassVar[bool] = True
+    has_paints: ClassVar[bool] = True
     is_content: ClassVar[bool] = False
     icon: ClassVar[str] = ""
 
@@ -113,6 +116,10 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     def scaled(self, across: float, up: float) -> Self:
         """Return the form so many times as wide and high, about its place."""
         raise NotImplementedError
+
+    def has_number(self, name: str) -> bool:
+        """Whether one of its kind's numbers is one of its own."""
+        return name in {each.name for each in self.fields}
 
     def with_number(self, name: str, value: float) -> Self:
         """Return the form with a number that was typed."""

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
+from .contents import with_shown_style
 from .gradient import Box, Gradient, GradientKind, Stop, filling, size_of
 from .model import Document, Vector
 from .shapes import shape_of
@@ -68,7 +69,7 @@ def with_shape_styles(
     return replace(
         document,
         curves=tuple(
-            replace(curve, style=styles[place]) if place in styles else curve
+            with_shown_style(curve, styles[place]) if place in styles else curve
             for place, curve in enumerate(document.curves)
         ),
     )
@@ -121,6 +122,21 @@ def with_gradient(
 def with_stops(document: Document, curves: Collection[int], paint: str, stops: tuple[Stop, ...]) -> Document:
     """Give the gradients of curves other stops; where they lie stays."""
     return with_gradient(document, curves, paint, lambda gradient: replace(gradient, stops=stops))
+
+
+def with_colour(document: Document, curves: Collection[int], paint: str, stop: int, colour: str) -> Document:
+    """Paint curves in a colour: of a gradient a stop, the last one where there are not so many."""
+
+    def edit(_shape: range, style: Style) -> Style:
+        gradient = gradient_of(style, paint)
+        if gradient is None or colour == NO_PAINT:
+            return style.with_fields({paint: colour})
+        stops = list(gradient.stops)
+        at = min(stop, len(stops) - 1)
+        stops[at] = replace(stops[at], colour=colour)
+        return style.with_gradient(paint, replace(gradient, stops=tuple(stops)))
+
+    return with_shape_styles(document, curves, edit)
 
 
 def without_stop(document: Document, curves: Collection[int], paint: str, stop: int) -> Document:

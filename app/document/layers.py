@@ -107,12 +107,15 @@ def free_layer(document: Document, layer: str) -> str:
 def begun(document: Document, active: int, layer: str, fresh: Callable[[], Curve]) -> Begun:
     """Return the document with the empty curve that is drawn next in front in a layer.
 
-    That is the active one where it is empty and free, and else a `fresh` one.
+    That is the active one where it is empty and free, in the style of a `fresh` one, or else that.
     """
-    model = document.curves[active]
+    model, new = document.curves[active], fresh()
     if model.points or model.locked:
         front = front_of(document, layer)
-        return Begun(in_front(document, front, fresh()), front.place)
+        return Begun(in_front(document, front, new), front.place)
+    if model.style != new.style:
+        model = replace(model, style=new.style)
+        document = document.with_curve(active, model)
     if layer_of(document, active) == layer:
         return Begun(document, active)
     rest = without(document, active)

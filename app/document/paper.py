@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from enum import Enum
 from typing import Final
 
 from msgspec.structs import replace
@@ -11,16 +10,17 @@ from ..families import HERMITE
 from .derivatives import DERIVATIVES
 from .model import Document
 from .style import Style
+from .words import NamedEnum
 
 PAPER_UNITS: Final = frozenset({"mm", "cm", "in", "pt", "pc", "px"})
 """Units of pages. A length of one metre, or of one second, is a course's."""
 
 
-class DocumentKind(Enum):
+class DocumentKind(NamedEnum):
     """What a document is worked on as: the window is arranged for that."""
 
-    SKETCH = "sketches"
-    DRAWING = "drawings"
+    SKETCH = "sketches", "A sketch"
+    DRAWING = "drawings", "A drawing"
 
     @property
     def noun(self) -> str:

@@ -11,17 +11,18 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
+from . import whole_edits
 from .clone_links import with_own_links
 from .contents import is_content
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
-from .edits import move_points
+from .edits import moving
 from .layers import front_of, within, without
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
-from .transforms import Affine, decimal_sum, step_points, transform_points
+from .transforms import Affine, decimal_sum, placing, stepping, transform_points
 from .words import count_of
 
 
@@ -69,13 +70,13 @@ def changed_whole(document: Document, curves: Collection[int]) -> PointGroup:
 
 def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
-    new = group.changed_apart(document, lambda each, curve, indices: move_points(each, curve, indices, by))
+    new = whole_edits.shifted(document, group, moving(by))
     return _with_paints_mapped(new, group, lambda place: (place[0] + by[0], place[1] + by[1]))
 
 
 def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group by decimal steps; see `step_points`."""
-    new = group.changed_apart(document, lambda each, curve, indices: step_points(each, curve, indices, by))
+    new = whole_edits.shifted(document, group, stepping(by))
     return _with_paints_mapped(
         new, group, lambda place: (decimal_sum(place[0], by[0]), decimal_sum(place[1], by[1]))
     )
@@ -83,8 +84,8 @@ def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
 
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
-    new = group.changed_apart(
-        document, lambda each, curve, indices: transform_points(each, curve, indices, by)
+    new = whole_edits.mapped(
+        document, group, placing(by), lambda each, curve, indices: transform_points(each, curve, indices, by)
     )
     return _with_paints_mapped(new, group, by.point)
 
@@ -95,11 +96,11 @@ def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[
     # At every move of a drag: what has none costs no call.
     for curve, _ in group.parts:
         style = curves[curve].style
-        if style.fill_gradient is not None or style.stroke_gradient is not None or style.clips:
+        if style.fill_gradient is not None or style.stroke_gradient is not None or style.clips or style.blur:
             break
     else:
         return document
-    shapes = {curve for curve in _whole_shapes(document, group) if curves[curve].style.is_placed}
+    shapes = {curve for curve in _whole_shapes(document, group) if curves[curve].style.goes_along}
     return with_each(document, shapes, lambda curve: replace(curve, style=curve.style.mapped(place)))
 
 

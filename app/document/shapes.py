@@ -12,12 +12,14 @@ from operator import attrgetter, is_
 
 from msgspec.structs import replace
 
+from .empty_layer import EmptyLayer
+from .group_look import looks_of, with_names
 from .layer_order import with_tidy_layers
 from .model import Curve, Document
 from .steps import reshaped
 from .words import count_of
 
-SHARED = ("style", "groups", "visible", "locked")
+SHARED = ("style", "groups", "group_looks", "visible", "locked")
 """Values that all curves of a shape have in common."""
 
 _DEEPEST = 50
@@ -88,9 +90,9 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
         or (_layers(before) == _layers(document) and _look_the_same(before.curves, document.curves))
     ):
         return document
-    if not any(curve.shape or curve.groups for curve in document.curves):
+    if not any(curve.shape or curve.groups or curve.group_looks for curve in document.curves):
         return with_tidy_layers(document, before)
-    curves = list(_with_own_groups(_with_whole_shapes(document)))
+    curves = _with_own_looks(_with_own_groups(_with_whole_shapes(document)), document.empty_layers)
     if any(new is not old for new, old in zip(curves, document.curves, strict=True)):
         document = replace(document, curves=tuple(curves))
     return with_tidy_layers(document, before)
@@ -128,7 +130,19 @@ def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
             names.append(_free(name, used))
             used.add(names[-1])
         before = groups
-        yield with_values(curve, {"groups": tuple(names)})
+        looks = curve.group_looks and with_names(curve.group_looks, dict(zip(groups, names, strict=True)))
+        yield with_values(curve, {"groups": tuple(names), "group_looks": looks})
+
+
+def _with_own_looks(curves: Iterable[Curve], empty: Iterable[EmptyLayer]) -> list[Curve]:
+    """Return the curves, all of a group with the look that the first of them says, or that it had empty."""
+    curves = list(curves)
+    opacities = {each.name: each.opacity for each in empty if each.opacity < 1}
+    for look in (look for curve in curves for look in curve.group_looks):
+        opacities.setdefault(look.name, look.opacity)
+    if not opacities:
+        return curves
+    return [with_values(curve, {"group_looks": looks_of(curve.groups, opacities)}) for curve in curves]
 
 
 def shared_start(*groups: tuple[str, ...]) -> tuple[str, ...]:
@@ -164,12 +178,17 @@ def shape_problem(document: Document) -> str:
     place = next(
         i for i, pair in enumerate(zip(tidy.curves, document.curves, strict=True)) if pair[0] is not pair[1]
     )
-    good, bad = tidy.curves[place], document.curves[place]
+    return f"curves[{place}].{_problem_at(place, tidy.curves, document.curves[place])}"
+
+
+def _problem_at(place: int, tidy: Sequence[Curve], bad: Curve) -> str:
+    """Return in what way a curve is not as it is in a tidy document."""
+    good = tidy[place]
     if good.shape != bad.shape:
-        return f"curves[{place}].shape must name two or more curves that follow each other, and no others"
+        return "shape must name two or more curves that follow each other, and no others"
     field = next(each for each in SHARED if getattr(good, each) != getattr(bad, each))
-    if place and good.shape and good.shape == tidy.curves[place - 1].shape:
-        return f"curves[{place}].{field} must be that of the curve before it, which is of the same shape"
-    return (
-        f"curves[{place}].groups must name {_DEEPEST} groups at most, each of curves that follow each other"
-    )
+    if place and good.shape and good.shape == tidy[place - 1].shape:
+        return f"{field} must be that of the curve before it, which is of the same shape"
+    if field == "group_looks":
+        return "group_looks must say of its groups that are seen through how much, as all curves in them do"
+    return f"groups must name {_DEEPEST} groups at most, each of curves that follow each other"

@@ -91,6 +91,14 @@ def moved_points(before: Document, after: Document) -> list[Point] | None:
     return step[2]
 
 
+def are_known_to_move(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+    """Whether these are curves of the last step asked about, and points have moved in it and no more."""
+    was, now, moved = _last_moved
+    if was is None or now is None or moved is None:
+        return False
+    return was.curves is before and now.curves is after
+
+
 def _moved_points(before: Document, after: Document) -> list[Point] | None:
     places = reshaped(before, after)
     if places is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Annotated, Final
 
@@ -28,6 +29,9 @@ LEAST_DASH: Final = 1e-3
 
 USUAL_WIDTH: Final = 0.003
 """Of a line whose style does not say it, against the longer side of the page or of the drawing."""
+
+BLUR_REACH: Final = 3.0
+"""Standard deviations beyond which nothing is seen of a blur."""
 
 GRADIENTS: Final = {"fill": "fill_gradient", "stroke": "stroke_gradient"}
 """The field of a gradient, by that of the paint which it takes the place of."""
@@ -78,6 +82,8 @@ class Style(Value, frozen=True):
         Paint of the inside; an open curve is closed for it by a straight line.
     opacity
         Of stroke and fill together.
+    blur
+        Standard deviation of the Gaussian that softens it, in the unit of the document; 0 for none.
     fill_gradient, stroke_gradient
         What paints in place of the colour, which stands for it where there are no gradients.
     clips
@@ -103,6 +109,7 @@ class Style(Value, frozen=True):
     clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
     start_marker: Annotated[MarkerKind, "Start marker"] = MarkerKind.NONE
     end_marker: Annotated[MarkerKind, "End marker"] = MarkerKind.NONE
+    blur: Annotated[float, at_least(0), LENGTH, "Blur"] = 0.0
 
     @property
     def has_stroke(self) -> bool:
@@ -163,6 +170,11 @@ class Style(Value, frozen=True):
         return self.fill_gradient is not None or self.stroke_gradient is not None or bool(self.clips)
 
     @property
+    def goes_along(self) -> bool:
+        """Whether some of it is mapped with the curve, whatever its line does."""
+        return self.is_placed or self.blur > 0
+
+    @property
     def has_clear_gradient(self) -> bool:
         """Whether a gradient that is painted lets something through."""
         painted = [
@@ -177,13 +189,14 @@ class Style(Value, frozen=True):
 
     @property
     def flat(self) -> Style:
-        """The style for curves elsewhere: without clips, with the colours in which gradients begin."""
-        if not self.is_placed:
+        """The style for curves elsewhere: sharp, without clips, with the colours in which gradients begin."""
+        if not self.goes_along:
             return self
         paints = {"fill": self.fill_gradient, "stroke": self.stroke_gradient}
         return replace(
             self.with_fields({name: found.stops[0].colour for name, found in paints.items() if found}),
             clips=(),
+            blur=0.0,
         )
 
     @property
@@ -193,17 +206,26 @@ class Style(Value, frozen=True):
         return {name: gradient for name, gradient in found.items() if gradient is not None}
 
     def mapped(self, place: Callable[[Vector], Vector]) -> Style:
-        """Return the style with its gradients and clips where an affine map puts them."""
-        if not self.is_placed:
+        """Return the style with its gradients and clips where an affine map puts them; its blur grows."""
+        if not self.goes_along:
             return self
         gradients = {name: each.mapped(place) for name, each in self.gradients.items()}
-        return replace(self, **gradients, clips=tuple(each.mapped(place) for each in self.clips))
+        clips = tuple(each.mapped(place) for each in self.clips)
+        blur = self.blur * _scale_of(place) if self.blur else 0.0
+        return replace(self, **gradients, clips=clips, blur=blur)
 
     @property
     def colour(self) -> str:
         """The paint that the curve is known by: that of its line, or of its inside where it has no line."""
         paint = self.stroke if self.has_stroke else self.fill
         return INK if paint == NO_PAINT else paint
+
+
+def _scale_of(place: Callable[[Vector], Vector]) -> float:
+    """Return the mean factor by which an affine map enlarges; 1 but for rounding is 1."""
+    (x, y), (a, b), (c, d) = place((0.0, 0.0)), place((1.0, 0.0)), place((0.0, 1.0))
+    scale = math.sqrt(abs((a - x) * (d - y) - (b - y) * (c - x)))
+    return 1.0 if math.isclose(scale, 1.0, rel_tol=1e-9) else scale
 
 
 PLAIN_STYLE: Final = Style()

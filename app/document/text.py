@@ -39,11 +39,12 @@ class PlaceInLine(NamedEnum):
 
 
 class TextAlign(PlaceInLine):
-    """Part of each line that stands where a text was begun."""
+    """Part of each line that stands where a text was begun; in a frame lines may fill its width."""
 
     LEFT = "left", "Left", 0.0
     CENTRE = "centre", "Centre", 0.5
     RIGHT = "right", "Right", 1.0
+    JUSTIFIED = "justify", "Justify", 0.0
 
 
 class Setting(NamedTuple):

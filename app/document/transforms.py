@@ -19,7 +19,7 @@ from msgspec.structs import replace
 from .decimals import decimal_product as decimal_product  # noqa: PLC0414 - most have them from here
 from .decimals import decimal_sum as decimal_sum  # noqa: PLC0414
 from .derivatives import VECTORS
-from .edits import EditError, with_all_changed, with_all_shifted, with_points_elsewhere
+from .edits import EditError, PointsChange, with_all_changed, with_all_shifted, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector, vectors_of
 from .placing import all_placed
@@ -142,6 +142,11 @@ def transform_points(document: Document, curve: int, indices: Collection[int], b
     return with_all_changed(document, curve, indices, lambda points: _mapped(points, by))
 
 
+def placing(by: Affine) -> PointsChange:
+    """Return what puts points where a map takes them; the derivatives set there stay."""
+    return lambda points: all_placed(points, *by.columns(points))
+
+
 def _mapped(points: Sequence[Point], by: Affine) -> list[Point]:
     placed_there = all_placed(points, *by.columns(points))
     if not any(map(any, map(vectors_of, points))):
@@ -164,13 +169,13 @@ def _with_vectors_mapped(point: Point, by: Affine) -> Point:
 
 def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
+    return with_all_shifted(document, curve, indices, stepping(by))
+
+
+def stepping(by: Vector) -> PointsChange:
+    """Return what moves points by decimal steps."""
     across, up = map(_decimal_step, by)
-    return with_all_shifted(
-        document,
-        curve,
-        indices,
-        lambda points: all_placed(points, across(list(map(_x, points))), up(list(map(_y, points)))),
-    )
+    return lambda points: all_placed(points, across(list(map(_x, points))), up(list(map(_y, points))))
 
 
 def _decimal_step(by: float) -> Callable[[list[float]], list[float]]:

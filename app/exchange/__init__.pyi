@@ -3,6 +3,7 @@ from . import child as child
 from . import choice as choice
 from . import corner as corner
 from . import cubics_in as cubics_in
+from . import drawing as drawing
 from . import dxf_library as dxf_library
 from . import each as each
 from . import facts as facts

@@ -88,18 +88,22 @@ def arc_between(
     if not math.isfinite(square) or square == 0:
         raise ExchangeError("An arc has radii that do not fit its ends.")
     grow = max(1.0, math.sqrt(square))
-    half = half / grow
-    away = math.sqrt(max(0.0, 1 / min(float(half @ half), 1.0) - 1)) * (1 if large != positive else -1)
-    middle = away * np.array([half[1], -half[0]])
-    first = math.atan2(half[1] - middle[1], half[0] - middle[0])
-    last = math.atan2(-half[1] - middle[1], -half[0] - middle[0])
-    sweep = (last - first) % math.tau if positive else -((first - last) % math.tau)
+    middle, first, sweep = _on_unit_circle(half / grow, large, positive)
     axes = np.array([[rx], [ry]]) * grow * turn
     centre = (start + end) / 2 + middle @ axes
     result = arc(centre, axes, first, sweep, tolerance)
     # Ends that meet their neighbours, whatever was rounded on the way.
     result.pieces[0, 0], result.pieces[-1, 3] = start, end
     return result
+
+
+def _on_unit_circle(half: FloatArray, large: bool, positive: bool) -> tuple[FloatArray, float, float]:
+    """Return the centre, first angle and sweep of an arc of radius 1 from `half` to its opposite."""
+    away = math.sqrt(max(0.0, 1 / min(float(half @ half), 1.0) - 1)) * (1 if large != positive else -1)
+    middle = away * np.array([half[1], -half[0]])
+    first = math.atan2(half[1] - middle[1], half[0] - middle[0])
+    last = math.atan2(-half[1] - middle[1], -half[0] - middle[0])
+    return middle, first, (last - first) % math.tau if positive else -((first - last) % math.tau)
 
 
 def pieces_of_arc(

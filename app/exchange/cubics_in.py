@@ -18,6 +18,7 @@ from ..document.clone_links import linked_up
 from ..document.content import Lettering, Picture
 from ..document.form_edits import framed
 from ..document.forms import AnyForm
+from ..document.group_look import GroupLooks
 from ..document.limits import EditError
 from ..document.model import (
     MAX_MAGNITUDE,
@@ -134,6 +135,7 @@ class Look:
     groups: tuple[str, ...] = ()
     visible: bool = True
     locked: bool = False
+    group_looks: GroupLooks = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -253,6 +255,7 @@ def _made(
         style=look.style,
         shape=look.shape,
         groups=look.groups,
+        group_looks=look.group_looks,
         visible=look.visible,
         locked=look.locked,
         form=form,

@@ -146,9 +146,26 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
 
 
 def said_of_paints(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    """Return what a format has to say that knows colours alone, no gradients and clips, of named styles."""
+    """Return what a format has to say that knows colours alone, no gradients, clips and blurs."""
     named = list(styles)
-    return (*_said_of_gradients(named), *_said_of_clips(named))
+    return (*_said_of_gradients(named), *_said_of_clips(named), *_said_of_blurs(named))
+
+
+def said_of_groups(document: Document) -> tuple[str, ...]:
+    """Return what a format has to say that knows no groups which are seen through as a whole."""
+    looks = (look for curve in document.curves if curve.visible for look in curve.group_looks)
+    names = list(dict.fromkeys(f"“{look.name}”" for look in looks))
+    if not names:
+        return ()
+    verb = "is" if len(names) == 1 else "are"
+    return (f"{names_of(names)} {verb} seen through as a whole; what is in it is, each by itself.",)
+
+
+def _said_of_blurs(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.blur))
+    if not names:
+        return ()
+    return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} blurred, and written sharp.",)
 
 
 def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:

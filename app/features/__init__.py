@@ -16,6 +16,7 @@ FEATURES = (
     "snapping",
     "pen",
     "import_export",
+    "printing",
     "curves",
     "shapes",
     "layers",

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 
 import msgspec
-from PySide6.QtCore import QRectF, Qt
+from msgspec.structs import replace
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPixmap
 
+from ..document.model import Vector
 from .pixel_map import PixelMap
 
 
@@ -40,8 +42,20 @@ class Sheets(msgspec.Struct, frozen=True, eq=False):
         """Draw a sheet, where it lies when this part of the plane is visible."""
         if shown is self.shown or shown == self.shown:
             painter.drawPixmap(0, 0, sheet)
+            return
+        place = self.place_in(shown)
+        if (shown.sx, shown.sy) == (self.shown.sx, self.shown.sy):
+            # On whole pixels of the screen, where it is as sharp as it was, and quickly copied.
+            ratio = sheet.devicePixelRatio()
+            corner = QPointF(round(place.x() * ratio) / ratio, round(place.y() * ratio) / ratio)
+            painter.drawPixmap(corner, sheet)
         else:
-            painter.drawPixmap(self.place_in(shown), sheet, QRectF(sheet.rect()))
+            painter.drawPixmap(place, sheet, QRectF(sheet.rect()))
+
+    def moved(self, way: Vector) -> Sheets:
+        """Return them as of the part of the plane in which they are when all they show has gone a way."""
+        shown = self.shown
+        return replace(self, shown=replace(shown, x0=shown.x0 + way[0], y0=shown.y0 + way[1]))
 
     def place_in(self, shown: PixelMap) -> QRectF:
         """Return where the sheets lie when another part of the plane is visible."""

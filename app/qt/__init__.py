@@ -6,6 +6,10 @@
 - ``glyphs``: outlines of letters, as the fonts of the system have them.
 - ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise.
 - ``clips``: what they are cut by.  ``markers``: what stands at their ends.
+- ``blurs``: what is softened, as a picture.
 - ``contents``: texts and pictures in their frames.  ``picture_data``: what is in PNG and JPEG files.
+- ``run_fonts``: fonts of parts of a text, and what they measure.
+- ``letters_along``: letters along a course.  ``decorations``: lines under and through letters.
+- ``caret_places``: where a caret stands between letters.
 - ``sources``: imports without a search through the source of every module.
 """

@@ -6,6 +6,7 @@ import re
 from base64 import b64decode
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
+from itertools import chain
 from unicodedata import bidirectional
 
 import numpy as np
@@ -13,7 +14,6 @@ from msgspec.structs import replace
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
-    QFont,
     QFontMetricsF,
     QImage,
     QPainter,
@@ -23,20 +23,22 @@ from PySide6.QtGui import (
     QTransform,
 )
 
+from ..document.along_path import Along
 from ..document.content import WHOLE, Lettering, Picture, RunPaint, TextLine, TextRun
 from ..document.contents import Plane, corners_of, lettered_style, plane_of
 from ..document.form_edits import framed
 from ..document.model import Curve, Document, Vector
 from ..document.style import Style
+from ..document.wrapping import laid_out, lines_of
 from . import glyphs
-from .glyphs import Glyph, has_fonts
+from .decorations import Decoration, decorations_of
+from .glyphs import Cluster, Glyph, has_fonts
+from .letters_along import placed_letters
 from .picture_data import ImageFileError, decoded
+from .run_fonts import EM, font_of
 
 _WIDEST = 4.0
 """Widths of its line that a letter may reach beyond its outline, by miters."""
-
-_EM = 1000
-"""Pixels of an em in which outlines of letters are made: next to nothing of them is rounded."""
 
 _PNG = "iVBOR"
 """How a PNG file begins in Base64."""
@@ -64,7 +66,7 @@ def inked(
     whole = way_of(plane) * way
     linear = (whole.m11(), whole.m12(), whole.m21(), whole.m22())
     seen = area.translated(-whole.dx(), -whole.dy())
-    for paint, path, box in _letters_along(text.lines, linear):
+    for paint, path, box in _turned_letters(lines_of(text), text.along, linear):
         own = lettered_style(style, paint, plane.scale)
         reach = _WIDEST * (own.width or 0.0) * way.m11() + 1.0 if own.has_stroke else 1.0
         if box.adjusted(-reach, -reach, reach, reach).intersects(seen):
@@ -72,20 +74,52 @@ def inked(
 
 
 @lru_cache(maxsize=200)
-def _letters_along(
-    lines: tuple[TextLine, ...], linear: tuple[float, float, float, float]
+def _turned_letters(
+    lines: tuple[TextLine, ...], along: Along | None, linear: tuple[float, float, float, float]
 ) -> tuple[tuple[RunPaint | None, QPainterPath, QRectF], ...]:
     """Return the outlines of words, turned and scaled, and their boxes; under a drag they are only moved."""
     way = QTransform(*linear, 0.0, 0.0)
-    mapped = ((paint, way.map(path)) for paint, path in painted_letters(lines))
+    mapped = ((paint, way.map(path)) for paint, path in painted_letters(lines, along))
     return tuple((paint, path, path.controlPointRect()) for paint, path in mapped)
 
 
 @lru_cache(maxsize=2000)
-def painted_letters(lines: tuple[TextLine, ...]) -> tuple[tuple[RunPaint | None, QPainterPath], ...]:
+def painted_letters(
+    lines: tuple[TextLine, ...], along: Along | None = None
+) -> tuple[tuple[RunPaint | None, QPainterPath], ...]:
     """Return the outlines of words in the units of the text, each with the paint of its own."""
-    runs = (each for line in lines for each in _placed_runs(line))
-    return tuple((run.paint, path) for run, place in runs for path in _words(run, place))
+    if along is not None:
+        placed = placed_letters(lines, along, font_of) if has_fonts() else ()
+        paths = (
+            (run.paint, way.map(path))
+            for run, cluster, way in placed
+            for path in (*(each.path for each in _with_cluster(run, cluster)), cluster.path)
+        )
+        return tuple((paint, path) for paint, path in paths if not path.isEmpty())
+    runs = (each for line in lines for each in _seen_runs(line))
+    return tuple(
+        (run.paint, path)
+        for run, place in runs
+        for path in chain(
+            (_way_of_run(run, place).map(each.path) for each in _with_run(run)), _words(run, place)
+        )
+    )
+
+
+def _way_of_run(run: TextRun, place: Vector) -> QTransform:
+    """Return the way from the pixels of the font of a run, from its beginning, to the units of the text."""
+    scale = run.size / EM
+    return QTransform(scale, 0, 0, scale, *place)
+
+
+def _with_run(run: TextRun) -> Iterator[Decoration]:
+    font = font_of(run)
+    return decorations_of(run, font, 0.0, QFontMetricsF(font).horizontalAdvance(run.words))
+
+
+def _with_cluster(run: TextRun, cluster: Cluster) -> Iterator[Decoration]:
+    font = font_of(run)
+    return decorations_of(run, font, cluster.x, cluster.width + font.letterSpacing())
 
 
 def _runs_left(letter: str) -> bool:
@@ -94,7 +128,7 @@ def _runs_left(letter: str) -> bool:
 
 def _words(run: TextRun, place: Vector) -> Iterator[QPainterPath]:
     """Yield the outlines of the words of a run: Qt fills many short paths far sooner than a long one."""
-    font, scale, (x, y) = _font_of(run), run.size / _EM, place
+    font, way = font_of(run), _way_of_run(run, place)
     metrics = QFontMetricsF(font)
     # Where it runs from right to left the first word is not the leftmost.
     pattern = ".+" if any(map(_runs_left, run.words)) else r"\S+"
@@ -103,10 +137,10 @@ def _words(run: TextRun, place: Vector) -> Iterator[QPainterPath]:
         path = QPainterPath()
         path.setFillRule(Qt.FillRule.WindingFill)
         path.addText(metrics.horizontalAdvance(run.words[:start]) if start else 0.0, 0.0, font, word)
-        yield QTransform(scale, 0, 0, scale, x, y).map(path)
+        yield way.map(path)
 
 
-def _placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
+def placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
     """Return where each run of a line begins, in the units of the text; none where there are no fonts."""
     if not has_fonts():
         return []
@@ -114,21 +148,34 @@ def _placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
     for run in line.runs:
         x, y = x + run.right, y + run.down
         found.append((run, (x, y)))
-        x += QFontMetricsF(_font_of(run)).horizontalAdvance(run.words) * run.size / _EM
+        x += QFontMetricsF(font_of(run)).horizontalAdvance(run.words) * run.size / EM
     # What follows the last letter is none of the text: so Inkscape has it.
     x -= line.runs[-1].spacing if line.runs else 0.0
     left = line.x - x * line.anchor.share
     return [(run, (left + right, line.y + down)) for run, (right, down) in found]
 
 
+def _seen_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
+    """Return where each run begins, without the blanks that the line ends with: no line is under them."""
+    placed = placed_runs(line)
+    if placed:
+        run, place = placed[-1]
+        placed[-1] = replace(run, words=run.words.rstrip(" ")), place
+    return placed
+
+
 def letters_of(text: Lettering, corners: Corners, style: Style) -> Iterator[tuple[Glyph, Style]]:
     """Yield the outlines of the letters of a text in the plane, each with its style."""
     plane = plane_of(text, corners)
-    for run, place in (each for line in text.lines for each in _placed_runs(line)):
+    if text.along is not None:
+        yield from _letters_on_course(text, text.along, plane, style)
+        return
+    for run, place in (each for line in lines_of(text) for each in _seen_runs(line)):
         own = lettered_style(style, run.paint, plane.scale)
-        across, down = np.array(plane.across) * run.size / _EM, np.array(plane.down) * run.size / _EM
+        across, down = np.array(plane.across) * run.size / EM, np.array(plane.down) * run.size / EM
         origin = np.array(plane.place(*place))
-        for glyph in glyphs.letters_of(run.words, _font_of(run)):
+        lines = (Glyph(each.name, (each.contour,)) for each in _with_run(run))
+        for glyph in chain(lines, glyphs.letters_of(run.words, font_of(run))):
             # Outlines have y upwards, texts downwards.
             contours = tuple(
                 origin + each[..., :1] * across - each[..., 1:] * down for each in glyph.contours
@@ -136,21 +183,43 @@ def letters_of(text: Lettering, corners: Corners, style: Style) -> Iterator[tupl
             yield Glyph(glyph.letters, contours), own
 
 
-def _font_of(run: TextRun) -> QFont:
-    font = QFont()
-    font.setFamilies(list(run.font) or ["sans-serif"])
-    font.setPixelSize(_EM)
-    font.setWeight(QFont.Weight(min(max(round(run.weight / 100), 1), 9) * 100))
-    font.setItalic(run.italic)
-    font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
-    if run.spacing:
-        font.setLetterSpacing(QFont.SpacingType.AbsoluteSpacing, run.spacing * _EM / run.size)
-    return font
+def _letters_on_course(
+    text: Lettering, along: Along, plane: Plane, style: Style
+) -> Iterator[tuple[Glyph, Style]]:
+    for run, cluster, way in placed_letters(text.lines, along, font_of) if has_fonts() else ():
+        whole = way * way_of(plane)
+        # Outlines have y upwards, texts downwards.
+        linear = np.array([[whole.m11(), whole.m12()], [-whole.m21(), -whole.m22()]])
+        found = [(each.name, (each.contour,)) for each in _with_cluster(run, cluster)]
+        for name, drawn in (*found, (cluster.letters, cluster.contours)):
+            if contours := tuple(each @ linear + (whole.dx(), whole.dy()) for each in drawn):
+                yield Glyph(name, contours), lettered_style(style, run.paint, plane.scale)
+
+
+def is_at_letters(text: Lettering, corners: Corners, place: Vector) -> bool:
+    """Whether a place of the plane is where letters of a text along a course stand; of others anywhere."""
+    if text.along is None or not has_fonts():
+        return True
+    back, _ = way_of(plane_of(text, corners)).inverted()
+    there = back.map(QPointF(*place))
+    rule = Qt.FillRule.WindingFill
+    return any(each.containsPoint(there, rule) for each in _boxes_along(text.lines, text.along))
+
+
+@lru_cache(maxsize=200)
+def _boxes_along(lines: tuple[TextLine, ...], along: Along) -> tuple[QPolygonF, ...]:
+    """Return what the letters along a course take, each as high as its font."""
+    found = list[QPolygonF]()
+    for run, cluster, way in placed_letters(lines, along, font_of):
+        metrics = QFontMetricsF(font_of(run))
+        box = QRectF(cluster.x, -metrics.ascent(), cluster.width, metrics.height())
+        found.append(way.map(QPolygonF(box)))
+    return tuple(found)
 
 
 def line_step(run: TextRun) -> float:
     """Return the way from line to line that the font of a run has, in its units."""
-    return QFontMetricsF(_font_of(run)).lineSpacing() * run.size / _EM
+    return QFontMetricsF(font_of(run)).lineSpacing() * run.size / EM
 
 
 def measured(document: Document) -> Document:
@@ -168,12 +237,21 @@ def fitted(curve: Curve) -> Curve:
     text = curve.form
     if not isinstance(text, Lettering):
         return curve
+    if text.flow is not None:
+        return _grown(curve, text) if text.flow.grows and has_fonts() else curve
     box = QRectF()
-    for _, path in painted_letters(text.lines):
+    for _, path in painted_letters(text.lines, text.along):
         box = box.united(path.boundingRect())
     if box.width() <= 0 or box.height() <= 0:
         return curve
     inner = (box.left(), box.top(), box.right(), box.bottom())
+    return curve if inner == text.box else in_box(curve, text, inner)
+
+
+def _grown(curve: Curve, text: Lettering) -> Curve:
+    """Return the curve of a text with a frame as high as what fills it."""
+    laid, (left, _, right, _) = laid_out(text), text.box
+    inner = (left, laid.top, right, laid.bottom)
     return curve if inner == text.box else in_box(curve, text, inner)
 
 

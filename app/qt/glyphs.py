@@ -123,6 +123,12 @@ def has_family(family: str) -> bool:
     return QFontDatabase.hasFamily(family)
 
 
+def weights_of(family: str) -> tuple[int, ...]:
+    """Return the weights of letters that a family has, in hundreds, the lightest first."""
+    found = (QFontDatabase.weight(family, style) for style in QFontDatabase.styles(family))
+    return tuple(sorted({min(max(round(weight / 100), 1), 9) * 100 for weight in found}))
+
+
 def outlines_of(text: str, face: Face, setting: Setting = _USUAL) -> Outlines:
     """Return the outlines of a text of one or more lines, kerned and with the ligatures of the font.
 
@@ -152,6 +158,49 @@ def letters_of(line: str, font: QFont) -> Iterator[Glyph]:
     for drawn in _drawn(line, font, 0.0):
         if not drawn.is_missing and (contours := tuple(drawn.contours(0.0))):
             yield Glyph(drawn.letters, contours)
+
+
+class Cluster(NamedTuple):
+    """Letters that a font draws together, and the part of the line that they take, in its pixels."""
+
+    letters: str
+    glyphs: tuple[_Placed, ...]
+    x: float
+    width: float
+
+    @property
+    def path(self) -> QPainterPath:
+        """Their outline, y downwards, from where the line begins."""
+        whole = QPainterPath()
+        whole.setFillRule(Qt.FillRule.WindingFill)
+        for glyph in self.glyphs:
+            whole.addPath(glyph.font.pathForGlyph(glyph.number).translated(glyph.x, glyph.y))
+        return whole
+
+    @property
+    def contours(self) -> tuple[FloatArray, ...]:
+        """The same as contours; see `Glyph`."""
+        return tuple(_Drawn(self.letters, self.glyphs).contours(0.0))
+
+
+def clusters_of(line: str, font: QFont) -> list[Cluster]:
+    """Return the letters of a line in a font from left to right; those that it lacks have no outline."""
+    found = [each for each in _drawn(line, font, 0.0) if each.glyphs]
+    found.sort(key=_left)
+    ends = [*map(_left, found[1:]), QFontMetricsF(font).horizontalAdvance(line)]
+    return [
+        Cluster(
+            each.letters,
+            () if each.is_missing else each.glyphs,
+            _left(each),
+            end - _left(each) - font.letterSpacing(),
+        )
+        for each, end in zip(found, ends, strict=True)
+    ]
+
+
+def _left(drawn: _Drawn) -> float:
+    return min(glyph.x for glyph in drawn.glyphs)
 
 
 def _is_drawn_alike(glyph: Glyph, face: Face) -> bool:

@@ -9,6 +9,8 @@
 - ``box``: what the box around what is selected turns about, and what its grips do.
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
 - ``next_style``: the style of what is drawn next.  ``stop_choice``: the stop of a gradient that is chosen.
+  ``brought``: choosing what has come from elsewhere.
+- ``along_paths``: texts that follow the curves that they lie along.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """
 

@@ -112,7 +112,8 @@ class Following:
     def select_returned(self, document: Document, then: Choice | None) -> None:
         """Select points, or curves, that undo or redo has brought back; edit or choose what was `then`.
 
-        That is chosen, too, where what was chosen since goes with the step, as copies and an empty layer do.
+        That is so, too, where what was edited or chosen since goes with the step, as copies and an empty
+        layer do.
         """
         selected, now, before = self._session.selected, self._session.committed, document.curves
         curves = now.curves
@@ -129,8 +130,11 @@ class Following:
 def _comes_back(then: Choice, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
     """Whether what was selected before a step is selected again, for undo has brought back some of it.
 
-    Likewise where it was chosen whole and nothing is selected any more, for what the step has made is gone.
+    Likewise where nothing is selected any more, for what the step has made is gone: then points of what was
+    edited, or what was chosen as a whole.
     """
+    has_gone = is_left and not now.marked
     if then.is_editing:
-        return not now.is_editing and not then.curves.isdisjoint(returned)
-    return not then.chosen.isdisjoint(returned) or (is_left and bool(then.chosen) and not now.marked)
+        has_gone = has_gone and bool(then.points.parts)
+        return not now.is_editing and (has_gone or not then.curves.isdisjoint(returned))
+    return not then.chosen.isdisjoint(returned) or (has_gone and bool(then.chosen))

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 from enum import Enum, auto
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from ..document.contents import is_content
+from ..document.drawn_kinds import SHAPES, DrawnKind
 from ..document.model import Document
-from ..document.paper import drawn_style, line_width
+from ..document.paper import DocumentKind, drawn_style, kind_of, line_width
 from ..document.selection import with_points
-from ..document.style import Style
-
-if TYPE_CHECKING:
-    from .selection import Selection
+from ..document.style import GRADIENTS, Style
 
 
 class Marked(Enum):
@@ -28,24 +26,48 @@ class Marked(Enum):
     LENT = auto()
     """A tool took up the active curve while none was edited and none chosen."""
     BROUGHT = auto()
-    """They came from the clipboard or a file, or a transform has changed their looks: nobody chose these."""
+    """They came from the clipboard or a file, a tool drew them in a style of its own, or a transform has
+    changed their looks: nobody chose these."""
+
+
+class _Kept(NamedTuple):
+    """A style, and how wide new lines are where it was set: a width in another unit would be any width."""
+
+    style: Style
+    usual: float | None
+
+    def in_document(self, document: Document) -> Style:
+        """Return it as it is there."""
+        return self.style if self.usual == line_width(document) else replace(self.style, width=None)
 
 
 class NextStyle:
     """Style of what is drawn next: that which the person chose or set last, in any document.
 
+    In drawings some kinds have one of their own, which is set while a tool for them is in use.
+    A gradient is laid over one shape alone: what is drawn next has the last colour from before it, or none.
+
     Attributes
     ----------
-    last
-        That style; None before anything was chosen.
+    draws
+        What the tool in use draws.
     marked
         How what is selected came to be so.
     """
 
     def __init__(self) -> None:
-        self.last: Style | None = None
-        self._usual: float | None = None
+        self.draws = SHAPES
+        self._kept = dict[DrawnKind, _Kept]()
+        self._flat = dict[str, str]()
         self.marked = Marked.OPENED
+
+    def kind_in(self, document: Document) -> DrawnKind:
+        """Return the kind of what is drawn next, as far as it has a style of its own there."""
+        return self.draws if kind_of(document) is DocumentKind.DRAWING else SHAPES
+
+    def is_own(self, document: Document) -> bool:
+        """Whether what is drawn next has a style of its own, whatever is chosen."""
+        return self.kind_in(document).begins is not None
 
     def is_of_active(self, marked: Collection[int]) -> bool:
         """Whether a style that is set now is that of what is selected, not only of what is drawn next."""
@@ -59,14 +81,31 @@ class NextStyle:
         self, document: Document, marked: Collection[int], active: int, blank: Callable[[], Document]
     ) -> Style:
         """Return the style of what is drawn next; `blank` tells that of new documents."""
-        style = document.curves[active].style
-        is_lent = self._is_as_active(marked) and not is_content(document.curves[active])
-        if document.curves[active].points and not is_lent:
-            style = self.last or blank().curves[0].style
-            if self.last is not None and self._usual != line_width(document):
-                # A width in another unit would be any width here.
-                style = replace(style, width=None)
-        return drawn_style(document, style)
+        curve, kind = document.curves[active], self.kind_in(document)
+        if kind.begins is None and not curve.points:
+            return curve.style
+        is_lent = self._is_as_active(marked) and not is_content(curve)
+        if kind.begins is None and is_lent:
+            style = curve.style
+        elif (kept := self._kept.get(kind)) is not None:
+            style = kept.in_document(document)
+        else:
+            usual = blank().curves[0].style
+            style = usual if kind.begins is None else kind.begins(usual)
+        return drawn_style(document, self._without_gradients(style, blank))
+
+    def _without_gradients(self, style: Style, blank: Callable[[], Document]) -> Style:
+        """Return a style with the last flat paints, or those of new documents, in place of its gradients."""
+        if not style.gradients:
+            return style
+        usual = blank().curves[0].style
+        return style.with_fields(
+            {
+                paint: self._flat.get(paint, getattr(usual, paint))
+                for paint, field in GRADIENTS.items()
+                if field in style.gradients
+            }
+        )
 
     def note(self, document: Document, marked: Collection[int], active: int) -> None:
         """Take note of the style of what was chosen until now; of several, of the active or front one.
@@ -85,6 +124,10 @@ class NextStyle:
         curve = after.curves[active]
         if self.marked is Marked.BROUGHT or any(each is curve for each in before.curves):
             return
+        is_begun = len(after.curves) > len(before.curves) or not before.curves[active].points
+        if is_begun and self.is_own(after):
+            self.marked = Marked.BROUGHT
+            return
         was_chosen, self.marked = self.marked is Marked.ASKED, Marked.ASKED
         if was_chosen and len(before.curves) == len(after.curves):
             old = before.curves[active]
@@ -93,13 +136,18 @@ class NextStyle:
                 self.marked = Marked.BROUGHT
 
     def take(self, document: Document, style: Style) -> None:
-        """Draw with a style of a document from now on."""
-        self.last, self._usual = style, line_width(document)
+        """Draw with a style of a document from now on, but for what has its own."""
+        self._keep(SHAPES, document, style)
+        for paint, field in GRADIENTS.items():
+            if field not in style.gradients:
+                self._flat[paint] = getattr(style, paint)
 
+    def set(self, document: Document, style: Style) -> None:
+        """Draw with a style from now on, what the tool in use draws."""
+        if self.is_own(document):
+            self._keep(self.draws, document, style)
+        else:
+            self.take(document, style)
 
-def choose_brought(selected: Selection, places: Collection[int]) -> None:
-    """Choose curves that have come from the clipboard or a file: nobody chose their looks."""
-    # Before, too: what is chosen until now is taken note of.
-    selected.next_style.marked = Marked.BROUGHT
-    selected.choose(places)
-    selected.next_style.marked = Marked.BROUGHT
+    def _keep(self, kind: DrawnKind, document: Document, style: Style) -> None:
+        self._kept[kind] = _Kept(replace(style, blur=0.0), line_width(document))

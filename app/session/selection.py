@@ -83,7 +83,9 @@ class Selection(Selected):
     def leave_points(self) -> None:
         """Choose the curves that are edited as wholes; nothing, where a tool took one up unasked."""
         if self.is_editing and any(self._session.document.curves[at].points for at in self.curves):
-            self.choose(() if self.next_style.marked is Marked.LENT else self.curves)
+            marked = self.next_style.marked
+            self.choose(() if marked is Marked.LENT else self.curves)
+            self.next_style.marked = marked
 
     def go_to(self, index: int) -> None:
         """Make another of the curves that are edited the active one; the same points are selected."""
@@ -92,8 +94,7 @@ class Selection(Selected):
         self._put(group)
 
     def _turn_to(self, index: int) -> None:
-        others = self.curves if len(self.curves) > 1 else ()
-        self._take((*others, index), index, is_editing=True)
+        self._take((*(self.curves if len(self.curves) > 1 else ()), index), index, is_editing=True)
 
     def choose(self, indices: Collection[int]) -> None:
         """Choose curves as wholes, those that exist, or none at all; no curve is edited any more.
@@ -130,8 +131,7 @@ class Selection(Selected):
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
         self.next_style.note(session.document, self.marked, session.active_index)
-        before, places = self.choice, range(len(session.document.curves))
-        layer = self.layer
+        before, places, layer = self.choice, range(len(session.document.curves)), self.layer
         wanted = active if active is not None and active in places else session.active_index
         existing = frozenset(index for index in indices if index in places)
         if is_editing and (points := with_points(session.document.curves, existing)) != existing:

@@ -10,7 +10,7 @@ from pathlib import Path
 from msgspec.structs import replace
 from PySide6.QtGui import QUndoStack
 
-from ..document.clones import followed, settled, words_about_unlinked
+from ..document.clones import words_about_unlinked
 from ..document.contents import as_model, is_content, repainted
 from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
@@ -21,6 +21,7 @@ from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve.curve_view import CurveView
+from .along_paths import followed, settled
 from .box import SelectionBox
 from .change import Change, raiser_of, why_not_kept, why_safe
 from .files import Files
@@ -138,8 +139,8 @@ class Session(SessionSignals):
 
     @property
     def active_view(self) -> CurveView:
-        """The view-model of the active curve."""
-        return self.views[self.active_index]
+        """The view-model of the active curve; without points where that is the frame of a text or picture."""
+        return self.views[self.active_index].analysed
 
     @property
     def model(self) -> Curve:

@@ -8,6 +8,7 @@ from itertools import chain, compress
 from operator import is_not
 
 from ..document.model import Curve
+from ..document.steps import are_known_to_move
 from ..families import Family
 from ..view_model.curve.carried_views import views_after
 from ..view_model.curve.curve_view import CurveView, same_line, view_of
@@ -42,7 +43,11 @@ class Views:
             # A curve that was changed takes its last good shape from its place in the list.
             before = self._views if len(curves) == len(self._views) else [None] * len(curves)
             missing = [place for place, view in enumerate(found) if view is None]
-            made = views_after([curves[place] for place in missing], [before[place] for place in missing])
+            made = views_after(
+                [curves[place] for place in missing],
+                [before[place] for place in missing],
+                are_moved=are_known_to_move(self._curves, curves),
+            )
             new = iter(made)
             self._views = [view or next(new) for view in found]
         self._curves = curves

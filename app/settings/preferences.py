@@ -10,6 +10,7 @@ from PySide6.QtCore import QSettings
 
 from .. import exchange
 from ..appearance.theme import ThemeMode
+from ..document.paper import DocumentKind
 from ..tools.pen_click import PenClick
 from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
@@ -65,6 +66,15 @@ class Preferences:
 
     theme_mode = Choice("theme", ThemeMode.SYSTEM, "Theme", "Light or dark colours", "themeBox")
     """Light, dark, or as the system has it."""
+
+    begins_with = Choice(
+        "document/begins_with",
+        DocumentKind.SKETCH,
+        "Begin with",
+        "What the editor begins with where no file is opened: a plane with a curve, or a page to draw on",
+        "beginsWithBox",
+    )
+    """What the first window begins with."""
 
     unit_name = Text(
         "grid/unit",

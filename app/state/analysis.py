@@ -10,9 +10,10 @@ from PySide6.QtCore import QObject, Signal
 
 from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.overlay import Overlay
+from ..view_model.analysis.overlay_settings import OverlaySetting
 from ..view_model.analysis.plot import Plot
 from ..view_model.analysis.plot_lines import PlotData
-from ..view_model.analysis.settings import AnalysisSettings, OverlaySetting
+from ..view_model.analysis.settings import AnalysisSettings
 from .window_state import WindowState, WindowStore
 
 

@@ -63,8 +63,13 @@ class _File(Document, frozen=True, kw_only=True):
         return tidy_shapes(replace(found, curves=curves))
 
 
+@cache
+def _file_decoder() -> msgspec.json.Decoder[_File]:
+    """Return what reads files, made when there is one: it looks at every type in a document."""
+    return msgspec.json.Decoder(_File, dec_hook=from_plain)
+
+
 _HEADER_DECODER = msgspec.json.Decoder(_Header)
-_FILE_DECODER = msgspec.json.Decoder(_File, dec_hook=from_plain)
 _ENCODER = msgspec.json.Encoder(enc_hook=to_plain)
 
 
@@ -166,7 +171,8 @@ def decode(data: bytes) -> Document:
     try:
         header = _HEADER_DECODER.decode(data)
         _check_header(header)
-        file = _FILE_DECODER.decode(data) if header.version == VERSION else _raised(data, header.version)
+        is_of_today = header.version == VERSION
+        file = _file_decoder().decode(data) if is_of_today else _raised(data, header.version)
     except msgspec.ValidationError as problem:
         raise FormatError(in_words(str(problem))) from None
     except msgspec.DecodeError as problem:

@@ -77,6 +77,11 @@ class Origin(msgspec.Struct, frozen=True):
     missed: tuple[str, ...] = ()
 
     @property
+    def file(self) -> Path | None:
+        """The file that it is saved to, of whatever format; None where there is none yet."""
+        return self.path or self.foreign
+
+    @property
     def is_unchanged(self) -> bool:
         """Whether the file still holds what it held."""
         if self.path is None or self.stamp is None:

@@ -182,7 +182,7 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
     elif context.pointer.shift:
         selected.choose(_toggled(selected.chosen, _meant(context, hit)))
     elif _opens_text(context, hit):
-        context.surface.open_text(hit.index)
+        context.surface.open_text(hit.index, context.pointer.position)
         return
     elif selected.is_editing or context.pointer.is_double:
         edit_curve(context, hit.index)

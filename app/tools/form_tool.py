@@ -10,7 +10,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document import words
-from ..document.form import FormHandle
+from ..document.form import Form, FormHandle
 from ..document.form_edits import drawn_place, with_form_drawn
 from ..document.forms import AnyForm
 from ..document.model import Document, Vector
@@ -225,13 +225,8 @@ class FormTool(Tool):
 
     def press(self, context: ToolContext) -> None:
         """Begin to drag a handle, or to draw."""
-        held, host, pointer = _held_at(context), context.host, context.pointer
-        if held is None:
+        if not press_on_handle(context):
             self.begin(context)
-            return
-        snapper = context.snappers.for_group(whole_curves(host.document, [held.curve]))
-        drag = DragFormHandle(host.document, *held, snapper, context.settings.unit)
-        context.drags.press(pointer, drag, lambda: host.say(f"{_hint_of(context, held)}."))
 
     def click(self, context: ToolContext) -> None:
         """Edit the form under the pointer, or tell how one is drawn."""
@@ -245,24 +240,49 @@ class FormTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
-        held = _held_at(context)
-        if held is not None:
-            return Hint(_hint_of(context, held), cursor=Cursor.MOVE)
+        if (hint := handle_hint(context)) is not None:
+            return hint
         context.preview_snap(-1)
         return self.hint()
 
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the handles of chosen forms, what is snapped to, and the numbers of what is drawn."""
-        forms = tuple(
-            FormMark(place, is_round=handle.is_round)
-            for _, now in _chosen_forms(context)
-            for handle, place in now.handles
-        )
-        marks, drag, pointer = super().marks(context), self._drag, context.pointer
+        forms, marks, drag, pointer = (
+            handle_marks(context), super().marks(context), self._drag, context.pointer
+        )  # fmt: skip
         note = None
         if drag is not None and context.drags.progress_at(pointer):
             note = Note(pointer.position, drag.readout(pointer), drag.begun.start)
         return replace(marks, forms=forms, note=note or marks.note)
+
+
+# Handles of those that are chosen, for any tool
+
+
+def press_on_handle(context: ToolContext, kind: type[Form] = Form) -> bool:
+    """Begin to drag the handle of a form of a kind that is under the pointer; return whether there is one."""
+    held, host = _held_at(context, kind), context.host
+    if held is None:
+        return False
+    snapper = context.snappers.for_group(whole_curves(host.document, [held.curve]))
+    drag = DragFormHandle(host.document, *held, snapper, context.settings.unit)
+    context.drags.press(context.pointer, drag, lambda: host.say(f"{_hint_of(context, held)}."))
+    return True
+
+
+def handle_hint(context: ToolContext, kind: type[Form] = Form) -> Hint | None:
+    """Return what a press on the handle under the pointer would do; None where there is none."""
+    held = _held_at(context, kind)
+    return None if held is None else Hint(_hint_of(context, held), cursor=Cursor.MOVE)
+
+
+def handle_marks(context: ToolContext, kind: type[Form] = Form) -> tuple[FormMark, ...]:
+    """Return the marks of all handles."""
+    return tuple(
+        FormMark(place, is_round=handle.is_round)
+        for _, now in _chosen_forms(context, kind)
+        for handle, place in now.handles
+    )
 
 
 def _hint_of(context: ToolContext, held: _Held) -> str:
@@ -270,22 +290,22 @@ def _hint_of(context: ToolContext, held: _Held) -> str:
     return " · ".join(filter(None, (f"Drag to change the {held.handle.words} of “{name}”", held.handle.keys)))
 
 
-def _chosen_forms(context: ToolContext) -> Iterator[tuple[int, Formed]]:
+def _chosen_forms(context: ToolContext, kind: type[Form]) -> Iterator[tuple[int, Formed]]:
     """Yield the forms that are chosen, or edited, and can be changed."""
     host = context.host
     places = host.selected.chosen | (host.selected.edited if host.selected.is_editing else frozenset())
     for place in sorted(places) if len(places) <= _MOST else ():
         curve = host.document.curves[place]
-        if curve.is_free and (now := formed(curve)) is not None:
+        if curve.is_free and isinstance(curve.form, kind) and (now := formed(curve)) is not None:
             yield place, now
 
 
-def _held_at(context: ToolContext) -> _Held | None:
+def _held_at(context: ToolContext, kind: type[Form]) -> _Held | None:
     """Return the handle under the pointer, the nearest one."""
     pointer = context.pointer
     near = [
         (math.dist(place, pointer.position), _Held(curve, now, handle))
-        for curve, now in _chosen_forms(context)
+        for curve, now in _chosen_forms(context, kind)
         for handle, place in now.handles
     ]
     distance, held = min(near, key=lambda each: each[0], default=(math.inf, None))

@@ -47,11 +47,11 @@ class Surface:
 
     # What a tool asks for
 
-    def write_at(self, place: Vector) -> None:
-        """Ask for the words of a text whose baseline begins at a place."""
+    def write_at(self, place: Vector, opposite: Vector | None = None) -> None:
+        """Ask for the words of a text whose baseline begins at a place, or that fills a frame from there."""
 
-    def open_text(self, curve: int) -> None:
-        """Ask for other words of the text that a curve is a letter of."""
+    def open_text(self, curve: int, place: Vector | None = None) -> None:
+        """Ask for other words of the text that a curve is a letter of, typed where it was clicked."""
 
     def give_colour(self, paint: str, colour: str) -> None:
         """Give a colour to the "fill" or the "stroke" of what is chosen."""

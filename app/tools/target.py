@@ -7,10 +7,11 @@ from collections.abc import Callable
 from msgspec.structs import replace
 
 from ..document.edits import EditError
-from ..document.model import Vector
+from ..document.model import Document, Vector
 from ..document.point_group import PointGroup, points_of
 from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import changed_whole
+from ..document.steps import reshaped
 from ..view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.boxes.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingHost
@@ -28,6 +29,8 @@ class TransformTarget:
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
+        # All points of the curves that were chosen last as wholes, and which document and choice they are of.
+        self._whole: tuple[Document, frozenset[int], PointGroup] | None = None
 
     @property
     def group(self) -> PointGroup | None:
@@ -61,8 +64,15 @@ class TransformTarget:
 
         Of several, those that are not locked.
         """
-        host = self._host
-        return changed_whole(host.document, host.selected.chosen) if host.selected.chosen else None
+        document, chosen = self._host.document, self._host.selected.chosen
+        if not chosen:
+            return None
+        known, group = self._whole, None
+        if known is not None and known[1] == chosen and reshaped(known[0], document) is not None:
+            # Under a drag of thousands they are the same.
+            group = known[2]
+        self._whole = (document, chosen, group or changed_whole(document, chosen))
+        return self._whole[2]
 
     @property
     def for_keys(self) -> PointGroup:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import msgspec
 from msgspec.structs import replace
 
+from ..document.drawn_kinds import SHAPES, DrawnKind
 from ..document.model import Vector
 from ..document.paper import nudge_of
 from ..document.point_group import points_of
@@ -350,6 +351,8 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         not stand in the menu of the further ones there.
     keywords
         Other words by which the palette finds it.
+    draws
+        The kind of what it draws: in drawings that may have a style of its own.
     """
 
     name: str
@@ -368,6 +371,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     in_menu: bool = False
     in_toolbar: bool = True
     keywords: str = ""
+    draws: DrawnKind = SHAPES
 
     @property
     def order(self) -> tuple[int, ...]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..appearance.themed import FollowsTheme
 from ..document.words import NamedEnum
@@ -16,6 +19,11 @@ from .tool_buttons import tool_button
 class ChoiceRow(FollowsTheme, QWidget):
     """One of a few, taken with one click; none is on while they differ.
 
+    Parameters
+    ----------
+    icons
+        The names of their icons, in place of their words; none for words.
+
     Signals
     -------
     chosen
@@ -24,14 +32,20 @@ class ChoiceRow(FollowsTheme, QWidget):
 
     chosen = Signal(object)
 
-    def __init__(self, name: str, label: str, tip: str, kind: type[NamedEnum]) -> None:
+    def __init__(
+        self, name: str, label: str, tip: str, kind: type[NamedEnum], icons: Sequence[str] = ()
+    ) -> None:
         super().__init__()
         self.setObjectName(name)
+        self._icons = icons
         self._buttons = {}
         for member in kind:
             text = member.label
             button = tool_button(
-                f"{name}_{member.value}", f"{label}: {text}", f"{tip}: {text.lower()}", text=text
+                f"{name}_{member.value}",
+                f"{label}: {text}",
+                f"{tip}: {text.lower()}",
+                text="" if icons else text,
             )
             button.setCheckable(True)
             button.clicked.connect(lambda _checked, member=member: self._choose(member))
@@ -54,3 +68,5 @@ class ChoiceRow(FollowsTheme, QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self.setStyleSheet(choice_style(theme))
+        for name, button in zip(self._icons, self._buttons.values(), strict=False):
+            button.setIcon(icon(name, theme))

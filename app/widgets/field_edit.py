@@ -32,6 +32,11 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     gives way to the document's when Escape is pressed or the field is left by a click elsewhere. So does a
     text that was not entered: half a number must never reach the curve.
 
+    Attributes
+    ----------
+    is_pressed_again
+        Whether Enter acts each time, also with the same text; else the window goes back to the canvas.
+
     Signals
     -------
     committed
@@ -45,6 +50,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
 
     def __init__(self, name: str, label: str, tip: str) -> None:
         super().__init__()
+        self.is_pressed_again = False
         named(self, name, label, tip)
         self.setTextMargins(3, 0, 3, 0)
         self._whole = self._short = self._entered = ""

@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from ..qt.labels import Label
-from ..view_model.analysis.settings import Count, Factor
+from ..view_model.analysis.overlay_settings import Count, Factor
 from .boxes import row_of
 from .controls import named
 from .live_slider import LiveSlider

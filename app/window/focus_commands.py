@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from ..actions.declaration import action
 from ..actions.sections import VIEW_FOCUS
+from ..widgets.field_edit import FieldEdit
 from ..workbench.context import WindowContext
 
 
@@ -28,6 +29,18 @@ class FocusCommands:
         context.central.canvas.setFocus(Qt.FocusReason.ShortcutFocusReason)
         context.status_line.unsay(self._named)
         return True
+
+    def leave_field(self) -> bool:
+        """Leave a field of a panel whose text was entered; return whether one had the focus.
+
+        One whose text was refused keeps it, to be mended, and so does one that acts with every Enter. While
+        letters are typed on the canvas, the focus of that would end them.
+        """
+        if self._context.letters.painter is not None:
+            return False
+        field = QApplication.focusWidget()
+        is_done = isinstance(field, FieldEdit) and not (field.isModified() or field.is_pressed_again)
+        return is_done and self.back_to_canvas()
 
     @action("nextPanel", "Next Panel", VIEW_FOCUS, "F6")
     def _go_on(self) -> None:

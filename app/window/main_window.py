@@ -31,6 +31,7 @@ from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector
 from ..document.paper import kind_of
 from ..plotting.tool_plot import ToolPlot
+from ..qt.keys import ENTER
 from ..qt.overrides import Guarded
 from ..session import Session
 from ..settings.preferences import Preferences
@@ -46,6 +47,7 @@ from ..workbench.typed_letters import TypedLetters
 from .arranging import Arranging
 from .connect import COMMAND_SETS, Commands
 from .drops import accepted
+from .focus_commands import FocusCommands
 from .menus import Menus
 from .rendering import Rendering
 from .toolbar import Toolbar
@@ -167,7 +169,7 @@ class MainWindow(Guarded, QMainWindow):
         session.opened.connect(self.central.fit_opened)
         session.opened.connect(self.canvas.tools.reset)
         self.canvas.pointed_at.connect(self.status_line.readouts.show_place)
-        self.menus.fill_with_files(self.preferences, files.open, files.open_example)
+        self.menus.fill_with_files(self.preferences, files.open_beside, files.open_example)
         ends = (files.remember_rules, files.release, self.commands.close)
         for end in (*ends, self._remember_layout, self._close_dialogs):
             self.closed.connect(end)
@@ -221,6 +223,8 @@ class MainWindow(Guarded, QMainWindow):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             self.commands.escape()
+            return
+        if event.key() in ENTER and self.commands[FocusCommands].leave_field():
             return
         # What has been used by nobody: the keys of an action that is disabled, for one.
         disabled = self.actions_by_name.keymap.disabled_at(event.keyCombination())

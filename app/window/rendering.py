@@ -53,7 +53,7 @@ class Rendering(QObject):
     def _render_document(self) -> None:
         session = self._session
         views = session.views
-        view = self._rendered = views[session.active_index]
+        view, self._rendered = views[session.active_index], session.active_view
         if not session.is_previewing:
             view.settle()
         self._canvas.drawing.render_view(view)
@@ -63,7 +63,7 @@ class Rendering(QObject):
             self._render_others()
             self._commands.show_document()
             self._commands.wake()
-        self._commands.follow(view)
+        self._commands.follow(self._rendered)
         if not session.is_previewing:
             self._render_rest()
         elif not self._panels_due.isActive():

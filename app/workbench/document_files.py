@@ -86,17 +86,27 @@ class DocumentFiles:
 
         Returns whether it is saved.
         """
-        self.open_window: Callable[[], object] | None = None
-        """Opens a window with an empty document; None where somebody else keeps the windows."""
+        self.open_window: Callable[[str], DocumentFiles] | None = None
+        """Opens a window, with what the action of a name begins, and returns its files; None where somebody
+        else keeps the windows. Without a name it is as untouched as at the start.
+        """
+        self.show_elsewhere: Callable[[Path], bool] = lambda _path: False
+        """Brings another window that has a file to the front; returns whether there is one."""
+        self.take_opened: Callable[[Path, Any], object] = lambda _path, _taken: None
+        """Begins with what was read of a file of another format."""
         self._after_opening: list[Callable[[str], object]] | None = None
         session.files.blank = lambda: blank_document(preferences)
         self._prepare_sketch()
 
     def _prepare_sketch(self) -> None:
-        """Give the sketch that a session begins with the unit and the grid of new documents."""
+        """Give the sketch that a session begins with unit and grid of new documents, or begin with a page."""
         session, sketch = self._session, plain(first_sketch())
         is_begun, usual = session.files.path is not None or session.undo_stack.count(), self._preferences
-        if not is_begun and session.document == sketch != as_usual(sketch, usual):
+        if is_begun or session.document != sketch:
+            return
+        if usual.begins_with is DocumentKind.DRAWING:
+            session.files.begin(blank_drawing(usual))
+        elif sketch != as_usual(sketch, usual):
             session.files.begin(as_usual(sketch, usual))
 
     def new(self) -> None:
@@ -132,7 +142,34 @@ class DocumentFiles:
         folder = str(self._preferences.last_folder)
         name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, file_filters())
         if name:
-            self.open(Path(name))
+            self.open_beside(Path(name))
+
+    def elsewhere(self, action: str = "") -> DocumentFiles | None:
+        """Return the files of another window, where an action begins; None where there is room in this one.
+
+        That is where nothing was done yet: a document that somebody works in stays.
+        """
+        if self.open_window is None or self._session.files.is_untouched:
+            return None
+        self.remember_rules()
+        return self.open_window(action)
+
+    def open_beside(self, path: Path) -> None:
+        """Open a file in a window of its own, but in this one where nothing was done here yet.
+
+        One that is open in another window is shown there.
+        """
+        if self.show_elsewhere(path):
+            return
+        files = self._session.files
+        is_foreign = self.open_foreign is not None and can_import(path)
+        if is_foreign or files.is_untouched or path.absolute() == files.path:
+            # What is read of another format looks for its window when it is read.
+            self.open(path)
+        elif not is_large(path) and (problem := self.why_not(path)):
+            self._warn(problem)
+        else:
+            (self.elsewhere() or self).open(path)
 
     def open(self, path: Path) -> None:
         """Open the document at `path`, after asking about unsaved changes; a large one beside the window.
@@ -258,28 +295,38 @@ class DocumentFiles:
 
     def ask_and_save(self, *, waits: bool = False) -> bool:
         """Let the person choose a file and save there; an SVG beside the window, unless that `waits`."""
-        foreign = self._foreign
-        folder = foreign.path.parent if foreign is not None else self._preferences.last_folder
-        stem, path = file_stem(self._session), self._session.files.path
-        start = path or folder / (stem + proposed_ending(self._session.committed))
-        if path is not None and is_misnamed(path):
-            start = path.with_name(stem + SUFFIX)
-        if self._session.files.is_read_only:
-            start = start.with_name(f"{stem} copy{SUFFIX}")
+        path = self.ask_where("Save As")
+        if path is None:
+            return False
+        return self.save_as_svg(path, waits) if is_svg(path) else self._save(path)
+
+    def ask_where(self, title: str, *, is_copy: bool = False) -> Path | None:
+        """Let the person choose a file for the document, or for a copy; None where none may be that."""
+        start = self._proposed_path(is_copy=is_copy)
         name, kind = QFileDialog.getSaveFileName(
-            self._window, "Save As", str(start), SAVED_KINDS, kind_to_save(start)
+            self._window, title, str(start), SAVED_KINDS, kind_to_save(start)
         )
         if not name:
-            return False
+            return None
         path = path_to_save(Path(name), kind, start)
         reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
             # The dialog asked about the name without the suffix, if it asked at all.
             reason = f"“{path.name}” is there already. Choose it in the list to replace it."
-        if reason:
-            self.refused(path, f"{path.name} was not saved. {reason}", StorageError(reason))
-            return False
-        return self.save_as_svg(path, waits) if is_svg(path) else self._save(path)
+        if not reason:
+            return path
+        self.refused(path, f"{path.name} was not saved. {reason}", StorageError(reason))
+        return None
+
+    def _proposed_path(self, *, is_copy: bool) -> Path:
+        foreign, path, stem = self._foreign, self._session.files.path, file_stem(self._session)
+        folder = foreign.path.parent if foreign is not None else self._preferences.last_folder
+        start = path or folder / (stem + proposed_ending(self._session.committed))
+        if path is not None and is_misnamed(path):
+            start = path.with_name(stem + SUFFIX)
+        if self._session.files.is_read_only or is_copy:
+            start = start.with_name(f"{stem} copy{'.svg' if is_svg(start) else SUFFIX}")
+        return start
 
     def _save(self, path: Path, *, overwrite: bool = False) -> bool:
         file = self._session.files.file

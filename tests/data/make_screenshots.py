@@ -70,10 +70,10 @@ def drawing(app: QApplication, editor: Editor) -> None:
     """An emblem from an SVG, with a point of one of its shapes selected."""
     editor.window.open_file(DRAWING)
     editor.wait_for_work()
-    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
-    while dialog.jobs.is_busy:
-        app.processEvents()
-    dialog.ok.click()
+    if dialog := editor.window.findChild(QDialog, "importDrawingDialog"):
+        while dialog.jobs.is_busy:
+            app.processEvents()
+        dialog.ok.click()
     editor.settle()
     editor.trigger("fitPage")
     shape = next(each for each in editor.session.document.curves if each.name == "mountains")

@@ -8,14 +8,17 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from app.document.along_path import Along
 from app.document.clip import Clip, ring_of
 from app.document.clone import Clone
 from app.document.content import Lettering, Picture, RunPaint, TextLine, TextRun
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
+from app.document.flow import Flow
 from app.document.form_edits import framed
 from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop
+from app.document.group_look import GroupLook
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import GRADIENTS, Style
@@ -32,6 +35,7 @@ GRADIENT = Gradient(STOPS, start=PAIR, end=(3.0, 4.0), side=(5.0, 6.0), focus=PA
 CLIP = Clip((ring_of([PAIR, (3.0, 4.0), (5.0, 6.0), (7.0, 8.0)]),))
 RUN = TextRun("I", spacing=1.0, right=1.0, down=1.0, paint=RunPaint())
 BOX = (1.0, 2.0, 3.0, 4.0)
+ALONG = Along((((0.0, 0.0), (1.0, 0.0), (2.0, 1.0), (3.0, 1.0)),), "a", start=1.0)
 
 
 OPEN = replace(
@@ -53,6 +57,8 @@ def full(form, curve=OPEN):
         text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
         form=form,
         clone=Clone("leaf", 0.5, 0.5, 0.5, 0.5, 1.0, 2.0),
+        groups=("Group 1",),
+        group_looks=(GroupLook("Group 1", 0.5),),
     )
 
 
@@ -67,14 +73,14 @@ def full_frame(content):
 FULL = Document(
     (
         full(Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5)),
-        full_frame(Lettering(1.0, 2.0, 3.0, 4.0, (TextLine(1.0, 2.0, (RUN,)),), BOX)),
+        full_frame(Lettering(1.0, 2.0, 3.0, 4.0, (TextLine(1.0, 2.0, (RUN,)),), BOX, Flow(), ALONG)),
         full_frame(Picture(1.0, 2.0, 3.0, 4.0, part=BOX)),
     ),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
     guides=(Guide(Axis.X, 1.0),),
     page=Page(0.0, 0.0, 1.0, 1.0),
     layers=("Layer 1",),
-    empty_layers=(EmptyLayer("Layer 1"),),
+    empty_layers=(EmptyLayer("Layer 1", opacity=0.5),),
 )
 """A number wherever a document may have one."""
 
@@ -156,15 +162,16 @@ def test_every_length_goes_with_the_unit():
     of_stops = {"offset", "opacity"}
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
-    of_curves |= {"text.letter_spacing", "text.line_spacing"}
+    of_curves |= {"text.letter_spacing", "text.line_spacing", "group_looks.opacity"}
     of_curves |= {f"style.{name}" for name in of_styles}
     of_curves |= {f"clone.{name}" for name in ("xx", "xy", "yx", "yy")}
     # In units of the text, or of the picture, whose frame goes with the unit.
     of_paint = {f"paint.{name}" for name in ("fill_opacity", "stroke_opacity", "width")}
     of_runs = {"size", "weight", "spacing", "right", "down", *of_paint}
     of_lines = {"x", "y", *(f"runs.{name}" for name in of_runs)}
-    of_curves |= {"form.part", "form.box", *(f"form.lines.{name}" for name in of_lines)}
-    assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity"}
+    of_texts = {"box", "flow.line", "along.start", *(f"lines.{name}" for name in of_lines)}
+    of_curves |= {"form.part", *(f"form.{name}" for name in of_texts)}
+    assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity", "empty_layers.opacity"}
 
 
 def test_every_field_of_a_style_has_words():

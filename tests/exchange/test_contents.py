@@ -357,7 +357,8 @@ def test_an_exported_drawing_has_them_and_reads_back_the_same():
     document = kept(
         f'<image x="10" y="10" width="40" height="40" opacity="0.5" href="data:image/png;base64,{data}"/>'
         '<text transform="matrix(0 2 -2 0 50 50)" font-size="9" stroke="#00f"><tspan fill="red">a &lt;b '
-        '</tspan><tspan dy="3" dx="1" letter-spacing="2" font-family="\'A B\', serif">c</tspan></text>'
+        '</tspan><tspan dy="3" dx="1" letter-spacing="2" word-spacing="-1.5" '
+        "font-family=\"'A B', serif\">c</tspan></text>"
     )
     again = read_svg(svg_of(document, Options(unit="mm")).data).document
     assert len(again.curves[2].form.lines[0].runs) == 2

@@ -272,3 +272,15 @@ def test_a_line_is_cloned_and_turned(document):
         'id="leaf_copy" inkscape:label="leaf copy" xlink:href="#leaf" transform="matrix('
         in rewritten(data, after, line).text
     )
+
+
+def test_the_clone_of_a_text_that_looks_otherwise_is_called_a_text():
+    text = (
+        '<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="60mm" viewBox="0 0 90 60">'
+        '<text id="t" x="10" y="30" font-size="9" fill="#ff0000">MMM</text></svg>'
+    )
+    document = read_svg(text.encode()).document
+    document = cloned(document, [0])
+    said = written(styled(document, 1, fill="#112233")).changes
+    assert len(said) == 1
+    assert said[0].endswith(" became a text, because it looks otherwise than its original.")

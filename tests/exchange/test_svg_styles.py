@@ -263,8 +263,8 @@ MISSED = [
         "<path> (element 2): it is blended with what lies below; it covers that.",
     ),
     (
-        '<g opacity=".5"><path d="M0 0H9V9Z"/><path d="M0 0H9V9Z"/></g>',
-        "<g> (element 2): it is transparent as a whole; each of its shapes is.",
+        '<g style="mix-blend-mode:multiply"><path d="M0 0H9V9Z"/><path d="M0 0H9V9Z"/></g>',
+        "<g> (element 2): it is blended with what lies below; it covers that.",
     ),
     (
         "<style>@import url(http://localhost/a.css);</style>",

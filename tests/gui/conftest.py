@@ -74,10 +74,11 @@ def open_drawing(editor, tmp_path, drawings_read_here):
         editor.session.new()
         editor.window.context.files.open(path)
         editor.wait_for_work()
-        dialog = editor.window.findChild(QDialog, "importDrawingDialog")
-        while dialog.jobs.is_busy:
-            spin(5)
-        dialog.ok.click()
+        if dialog := editor.window.findChild(QDialog, "importDrawingDialog"):
+            # Something of it comes in otherwise.
+            while dialog.jobs.is_busy:
+                spin(5)
+            dialog.ok.click()
         editor.settle()
         return editor
 

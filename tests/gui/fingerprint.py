@@ -24,18 +24,26 @@ _ABSENT = object()
 _MANY = 20
 """Size of collections of which it is remembered what was told."""
 
-_OUR_NAMES = QRegularExpression("^(?!qt_|_q_).")
+_OUR_NAMES = QRegularExpression("^(?!qt_|_q_|ScrollLeftButton$|ScrollRightButton$).")
+"""Not those of Qt: the last two are what a row of tabs is scrolled with, as wide as it was last."""
 
 _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySide6", "shiboken6", "Shiboken"}
 
 PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
-    *("_asked", "_costed", "_cost", "_discs_asked", "_drawn", "_extents", "_ghost"),
+    *("_asked", "_blurs", "_costed", "_cost", "_discs_asked", "_drawn", "_extents", "_ghost"),
     *("_axes", "_ghost_drawn", "_ground", "Curve.has_derivatives", "Rulers._band", "is_due"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
-    *("_in_sight", "_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
-    *("Cardinals._key", "Cardinal.growth", "FunctionLines._shown"),
+    *("_in_sight", "_seconds", "_stamps", "_stroke", "_strokes"),
+    *("_styled", "_watcher", "__dict__"),
+    *(
+        "Cardinals._key",
+        "Cardinal.growth",
+        "FunctionLines._shown",
+        "GroupSheets._kept",
+        "GroupSheets.painted",
+    ),
     *(
         "PixelMap._known_rows",
         "ShownHandles._counted",
@@ -57,7 +65,8 @@ PASSING = {
         "MotionLayer._written",
     ),
     *(
-        "StyleCommands._colours_found",
+        "UsedColours._found",
+        "TransformTarget._whole",
         "PlotLayer._strokes_of",
         "CurveLayer._error_of",
         "PointLayer._discs_now",

@@ -27,6 +27,7 @@ from app.features.help.shortcut_sheet import ShortcutSheet
 from app.features.motion.commands import MotionCommands
 from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
+from app.features.style.commands import StyleCommands
 from app.features.view.zoom_commands import ZoomCommands
 from app.session.next_style import NextStyle
 from app.testing import Editor
@@ -73,6 +74,8 @@ class KeptEditor:
         self._sketch, self._views = self._editor.session.document, tuple(self._editor.session.views)
         self._docks = window.findChildren(QDockWidget)
         self._in_front = [dock for dock in self._docks if is_in_front(dock)]
+        files = window.context.files
+        self._elsewhere = window.commands.drops.open_window, files.open_window, files.show_elsewhere
         self._size = window.size()
         # As it is when it is new, and as it is when that was restored.
         self._states, self._splitter = [window.saveState()], window.splitter.saveState()
@@ -156,6 +159,9 @@ class KeptEditor:
             if isinstance(sheet, ShortcutSheet | CommandPalette):
                 sheet.hide()
         window.context.work.jobs.give_up()
+        # The program that a test has made, and that has ended, knew of other windows.
+        files = window.context.files
+        window.commands.drops.open_window, files.open_window, files.show_elsewhere = self._elsewhere
         # What a menu or the palette has found out of the curve of the sketch, which comes again.
         window.actions_by_name._seen_of = None
         # Where a menu was opened; it goes with the next movement over the canvas.
@@ -199,6 +205,8 @@ class KeptEditor:
             self._editor.window.context.actions.keymap.reset_all()
             settings.clear()
             self._editor.window.store.read_preferences()
+            # It goes on offering the colours that were used last otherwise.
+            self._editor.window.commands[StyleCommands]._render()
             # It goes on naming the files of its last opening otherwise.
             self._editor.window.menus.recent.aboutToShow.emit()
 
@@ -228,6 +236,8 @@ class KeptEditor:
             if not is_in_front(dock):
                 # To restore the state takes ten times as long, and often nothing else differs.
                 dock.raise_()
+        # The state has the least heights of docks, and what is in them has just been taken back.
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
         if window.saveState() not in self._states:
             window.restoreState(self._states[0])
             self._states.append(window.saveState())

@@ -178,6 +178,7 @@ def test_it_is_remembered_from_window_to_window(fresh, tmp_path):
 
 def test_growth_of_errors_is_told_where_functions_are_at_hand(editor):
     readout = editor.window.findChild(QLabel, "lebesgueConstant")
+    editor.wait_for_rest()
     assert readout.text().startswith("Λ ")
     begin_drawing(editor)
     for x in (40, 80, 120):
@@ -185,7 +186,7 @@ def test_growth_of_errors_is_told_where_functions_are_at_hand(editor):
     editor.wait_for_rest()
     assert not readout.text()
     editor.trigger("toggleBasis")
-    editor.settle()
+    editor.wait_for_rest()
     assert readout.text().startswith("Λ")
     editor.trigger("toggleBasis")
     begin_lesson(editor)

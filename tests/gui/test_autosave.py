@@ -384,6 +384,25 @@ def test_what_never_had_a_file_keeps_its_name(kept):
     assert (kept.session.files.path, file_stem(kept.session)) == (None, "icon")
 
 
+@pytest.mark.parametrize("is_there", [True, False])
+def test_a_drawing_is_not_called_unsaved_where_its_file_is_an_svg(kept, tmp_path, is_there):
+    """It was “never saved”, and had “no file yet”, though saving wrote its SVG."""
+    path = tmp_path / "icon.svg"
+    if is_there:
+        path.write_text("<svg/>")
+    leave_behind(origin=Origin(title="icon.svg", file_stem="icon", foreign=path))
+    kept.window.commands[RecoveryCommands].offer_unsaved_work()
+    told = [each.text() for each in bar(kept).findChildren(QLabel)]
+    assert "a moment ago" + ("" if is_there else " · file gone") in told
+    press(kept, "restoreWork0")
+    assert kept.session.files.foreign.path == path
+    assert kept.status == (
+        "Restored; icon.svg does not hold these changes until you save."
+        if is_there
+        else "icon.svg is gone; your work was restored."
+    )
+
+
 @pytest.mark.parametrize("looks", [{"locked": True}, {"visible": False}])
 def test_what_is_locked_or_hidden_is_not_edited_when_it_comes_back(editor, looks):
     leave_behind(replace(SKETCH, curves=tuple(replace(curve, **looks) for curve in SKETCH.curves)))

@@ -26,6 +26,7 @@ def uneven(editor):
 
 
 def label(editor, name):
+    editor.wait_for_rest()
     return editor.window.findChild(QLabel, name).text()
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
 from app.document.style import PLAIN_STYLE
 from app.exchange.svg.reader import read_svg
+from app.view_model.boxes.bounds import seen_line_box
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 DISC, RED = "#ff8800", "#cc0000"
@@ -95,6 +97,24 @@ def test_a_curve_that_its_file_has_cut_is_whole_as_a_thin_line_and_while_it_is_e
     drawing.double_click(SEEN)
     (faint,) = colours(drawing, edge)
     assert paper != faint
+
+
+def test_what_marks_a_clipped_shape_as_chosen_is_around_what_is_seen_of_it(drawing):
+    places = [(x, -2.0) for x in np.linspace(-4.3, 4.5, 400)]
+    drawing.click(LEFT)
+    drawing.click(FRAME, keys=SHIFT)
+    drawing.trigger("setClip")
+    assert chosen(drawing) == ["Disc"]
+    disc = drawing.session.views[1]
+    low, high = seen_line_box(disc)
+    assert (low, high) == (pytest.approx((-1, -4), abs=0.1), pytest.approx((4, 1), abs=0.1))
+    chosen_looks = colours(drawing, *places)
+    drawing.session.selected.choose([])
+    pairs = zip(places, chosen_looks, colours(drawing, *places), strict=True)
+    marked = [x for (x, _y), one, other in pairs if one != other]
+    # A pixel or two beside it, and nothing where the rest of it lay.
+    assert marked
+    assert all(min(abs(x - low[0]), abs(x - high[0])) < 0.3 for x in marked)
 
 
 def test_only_what_is_clipped_is_released_and_one_shape_cuts_nothing(drawing):

@@ -317,6 +317,70 @@ def test_bold_italic_and_size_are_of_the_chosen_letters_live_in_one_step(writing
     assert editor.session.document == begun
 
 
+def test_chosen_letters_are_underlined_by_a_key_and_struck_through_by_a_button(writing):
+    editor, field = writing
+    choose_letters(field, 6, 6)
+    press(editor, Qt.Key.Key_U, Qt.KeyboardModifier.ControlModifier)
+    QTest.mouseClick(field.strike, Qt.MouseButton.LeftButton)
+    assert field.underline.isChecked()
+    choose_letters(field, 9, 3)
+    QTest.mouseClick(field.strike, Qt.MouseButton.LeftButton)
+    runs = editor.session.document.curves[0].form.lines[0].runs
+    assert [(run.words, run.underline, run.strike) for run in runs] == [
+        ("plain ", False, False), ("rai", True, True), ("sed", True, False), (" on", False, False)
+    ]  # fmt: skip
+    choose_letters(field, 0, 3)
+    assert not field.underline.isChecked()
+    press(editor, Qt.Key.Key_Return)
+    editor.trigger("objectToPath")
+    names = [curve.name for curve in editor.session.document.curves]
+    assert [name for name in names if name[:4] in ("unde", "stri")] == ["underline", "strike", "underline"]
+
+
+def type_into(edit, text):
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, text)
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+
+
+def test_spaces_are_of_the_chosen_letters_and_those_of_lines_are_shown_as_they_are(writing):
+    editor, field = writing
+    letters, words, lines = field.setting_row.edits.values()
+    before = editor.session.document.curves[0].points
+    choose_letters(field, 6, 6)
+    type_into(letters, "20")
+    type_into(words, "50 %")
+    runs = editor.session.document.curves[0].form.lines[0].runs
+    assert [(run.spacing, run.word_spacing) for run in runs] == [(0, 0), (2, 5), (0, 0)]
+    # The words behind are further to the right by as much.
+    after = editor.session.document.curves[0].points
+    assert max(each.x for each in after) - max(each.x for each in before) == pytest.approx(6 * 2, abs=1e-6)
+    choose_letters(field, 0, 3)
+    assert (letters.text(), words.text()) == ("0 %", "0 %")
+    choose_letters(field, 7, 1)
+    assert (letters.text(), words.text()) == ("20 %", "50 %")
+    # Larger letters stand as far apart as they are larger.
+    type_into(field.size_edit, "20")
+    runs = editor.session.document.curves[0].form.lines[0].runs
+    assert [run.spacing for run in runs] == pytest.approx([0, 2, 4, 2, 0])
+    field.words.setFocus()
+    press(editor, Qt.Key.Key_End, Qt.KeyboardModifier.ControlModifier)
+    press(editor, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    QTest.keyClicks(field.words, "below")
+    type_into(lines, "150")
+    first, second = editor.session.document.curves[0].form.lines
+    apart = second.y - first.y
+    field.words.setFocus()
+    press(editor, Qt.Key.Key_Return)
+    editor.trigger("editText")
+    # And not as if nobody had set them.
+    assert lines.text() == "150 %"
+    type_into(lines, "300")
+    first, second = editor.session.document.curves[0].form.lines
+    assert second.y - first.y == pytest.approx(2 * apart)
+
+
 def paints_of(editor, place=0):
     """Return words and fill of each run of a text in one line; None for that of the text."""
     (line,) = editor.session.document.curves[place].form.lines
@@ -424,3 +488,30 @@ def test_a_word_of_a_new_text_is_written_bold(open_drawing):
     press(editor, Qt.Key.Key_Return)
     (runs,) = runs_of(editor, 1)
     assert [run[:2] for run in runs] == [("two ", 400), ("words", 700)]
+
+
+def test_no_panel_takes_its_frame_for_a_curve(drawing):
+    window, session = drawing.window, drawing.session
+    drawing.trigger("toggleBasis")
+    drawing.trigger("plotSpeed")
+    basis, note = window.basis_panel.drawing, window.central["basisPane"].findChild(QLabel, "basisDrawing")
+    session.selected.activate(LINE)
+    drawing.settle()
+    assert basis.basis is not None
+    assert (len(basis.rail.parameters), note.text()) == (2, "")
+    shown = window.central["plotPanel"].pane.canvas
+    drawing.wait_for_work()
+    assert shown.plots
+    drawing.trigger("fitView")
+    drawing.click((15, 35))
+    assert session.selected.chosen == {TEXT}
+    assert basis.basis is None
+    assert (len(basis.rail.parameters), note.text()) == (0, "A text has no curve.")
+    assert not shown.plots
+    assert session.active_view.problem == "A text has no curve."
+    # A pen begins a curve of its own beside it.
+    drawing.trigger("addTool")
+    drawing.click((70, 50))
+    drawing.click((80, 55))
+    assert session.document.curves[TEXT].form is not None
+    assert len(session.document.curves) == 4

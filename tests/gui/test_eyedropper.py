@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from app.document.gradient import Gradient, Stop
+from app.document.gradient_edits import PaintedStop
 from app.document.model import Document, make_curve
 from app.document.style import NO_PAINT, Style
 from app.families import HERMITE
@@ -109,6 +110,19 @@ def test_the_panel_has_a_button_beside_each_field_and_its_chosen_stop_gets_the_c
     sheet.click((1, 2))
     sky = sheet.session.document.curves[2].style.fill_gradient
     assert [stop.colour for stop in sky.stops] == [BLUE, WHITE]
+
+
+def test_beside_a_flat_fill_too_the_chosen_stop_gets_it_and_the_gradient_stays(sheet):
+    session = sheet.session
+    session.selected.choose([2, 3])
+    session.selected.stop.choose(PaintedStop(2, "fill", 1))
+    sheet.key(Qt.Key.Key_F7)
+    sheet.click((1, 2))
+    sky = session.document.curves[2].style
+    assert [stop.colour for stop in sky.fill_gradient.stops] == ["#000000", BLUE]
+    # What is flat gets the colour.
+    assert (root(sheet).fill, root(sheet).fill_gradient) == (BLUE, None)
+    assert session.undo_stack.undoText().startswith("Fill of ")
 
 
 def test_a_hairline_need_not_be_met_exactly_and_a_picture_has_its_own_colours(sheet, tmp_path):

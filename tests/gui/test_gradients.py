@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QLineEdit, QToolButton, QWidget
 from app.document.gradient import Gradient, GradientKind, Stop, with_stop_between
 from app.document.model import Document, make_curve
 from app.document.style import NO_PAINT, Style
+from app.document.style_edits import with_style
 from app.families import HERMITE
 from app.features.style.stop_bar import StopBar
 
@@ -270,21 +271,21 @@ def test_with_nothing_chosen_the_tool_says_so_and_a_press_on_a_shape_means_that(
     assert (gradient(squares), gradient(squares, 1) is not None) == (None, True)
 
 
-def test_what_is_drawn_next_has_the_colour_in_which_the_gradient_begins(squares):
-    """It had the mean of all, a colour that is nowhere in the drawing."""
-    painted = Gradient(
-        (Stop(0.0, RED), Stop(1.0, BLUE)), GradientKind.LINEAR, (0.0, 2.0), (4.0, 2.0), (0.0, 4.0)
-    )
-    squares.session.change(
-        "Paint",
-        lambda document: document.with_curve(
-            0, replace(document.curves[0], style=document.curves[0].style.with_gradient("fill", painted))
-        ),
-    )
+@pytest.mark.parametrize("flat", [BLUE, NO_PAINT])
+def test_what_is_drawn_next_has_the_last_flat_paint_from_before_the_gradient(squares, flat):
+    """A line drawn with the pen got a solid fill, where only the shape before it was to have a gradient."""
+    squares.session.change("Paint", lambda document: with_style(document, [0], fill=flat, stroke=RED))
+    squares.trigger("gradientTool")
+    squares.drag((0.5, 2.0), (3.5, 2.0))
+    assert gradient(squares) is not None
     squares.trigger("rectangleTool")
     squares.drag((6.2, 2.5), (8.0, 4.0))
     style = squares.session.document.curves[-1].style
-    assert (len(squares.session.document.curves), style.fill, style.fill_gradient) == (3, RED, None)
+    assert len(squares.session.document.curves) == 3
+    assert (style.fill, style.fill_gradient, style.stroke) == (flat, None, RED)
+    # Nor of one that was only chosen.
+    squares.session.selected.choose([0])
+    assert (squares.session.model.style.fill, squares.session.model.style.fill_gradient) == (flat, None)
 
 
 @pytest.fixture

@@ -207,9 +207,9 @@ def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_pa
 
 
 def test_what_open_shows_is_opened_and_into_this_document_imported(editor, tmp_path, monkeypatch):
-    """The dialog of Ctrl+O was titled “Import”."""
+    """The dialog of Ctrl+O was titled “Import”; it comes where something is otherwise than drawn."""
     path = tmp_path / "poster.svg"
-    path.write_text(INCH, encoding="utf-8")
+    path.write_text(INCH.replace("</svg>", "<foreignObject/></svg>"), encoding="utf-8")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
     editor.key(Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
     editor.wait_for_work()
@@ -222,6 +222,22 @@ def test_what_open_shows_is_opened_and_into_this_document_imported(editor, tmp_p
     QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
     editor.settle()
     assert editor.status.startswith("Opened poster.svg: 1 curve, ")
+
+
+def test_a_drawing_of_which_all_comes_in_opens_without_a_question(editor, tmp_path, monkeypatch):
+    """Every file of another program was asked about, also where there was nothing to say."""
+    path = tmp_path / "poster.svg"
+    path.write_text(INCH, encoding="utf-8")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    editor.key(Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
+    editor.wait_for_work()
+    assert editor.window.findChild(QDialog, "importDrawingDialog") is None
+    assert editor.status == "Opened poster.svg: 1 curve, 3 points, exact."
+    assert editor.session.files.foreign.path == path
+    assert not editor.session.undo_stack.canUndo()
+    # What is imported may be put on either document, in part: that is asked.
+    dialog = opened(editor, path)
+    assert dialog.windowTitle() == "Import poster.svg"
 
 
 def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeypatch):
@@ -237,10 +253,7 @@ def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeyp
     monkeypatch.setattr(DocumentFiles, "_ask_about_changes", lambda _: QMessageBox.StandardButton.Discard)
     editor.trigger("openDocument")
     editor.wait_for_work()
-    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
-    drawn(editor, dialog)
-    QTest.keyClick(dialog, Qt.Key.Key_Return)
-    editor.settle()
+    assert editor.window.findChild(QDialog, "importDrawingDialog") is None
     session = editor.session
     assert ("*.svg" in asked[0], "*.curve.json" in asked[0]) == (True, True)
     assert ([curve.name for curve in session.document.curves], session.document.unit) == (["a"], "in")
@@ -338,9 +351,9 @@ def open_as_document(editor, path):
     blank(editor)
     editor.window.commands[ImportCommands].import_files([path], opened=path)
     editor.wait_for_work()
-    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
-    drawn(editor, dialog)
-    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    if dialog := editor.window.findChild(QDialog, "importDrawingDialog"):
+        drawn(editor, dialog)
+        QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
     editor.settle()
 
 

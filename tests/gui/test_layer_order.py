@@ -7,10 +7,8 @@ import re
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog
 
 from app.exchange.svg.reader import read_svg
-from app.testing import spin
 from tests.gui.curve_rows import rows, view_of
 
 pytestmark = pytest.mark.usefixtures("drawings_read_here")
@@ -41,10 +39,6 @@ def drawing(editor, tmp_path):
     editor.session.new()
     editor.window.context.files.open(path)
     editor.wait_for_work()
-    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
-    while dialog.jobs.is_busy:
-        spin(5)
-    dialog.ok.click()
     editor.show_dock("curvesDock")
     editor.settle()
     return editor

@@ -8,11 +8,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMenu
 
 from app.actions.mnemonics import plain
+from app.actions.strips import CURVE_LIST_MENU
 from app.families import FAMILIES
 from app.session import Session
 from app.settings.preferences import Preferences
+from app.view_model.shapes.regions import PATH_OPERATIONS
 from app.window import MainWindow
 from app.window.window_layout import first_size
+from app.workbench.strip_menu import strip_menu
 
 _ROOM = 700 - 30
 """Height of a small window below its menu bar."""
@@ -50,6 +53,22 @@ def test_the_curve_menu_is_short(editor):
     assert len(entries) <= 12 + len(FAMILIES)
     submenus = [plain(action.text()) for action in entries if action.menu() is not None]
     assert submenus == ["Points", "Tangents", "Parameters", "Properties", "Arrange"]
+
+
+def test_what_is_done_to_texts_has_a_menu_of_its_own_and_no_other(editor):
+    bar = editor.window.menuBar().actions()
+    assert [plain(entry.text()) for entry in bar] == [
+        "File", "Edit", "Curve", "Text", "Analysis", "View", "Help",
+    ]  # fmt: skip
+    text = bar[3].menu()
+    assert [plain(action.text()) for action in text.actions()] == [
+        "Edit Text", "", "Put on Path", "Remove from Path", "Other Side of Path", "",
+        "Flow into Frame", "Unflow to Lines", "", "Object to Path",
+    ]  # fmt: skip
+    (properties,) = [
+        each for each in editor.window.findChildren(QMenu) if each.objectName() == "propertiesMenu"
+    ]
+    assert not {*text.actions()} & {action for action in properties.actions() if not action.isSeparator()}
 
 
 def test_names_in_the_palette_stand_alone(editor):
@@ -163,3 +182,9 @@ def test_a_place_that_is_none_is_not_worth_a_word(qtbot, tmp_path):
     assert preferences.complaint == ""
     assert window.size() == usual
     assert QApplication.activeModalWidget() is None
+
+
+def test_the_menu_of_the_list_of_curves_has_the_paths_too(editor):
+    menu = strip_menu(editor.window.context, CURVE_LIST_MENU)
+    (paths,) = [each.menu() for each in menu.actions() if plain(each.text()) == "Paths"]
+    assert {each.name for each in PATH_OPERATIONS} <= {each.objectName() for each in paths.actions()}

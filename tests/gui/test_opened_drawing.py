@@ -81,27 +81,31 @@ def drawn_with(editor, tool):
     return style
 
 
-TOOLS = ["addTool", "rectangleTool", "pencilTool"]
+TOOLS = {"addTool": PLAIN_STYLE, "pencilTool": PLAIN_STYLE, "rectangleTool": None}
+"""With the style that is a tool's own in drawings; None where it is the last one."""
 
 
-@pytest.mark.parametrize("tool", TOOLS)
-def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool):
+@pytest.mark.parametrize(("tool", "own"), TOOLS.items())
+def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool, own):
     """It took that of the first object of the file."""
     before = drawing.session.document.curves
     assert drawn_with(drawing, tool) == replace(PLAIN_STYLE, width=0.3)
     drawing.escape()
     drawing.escape()
-    # What was chosen last says how the next one looks, also when it is let go, and gone.
+    first, last = (replace(each.style, width=each.style.width or 0.3) for each in before)
+    if own is not None:
+        first = last = replace(own, width=0.3)
+    # What was chosen last says how the next shape looks, also when it is let go, and gone.
     drawing.click((28, 17))
     assert drawing.session.selected.chosen == {1}
     drawing.escape()
     assert not drawing.session.selected.marked
-    assert drawn_with(drawing, tool) == before[1].style
+    assert drawn_with(drawing, tool) == last
     drawing.session.selected.choose({1})
     drawing.trigger("deleteSelection")
-    assert drawn_with(drawing, tool) == before[1].style
+    assert drawn_with(drawing, tool) == last
     drawing.session.selected.choose({0})
-    assert drawn_with(drawing, tool) == replace(before[0].style, width=0.3)
+    assert drawn_with(drawing, tool) == first
 
 
 def test_what_is_pasted_lends_its_look_to_nothing_until_it_is_chosen_or_given_one(drawing):
@@ -160,7 +164,7 @@ def test_nor_of_one_that_nobody_can_choose(editor):
     assert editor.session.model.style == PLAIN_STYLE
 
 
-def test_a_text_takes_the_colour_chosen_last(drawing):
+def test_a_text_begins_in_ink_whatever_was_chosen_last(drawing):
     def written():
         drawing.trigger("textTool")
         drawing.click((6, 15))
@@ -168,15 +172,15 @@ def test_a_text_takes_the_colour_chosen_last(drawing):
         QTest.keyClicks(words, "I")
         drawing.settle()
         assert len(drawing.session.document.curves) == 3
-        fill = drawing.session.document.curves[-1].style.fill
+        style = drawing.session.document.curves[-1].style
         QTest.keyClick(words, Qt.Key.Key_Escape)
         drawing.trigger("undo")
         drawing.trigger("selectTool")
-        return fill
+        return style.fill, style.stroke
 
-    assert written() == PLAIN_STYLE.colour
+    assert written() == ("", "none")
     drawing.session.selected.choose({1})
-    assert written() == "#ff0000"
+    assert written() == ("", "none")
 
 
 def test_all_of_the_page_is_in_sight_and_of_the_curves_and_fit_shows_the_curves_alone(drawing):
@@ -218,3 +222,23 @@ def test_saving_proposes_drawing_and_forms_are_named_by_what_they_are(drawing, m
     monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
     drawing.trigger("saveDocumentAs")
     assert proposed == [("Drawing.svg", "SVG drawings (*.svg)")]
+
+
+def test_copied_points_are_a_path_of_their_own_and_one_point_is_none(drawing):
+    """Appended to the curve that they came from, they left it without parameters."""
+    drawing.window.canvas.setFocus()
+    before = drawing.session.document
+    drawing.session.selected.activate(0)
+    drawing.select([2])
+    drawing.trigger("copyPoints")
+    drawing.trigger("pastePoints")
+    assert drawing.session.document is before
+    assert drawing.status == "One point is no path: copy two of a curve, or more, to paste them."
+    drawing.select([0, 1])
+    drawing.trigger("copyPoints")
+    drawing.trigger("pasteInPlace")
+    first, _, last = drawing.session.document.curves
+    assert first == before.curves[0]
+    assert [point.position for point in last.points] == [each.position for each in first.points[:2]]
+    assert (last.is_closed, drawing.session.selected.chosen) == (False, {2})
+    assert drawing.session.views[2].is_current

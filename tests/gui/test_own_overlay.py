@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSlider, QToolButton, QW
 from app.features.plots.pane import PlotPane
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
+from app.view_model.analysis.overlay_settings import Count, Factor
 from app.view_model.analysis.plot import PLOTS, Plot
-from app.view_model.analysis.settings import Count, Factor
 from app.view_model.look.line_styles import LineStyle, Sign
 
 RED, LIME = QColor("#ff0000"), QColor("#00ff00")

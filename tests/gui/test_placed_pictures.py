@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import base64
 
+import msgspec
 import numpy as np
 import pytest
 from PySide6.QtCore import QBuffer, QIODevice, QMimeData, QPoint, Qt
 from PySide6.QtGui import QColor, QImage
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QLabel
 
 from app.document.content import Picture
 from app.document.contents import corners_of
 from app.document.style import NO_PAINT
 from app.exchange.svg.reader import read_svg
 from app.features.import_export.export_commands import ExportCommands
+from app.features.style.panel import StylePanel
 from app.workbench import placed_pictures
 from app.workbench.clipboard import put_on_clipboard
 from tests.gui.pixels import is_colour
@@ -198,3 +201,42 @@ def test_one_that_is_placed_is_clipped_cloned_written_and_read_again(sheet, impo
     assert size(back) == pytest.approx(size(cut))
     assert b"/Image" in (tmp_path / "a.pdf").read_bytes()
     assert is_colour(QImage(str(tmp_path / "out.png")), RED).any()
+
+
+def test_it_takes_no_paint_that_nothing_would_show(sheet, imported, tmp_path):
+    session, window = sheet.session, sheet.window
+    imported(picture(tmp_path / "a.png"))
+    sheet.trigger("rectangleTool")
+    sheet.drag((20, 20), (60, 40))
+    sheet.show_dock("styleDock")
+    place = next(at for at, curve in enumerate(session.document.curves) if isinstance(curve.form, Picture))
+    shape = 1 - place
+    begun = session.document.curves[place].style
+    panel = window.findChild(StylePanel, "stylePanel")
+    session.selected.choose({place})
+    sheet.settle()
+    assert [panel.fill.isEnabled(), panel.stroke.isEnabled()] == [False, False]
+    assert not any(field.isEnabled() for field in panel.gradients.values())
+    assert panel.opacities["opacity"].isEnabled()
+    assert panel.findChild(QLabel, "styleNote").text() == "A picture has neither fill nor stroke."
+    sheet.trigger("swapFillAndStroke")
+    assert sheet.status == "A picture has neither fill nor stroke."
+    assert session.document.curves[place].style == begun
+    session.selected.choose({place, shape})
+    sheet.settle()
+    assert panel.fill.isEnabled()
+    panel.choose_colour("fill", "#123456")
+    assert session.document.curves[shape].style.fill == "#123456"
+    assert session.document.curves[place].style == begun
+    assert panel.fill.edit.text() == "#123456"
+    edit = panel.opacities["opacity"].edit
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "40")
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    assert {curve.style.opacity for curve in session.document.curves} == {0.4}
+    session.selected.choose({shape})
+    sheet.trigger("copyStyle")
+    session.selected.choose({place})
+    sheet.trigger("pasteStyle")
+    assert session.document.curves[place].style == msgspec.structs.replace(begun, opacity=0.4)

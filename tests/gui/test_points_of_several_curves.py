@@ -330,7 +330,7 @@ def test_curves_are_split_at_all_selected_points(letter):
     letter.drag((4.0, 0.7), (5.5, -0.7), keys=SHIFT)
     assert selected(letter) == {0: {1, 2, 3}, 1: {1, 2, 3}, 2: {2}}
     letter.click((0.0, 1.5), keys=SHIFT)
-    letter.key(Key.Key_K, CTRL)
+    letter.key(Key.Key_B, SHIFT)
     curves = letter.session.document.curves
     assert [curve.name for curve in curves] == [
         *("Outer a", "Outer b", "Outer c"),
@@ -365,7 +365,7 @@ def test_an_open_curve_is_split_at_its_inner_points_alone(letter):
     letter.settle()
     before = letter.session.active_view
     letter.key(Key.Key_A, CTRL)
-    letter.key(Key.Key_K, CTRL)
+    letter.key(Key.Key_B, SHIFT)
     assert [view.source.name for view in letter.session.views] == ["Wave a", "Wave b", "Wave c"]
     for k, view in enumerate(letter.session.views):
         t = np.linspace(*before.parameters[k : k + 2], 20)

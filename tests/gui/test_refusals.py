@@ -121,7 +121,7 @@ def test_keys_that_a_person_chose_say_it(line):
     keymap = line.window.actions_by_name.keymap
     key = line.action("splitCurve").shortcut()
     keymap.assign("joinCurve", [key])
-    line.key(Qt.Key.Key_K, CTRL)
+    line.key(Qt.Key.Key_B, SHIFT)
     assert line.status.startswith("“Join Ends of Curves” needs")
     keymap.reset_all()
 

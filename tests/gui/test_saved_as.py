@@ -167,3 +167,59 @@ def test_a_document_under_the_name_of_an_svg_opens_as_what_it_is_and_is_saved_el
     save_as("icons.curve.json")
     assert save_as.proposed[-1] == str(tmp_path / "icons.curve.json")
     assert path.read_bytes() == held
+
+
+def test_a_copy_is_written_elsewhere_and_the_document_stays_with_its_file(
+    editor, save_as, tmp_path, monkeypatch
+):
+    session, files = editor.session, editor.session.files
+    save_as("own.curve.json")
+    own, title = tmp_path / "own.curve.json", editor.window.windowTitle()
+    before = own.read_bytes()
+    session.selected.choose({0})
+    editor.key(Qt.Key.Key_Right)
+    proposed = []
+    keys = Qt.KeyboardModifier
+    for answer, name in (("one", "one.curve.json"), ("two.svg", "two.svg")):
+        asked = lambda *words, answer=answer: proposed.append(words[1:3]) or (str(tmp_path / answer), ANY)  # noqa: E731
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", asked)
+        editor.key(Qt.Key.Key_S, keys.ControlModifier | keys.AltModifier | keys.ShiftModifier)
+        editor.wait_for_work()
+        assert editor.status == f"Saved a copy as {name}."
+        # The file, what it holds, the changes and the title are as they were.
+        assert (files.path, files.foreign, files.is_modified, own.read_bytes()) == (own, None, True, before)
+        assert editor.window.windowTitle() == title
+    assert proposed[0] == ("Save a Copy", str(tmp_path / "own copy.curve.json"))
+    assert load(tmp_path / "one.curve.json").curves == session.document.curves
+    assert holds(tmp_path / "two.svg", editor)
+    # Nobody else finds the copy locked, and it is no recent file.
+    assert not list(tmp_path.glob(".*one*"))
+    assert editor.window.preferences.recent_files[0] == own
+
+
+def test_a_copy_is_not_written_over_the_document_itself(editor, save_as, tmp_path, monkeypatch):
+    save_as("own.curve.json")
+    own = tmp_path / "own.curve.json"
+    before = own.read_bytes()
+    editor.session.selected.choose({0})
+    editor.key(Qt.Key.Key_Right)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(own), ANY))
+    editor.trigger("saveCopy")
+    assert (
+        editor.message
+        == "own.curve.json was not saved. It is the file of this document; choose another name."
+    )
+    assert (own.read_bytes(), editor.session.files.is_modified) == (before, True)
+
+
+def test_a_copy_of_an_opened_svg_keeps_what_else_is_in_it(editor, tmp_path, monkeypatch):
+    path = tmp_path / "in.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><title>mine</title><path d="M0 0L9 9"/></svg>')
+    editor.window.preferences.add_recent_file(path)
+    editor.window.context.files.open(path)
+    editor.wait_for_work()
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "in copy.svg"), ANY))
+    editor.trigger("saveCopy")
+    editor.wait_for_work()
+    assert "<title>mine</title>" in (tmp_path / "in copy.svg").read_text()
+    assert editor.session.files.foreign.path == path

@@ -25,7 +25,7 @@ from app.document.transforms import Affine
 from app.families import HERMITE
 from app.features.import_export.export_commands import ExportCommands
 from app.features.text.commands import TextCommands
-from app.features.text.field import FontBox
+from app.features.text.font_box import FontBox
 from app.qt.glyphs import Face, outlines_of
 from app.view_model.curve.curve_view import view_of
 

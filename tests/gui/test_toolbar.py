@@ -288,3 +288,13 @@ def test_a_drawing_has_the_commands_for_objects_and_for_points_in_place_of_the_f
     assert box.visibleRegion().boundingRect() == box.rect()
     assert place_of(editor, "familyHermite").x() < box.mapTo(editor.window, QPoint()).x()
     assert box.mapTo(editor.window, QPoint()).x() < place_of(editor, "fitView").x()
+
+
+def test_it_is_as_wide_with_nothing_to_tell_of_as_with_a_curve(editor):
+    bar = editor.window.findChild(QComboBox, "parametrizationBox").parentWidget()
+    width = bar.sizeHint().width()
+    editor.new()
+    editor.trigger("selectTool")
+    bar.render_view(None)
+    # A pixel less, and words come back into the toolbar of a window that just has no room for them.
+    assert bar.sizeHint().width() == width

@@ -11,7 +11,7 @@ from extents import CLOSE, printed_bounds, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import QRegularExpression, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QToolButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QScrollArea, QToolButton
 
 from app.document.model import Document, Page, make_curve
 from app.document.several_curves import alone
@@ -593,3 +593,35 @@ def test_the_numbers_of_a_rectangle_have_room_at_the_usual_width(leaf):
         assert edit.width() > edit.fontMetrics().horizontalAdvance("210.25 mm") + 10
     width, height, rx, ry = edits
     assert width.y() == height.y() < rx.y() == ry.y()
+
+
+def test_enter_goes_back_to_the_canvas_whose_keys_work_at_once(leaf):
+    session, canvas = leaf.session, leaf.window.canvas
+    session.selected.choose([0])
+    for name in ("X", "Width", "Angle"):
+        enter(leaf, name, "17")
+        assert canvas.hasFocus(), name
+    # What is refused is mended first, and what acts each time is pressed again.
+    enter(leaf, "Width", "nonsense")
+    assert field(leaf, "Width").hasFocus()
+    QTest.keyClick(field(leaf, "Width"), Key.Key_Escape)
+    enter(leaf, "Turn", "30")
+    assert field(leaf, "Turn").hasFocus()
+    enter(leaf, "X", "5")
+    before = session.document.curves[0].points[0].x
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Right)
+    assert session.document.curves[0].points[0].x > before
+    enter(leaf, "X", "5", Key.Key_Tab)
+    assert field(leaf, "Y").hasFocus()
+
+
+def test_in_a_new_window_of_1440_by_900_nothing_of_it_has_to_be_scrolled(new_editor):
+    new_editor.window.resize(1440, 900)
+    new_editor.trigger("newDrawing")
+    new_editor.trigger("rectangleTool")
+    new_editor.drag((50, 50), (90, 80))
+    new_editor.key(Key.Key_M, CTRL | SHIFT)
+    new_editor.settle()
+    (area,) = new_editor.window.context.docks["transformDock"].findChildren(QScrollArea)
+    assert field(new_editor, "X").isVisible()
+    assert area.verticalScrollBar().maximum() == 0

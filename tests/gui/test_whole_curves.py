@@ -735,3 +735,25 @@ def test_a_duplicate_of_the_edited_curve_keeps_its_colour_and_has_its_points_sel
 def click_swatch(editor, row, colour):
     editor.click_in_list(row, Spot.SWATCH)
     editor.choose(colour)
+
+
+def test_select_all_chooses_nothing_that_is_not_there(page):
+    """Of an emptied drawing the curve about to be drawn was chosen, which nobody sees."""
+    page.escape()
+    page.key(Qt.Key.Key_A, CTRL)
+    page.key(Qt.Key.Key_Delete)
+    page.key(Qt.Key.Key_A, CTRL)
+    assert not page.session.selected.chosen
+    assert page.status == "“Select All Points” needs a curve."
+
+
+def test_undo_of_a_copy_edits_again_what_was_edited(page):
+    """Nothing was selected then, and the next key cut the whole curve instead of its point."""
+    page.session.selected.set_curves({1})
+    page.select([1])
+    page.key(Qt.Key.Key_D, CTRL)
+    assert page.curve.name != "B"
+    page.trigger("undo")
+    assert page.session.selected.is_editing
+    assert page.curve.name == "B"
+    assert sorted(page.session.selection) == [1]

@@ -319,6 +319,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.identity,
         curve.clone,
         content_of(curve),
+        curve.group_looks,
     )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import msgspec
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
@@ -26,7 +26,8 @@ from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing
 from .frames import Frame
-from .painting import FINEST, Painting
+from .painting import BLUR_DPI, FINEST, Painting
+from .preview import PicturePreview
 from .styles import PictureStyle
 
 DEFAULT_WIDTH = 1600
@@ -57,23 +58,6 @@ def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
     width, _ = _size(drawing, options)
     dots = round(1000 * width / (drawing.frame.width * MILLIMETRES[unit]))
     return dots if dots <= _MOST_DOTS else 0
-
-
-@dataclass(frozen=True)
-class PicturePreview:
-    """A small picture of a picture.
-
-    Attributes
-    ----------
-    size
-        What its file says of its size, in a line.
-    moved
-        What became of colours that could not be seen on the paper, or of gradients; empty for nothing.
-    """
-
-    image: QImage
-    size: str
-    moved: str = ""
 
 
 def png_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
@@ -236,7 +220,19 @@ def pdf_file(document: Document, options: Options) -> Written:
 
 
 def _pictures_in(drawing: Drawing) -> tuple[str, ...]:
-    """Return the sentence that tells of gradients that are pictures in a PDF; none without such."""
+    """Return the sentence about what is a picture in a PDF, be it a gradient or a blur; none without."""
+    return (*_gradient_pictures(drawing), *_blurred_pictures(drawing))
+
+
+def _blurred_pictures(drawing: Drawing) -> tuple[str, ...]:
+    names = [f"“{shape[0].shape or shape[0].name}”" for shape in drawing.shapes if shape[0].style.blur]
+    if not names:
+        return ()
+    verb = "is blurred, and a picture" if len(names) == 1 else "are blurred, and pictures"
+    return (f"{names_of(names)} {verb} of at most {BLUR_DPI} dpi in a PDF.",)
+
+
+def _gradient_pictures(drawing: Drawing) -> tuple[str, ...]:
     names = [shape[0].name for shape in drawing.shapes if shape[0].style.has_clear_gradient]
     if not names:
         return ()

@@ -13,6 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.clone import Clone
 from ...document.content import Content
+from ...document.group_look import GroupLooks
 from ...document.marker import MarkerKind
 from ...document.model import Vector
 from ...document.style import PLAIN_STYLE, Style
@@ -50,6 +51,8 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     content
         The text or the picture that it is the frame of.
+    group_looks
+        As in `Curve`.
     """
 
     name: str
@@ -68,6 +71,7 @@ class Outline(msgspec.Struct, frozen=True):
     identity: str = ""
     clone: Clone | None = None
     content: Content | None = None
+    group_looks: GroupLooks = ()
 
     @property
     def corners(self) -> list[Vector]:

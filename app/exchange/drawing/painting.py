@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations
 
 import numpy as np
 from msgspec.structs import replace
@@ -25,7 +26,9 @@ from curvecore.arrays import FloatArray
 
 from ...document.content import Lettering, Picture
 from ...document.gradient import Gradient
-from ...document.style import Style
+from ...document.group_look import GroupLook
+from ...document.style import BLUR_REACH, Style
+from ...qt.blurs import blurred
 from ...qt.clips import clipped
 from ...qt.contents import inked, paint_picture
 from ...qt.gradients import brush_of
@@ -33,6 +36,7 @@ from ...qt.markers import path_of
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
 from .drawing import POINT_RADIUS, Annotation, Drawing
+from .grouped import units_of
 from .outlines import Outline, markers_at
 from .styles import PictureStyle
 
@@ -41,6 +45,12 @@ _MOST_DASHES = 100_000
 
 
 _PICTURE = QImage.Format.Format_ARGB32_Premultiplied
+_SMOOTHLY = QPainter.RenderHint.SmoothPixmapTransform | QPainter.RenderHint.LosslessImageRendering
+_MOST_BLURRED, _MOST_COMPARED = 16_000_000, 200
+
+BLUR_DPI = 300
+"""Dots an inch of what is blurred in a PDF, at most."""
+
 FINEST = 1000
 """Pixels along the longer side of a gradient that goes into a PDF as a picture."""
 
@@ -61,6 +71,7 @@ class Painting:
     def __init__(self, drawing: Drawing, painter: QPainter, style: PictureStyle) -> None:
         self._drawing, self._painter, self._style = drawing, painter, style
         self._height = drawing.frame.height
+        self._frame = QRectF(0, 0, drawing.frame.width, drawing.frame.height)
 
     def paint(self, *, points: bool, report: Report) -> None:
         """Paint all of it, from the back to the front."""
@@ -68,8 +79,8 @@ class Painting:
         if self._style.paper:
             self._painter.fillRect(QRectF(0, 0, frame.width, frame.height), QColor(self._style.paper))
         self._paint_annotations("grid")
-        for shape in told(self._drawing.shapes, report, "Painting"):
-            self._paint_shape(shape)
+        for look, run in told(units_of(self._drawing.shapes, 0), report, "Painting"):
+            self._paint_unit(look, run, 0)
         self._paint_annotations("handles")
         if points:
             self._paint_points()
@@ -77,12 +88,68 @@ class Painting:
 
     # Shapes
 
+    def _paint_unit(self, look: GroupLook | None, shapes: Sequence[tuple[Outline, ...]], depth: int) -> None:
+        """Paint a shape, or a group that is seen through, as a whole, in so many others."""
+        if look is None:
+            self._paint_shape(shapes[0])
+        elif look.opacity > 0:
+            self._paint_group(shapes, look.opacity, depth + 1)
+
+    def _paint_group(self, shapes: Sequence[tuple[Outline, ...]], opacity: float, depth: int) -> None:
+        """Paint what is in a group as a picture, which all formats have; what is by itself as such.
+
+        A PDF of Qt's (6.11) has no groups.
+        """
+        painter = self._painter
+        boxes = [self._reach(shape) for shape in shapes]
+        if not _is_raster(painter) and not _do_any_meet(boxes):
+            for shape in shapes:
+                share = opacity * math.prod(each.opacity for each in shape[0].group_looks[depth:])
+                style = replace(shape[0].style, opacity=shape[0].style.opacity * share)
+                self._paint_shape(tuple(replace(each, style=style) for each in shape))
+            return
+        place = QRectF()
+        for box in boxes:
+            place = place.united(box.intersected(self._frame))
+        if place.isEmpty():
+            return
+        fine = 1.0 if _is_raster(painter) else BLUR_DPI / 72
+        fine *= min(1.0, math.sqrt(_MOST_BLURRED / (place.width() * place.height() * fine * fine)))
+        place = QRectF(QRectF(place).toAlignedRect())
+        picture = QImage((place.size() * fine).toSize().expandedTo(QSize(1, 1)), _PICTURE)
+        picture.fill(Qt.GlobalColor.transparent)
+        with QPainter(picture) as inner:
+            inner.setRenderHints(painter.renderHints() | QPainter.RenderHint.Antialiasing)
+            inner.scale(picture.width() / place.width(), picture.height() / place.height())
+            inner.translate(-place.topLeft())
+            within = Painting(self._drawing, inner, self._style)
+            for look, run in units_of(shapes, depth):
+                within._paint_unit(look, run, depth)
+        painter.save()
+        painter.setOpacity(opacity)
+        painter.setRenderHints(_SMOOTHLY)
+        painter.drawImage(place, picture)
+        painter.restore()
+
+    def _reach(self, shape: tuple[Outline, ...]) -> QRectF:
+        """Return a box that a shape does not leave; the whole frame for letters, which leave theirs."""
+        style = shape[0].style
+        if shape[0].content is not None:
+            return self._frame
+        pen = self._pen(style, 0.0)
+        box = self._path(shape).controlPointRect().united(self._markers(shape).controlPointRect())
+        reach = 1 + BLUR_REACH * style.blur + (overhang_of(pen) if pen is not None else 0.0)
+        return box.adjusted(-reach, -reach, reach, reach)
+
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
         if clips := shape[0].style.clips:
             # Outlines of a shape have one style.
             whole = replace(shape[0], style=replace(shape[0].style, clips=()))
             with clipped(self._painter, clips, QTransform(1, 0, 0, -1, 0, self._height)):
                 self._paint_shape((whole, *shape[1:]))
+            return
+        if shape[0].style.blur:
+            self._paint_blurred(shape)
             return
         if shape[0].content is not None:
             self._paint_content(shape[0])
@@ -105,16 +172,55 @@ class Painting:
         if pen is not None and not markers.isEmpty():
             self._fill(self._painter, markers, pen.brush())
 
+    def _paint_blurred(self, shape: tuple[Outline, ...]) -> None:
+        """Paint a shape as a picture of it that is blurred, which all formats have."""
+        style, painter = shape[0].style, self._painter
+        path, reach = self._path(shape).controlPointRect(), BLUR_REACH * style.blur
+        if isinstance(shape[0].content, Lettering):
+            # Letters reach beyond their frame, of which one without fonts knows but the rough size.
+            for letters, _ in self._inked(shape[0], shape[0].content):
+                path = path.united(letters.boundingRect())
+        if shape[0].content is None:
+            pen = self._pen(style, 0.0)
+            path = path.united(self._markers(shape).controlPointRect())
+            reach += overhang_of(pen) if pen is not None else 0.0
+        room = self._frame.adjusted(*(share * BLUR_REACH * style.blur for share in (-1, -1, 1, 1)))
+        place = path.adjusted(-reach, -reach, reach, reach).intersected(room)
+        if place.isEmpty():
+            return
+        sharp = replace(shape[0], style=replace(style, blur=0.0, opacity=1.0))
+
+        def paint(inner: QPainter, part: QRectF, fine: float) -> None:
+            inner.scale(fine, fine)
+            inner.translate(-part.topLeft())
+            Painting(self._drawing, inner, self._style)._paint_shape((sharp, *shape[1:]))
+
+        scale = 1.0 if _is_raster(painter) else BLUR_DPI / 72
+        picture = blurred(paint, place, style.blur, scale=scale, most=_MOST_BLURRED, opacity=style.opacity)
+        if not _is_raster(painter):
+            # Readers of PDF files show the pixels of a picture as squares.
+            finest = min(scale, FINEST / max(place.width(), place.height()))
+            smooth = Qt.TransformationMode.SmoothTransformation
+            size = (place.size() * finest).toSize().expandedTo(picture.size())
+            picture = picture.scaled(size, Qt.AspectRatioMode.IgnoreAspectRatio, smooth)
+        painter.save()
+        painter.setRenderHints(_SMOOTHLY)
+        painter.drawImage(place, picture)
+        painter.restore()
+
     def _paint_content(self, frame: Outline) -> None:
         """Paint a text or a picture in its frame."""
         content, way = frame.content, QTransform(1, 0, 0, -1, 0, self._height)
         if isinstance(content, Picture):
             paint_picture(self._painter, content, frame.corners, way, frame.style.opacity, None)
         elif isinstance(content, Lettering):
-            area = QRectF(0, 0, self._drawing.frame.width, self._height)
-            for path, style in inked(content, frame.corners, way, frame.style, area):
+            for path, style in self._inked(frame, content):
                 brush = self._brush(style) if style.has_fill else None
                 self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush)
+
+    def _inked(self, frame: Outline, text: Lettering) -> Iterator[tuple[QPainterPath, Style]]:
+        way, area = QTransform(1, 0, 0, -1, 0, self._height), self._frame
+        return iter(inked(text, frame.corners, way, frame.style, area))
 
     def _fill_and_stroke(
         self, painter: QPainter, path: QPainterPath, pen: QPen | None, brush: QBrush | QColor | None
@@ -266,6 +372,11 @@ class Painting:
 
     def _places(self, points: FloatArray) -> list[QPointF]:
         return [QPointF(x, self._height - y) for x, y in points.tolist()]
+
+
+def _do_any_meet(boxes: Sequence[QRectF]) -> bool:
+    """Whether any of some boxes meet, or may where they are many."""
+    return len(boxes) > _MOST_COMPARED or any(one.intersects(other) for one, other in combinations(boxes, 2))
 
 
 def _has_alpha(brush: QBrush) -> bool:

@@ -24,7 +24,7 @@ from ..errors import ExchangeError
 if TYPE_CHECKING:
     from ...document.model import Document
     from ...tasks.progress import Report
-    from ..drawing.image import PicturePreview
+    from ..drawing.preview import PicturePreview
     from ..options import Option, Options
 
 DOCUMENT_ENDING = ".curve.json"
@@ -124,7 +124,7 @@ class Format(FileKind):
     write
         Returns what to write; None if it is not written. Long work reports to `Options.report`.
     preview
-        Of pictures: shows what they will look like, in so many pixels at most; see `image.PicturePreview`.
+        Of pictures: shows what they will look like, in so many pixels at most; see `preview.PicturePreview`.
     shows_contents
         Whether texts and pictures are written; others get the curves alone.
     kind

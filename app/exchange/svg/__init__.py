@@ -2,7 +2,8 @@
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
   ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``marker_elements``,
-  ``numbers``: styles and numbers as text.
+  ``filter_elements``, ``numbers``: styles and numbers as text.
+  ``defined_elements``: what those that are referred to have in common.
   ``form_elements``: rectangles and ellipses as such.  ``inkscape_forms``: stars, as Inkscape notes them.
   ``use_elements``: clones as such.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
@@ -10,9 +11,13 @@
   ``clones``: what a `use` is a clone of.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``shown``: what is shown in frames.  ``texts``, ``pictures``: of either kind.
-  ``content_elements``: written again.  ``escapes``: text in XML.
+  ``flowed``: texts that wrap in a frame.  ``line_roles``: lines that Inkscape edits as lines.
+  ``text_paths``: what texts lie along; ``text_path_elements``: written again.
+  ``content_elements``: all of it written again.  ``course_elements``: what it lies along or fills.
+  ``escapes``: text in XML.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
+- ``filters``: those that are a blur.
 - ``cascade``, ``properties``, ``paint``, ``gradients``, ``markers``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.

@@ -4,27 +4,16 @@ from __future__ import annotations
 
 from ...document.clip import Clip, ClipRing
 from ..naming import Names
+from .defined_elements import DefinedElements
 from .numbers import number
 
 
-class ClipElements:
-    """The clips of one file.
-
-    Attributes
-    ----------
-    lines
-        Those that were asked for so far.
-    """
+class ClipElements(DefinedElements):
+    """The clips of one file."""
 
     def __init__(self, ids: Names) -> None:
-        self._ids = ids
+        super().__init__(ids)
         self._known: dict[tuple[Clip, ...], str] = {}
-        self.lines: list[str] = []
-
-    def taken(self) -> list[str]:
-        """Return those that were asked for since it was asked last."""
-        lines, self.lines = self.lines, []
-        return lines
 
     def reference(self, clips: tuple[Clip, ...]) -> str:
         """Return what refers to what all of some clips leave; "none" of none."""

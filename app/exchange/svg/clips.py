@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
 
@@ -20,9 +19,8 @@ from .matrices import Box, combined, moved, transform_of
 from .path_data import Subpath
 from .shapes import SHAPES, subpaths_of
 from .state import State
-from .xml_tree import reference_of, tag_of
+from .xml_tree import reference_of, referred, tag_of
 
-_REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 _DEEPEST = 8
 """Clips of clips."""
 
@@ -159,8 +157,7 @@ class Clips:
         return self._read(declared, matrix, viewport, box, depth + 1) if is_cut else ()
 
     def _referred(self, declared: Mapping[str, str]) -> ET.Element | None:
-        match = _REFERENCE.fullmatch(declared.get("clip-path", "none").strip())
-        clip = self._by_id.get(match[1]) if match else None
+        clip = referred(self._by_id, declared.get("clip-path", "none"))
         return clip if clip is not None and tag_of(clip) == "clipPath" else None
 
     def _rings(

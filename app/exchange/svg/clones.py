@@ -13,6 +13,7 @@ from ...document.clone import Clone
 from ...document.model import MAX_MAGNITUDE
 from .groups import Drawn
 from .matrices import combined, inverse_of
+from .text_paths import linked as along_linked
 
 _ROUNDING = 1e-14
 
@@ -39,6 +40,7 @@ def linked(drawn: Sequence[Drawn], key: str) -> list[Drawn]:
         identity = f"{key}{original}"
         paths[original] = replace(paths[original], identity=identity)
         paths[place] = replace(paths[place], clone=_clone(identity, by))
+    paths = along_linked(drawn, paths, key)
     return [replace(each, path=path) for each, path in zip(drawn, paths, strict=True)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from msgspec.structs import replace
@@ -14,23 +14,32 @@ from ...document.model import Vector
 from ...document.style import NO_PAINT, Style
 from ..cubics_in import lines
 from ..drawing.outlines import Outline
+from . import flowed
 from .clips import clip_of_box
 from .escapes import escaped, quoted
+from .line_roles import ROLE, line_height, lines_with_empty, place_and_height
 from .numbers import number
+from .text_path_elements import on_path
 
 _NOISE = 1e-13
 
 
-def content_element(content: Content, plane: Plane, said: str) -> str:
+def content_element(content: Content, plane: Plane, said: str, path: str = "") -> str:
     """Return a text or a picture that lies so; `said` are attributes of it, each after a blank.
 
+    A text may lie along the `path` of an id, or fill the rectangle of one.
     Pictures refer to their files by XLink: Inkscape shows no others.
     """
     if isinstance(content, Lettering):
-        return _text(content, plane, said)
+        return _text(content, plane, said, path)
     if content.link and not content.data:
         return _linked(content, plane, said)
     return _picture(content, _matrix(plane), said)
+
+
+def refers(content: Content) -> bool:
+    """Whether a text or a picture refers to something by XLink: a path, or what it shows."""
+    return content.along is not None if isinstance(content, Lettering) else True
 
 
 def uncut(frame: Outline) -> Outline:
@@ -56,7 +65,7 @@ def in_units_of(plane: Plane, style: Style) -> Style:
     style = replace(style, clips=())
     if style.width is not None:
         style = replace(style, width=style.width / plane.scale)
-    if not style.is_placed:
+    if not style.goes_along:
         return style
     (a, b), (c, d) = plane.across, plane.down
     area = a * d - b * c
@@ -108,21 +117,48 @@ def _linked(picture: Picture, plane: Plane, said: str) -> str:
     )
 
 
-def _text(text: Lettering, plane: Plane, said: str) -> str:
+def _text(text: Lettering, plane: Plane, said: str, path: str) -> str:
     # What its first letters are in is said once.
-    font = replace(text.lines[0].runs[0], words="", right=0.0, down=0.0, paint=None)
-    looks = "".join(f" {each}" for each in _font(font, TextRun("")))
-    lines = lines_of(text, font)
+    font = replace(text.lines[0].runs[0], words="", right=0.0, down=0.0, paint=None, **common_lines(text))
+    # Its size always: what nobody says is 16 in a browser, and 12 in Inkscape.
+    looks = "".join(f" {each}" for each in _font(font, TextRun("", size=0.0)))
+    if path and text.flow is None:
+        anchored = _anchored(text.lines[0].anchor.value)
+        words = on_path(text, path, lambda run: _run(run, font))
+        return f'<text{said}{anchored}{_matrix(plane)} xml:space="preserve"{looks}>{words}</text>'
+    height = line_height(text)
+    lines = lines_of(text, font, height)
+    if text.flow is not None:
+        place, declared = flowed.place_of(text), flowed.declarations(text, path)
+    else:
+        place, declared = ({}, {}) if height is None else place_and_height(text, height)
+    said += "".join(f' {name}="{value}"' for name, value in place.items())
+    said = flowed.with_style(said, declared) if declared else said
     return f'<text{said}{_matrix(plane)} xml:space="preserve"{looks}>{lines}</text>'
 
 
-def lines_of(text: Lettering, font: TextRun) -> str:
-    """Return the lines of a text as spans, within what is in a font."""
+def common_lines(text: Lettering) -> dict[str, bool]:
+    """Return which lines all letters of a text are decorated by: nothing within can take them away."""
+    runs = [run for line in text.lines for run in line.runs if run.words]
+    return {name: all(getattr(run, name) for run in runs) for name in ("underline", "strike")}
+
+
+def decoration(run: TextRun) -> str:
+    """Return the value of the property that decorates letters."""
+    lines = ["underline"] * run.underline + ["line-through"] * run.strike
+    return " ".join(lines) or "none"
+
+
+def lines_of(text: Lettering, font: TextRun, height: float | None = None) -> str:
+    """Return the lines of a text as spans, within what is in a font; with a height as lines of Inkscape's."""
+    if text.flow is not None:
+        return flowed.flowed_lines(text, lambda run, ways: _run(run, font, ways))
+    role = "" if height is None else f' {ROLE}="line"'
     return "".join(
-        f'<tspan x="{number(line.x)}" y="{number(line.y)}"{_anchored(line.anchor.value)}>'
+        f'<tspan{role} x="{number(line.x)}" y="{number(line.y)}"{_anchored(line.anchor.value)}>'
         + "".join(_run(run, font) for run in line.runs)
         + "</tspan>"
-        for line in text.lines
+        for line in (text.lines if height is None else lines_with_empty(text, height))
     )
 
 
@@ -130,9 +166,11 @@ def _anchored(anchor: str) -> str:
     return "" if anchor == "start" else f' text-anchor="{anchor}"'
 
 
-def _run(run: TextRun, font: TextRun) -> str:
-    ways = {"dx": run.right, "dy": run.down}
-    said = [f'{name}="{number(way)}"' for name, way in ways.items() if way]
+def _run(run: TextRun, font: TextRun, ways: Sequence[float] = ()) -> str:
+    """Return a run within what is in a font; its letters may be moved by ways of their own."""
+    across = " ".join(map(number, ways or [run.right]))
+    said = [f'dx="{across}"'] if run.right or any(ways) else []
+    said += [f'dy="{number(run.down)}"'] if run.down else []
     said += _font(run, font)
     if run.paint is not None:
         said += _paint(run.paint)
@@ -153,6 +191,10 @@ def _font(run: TextRun, around: TextRun) -> Iterator[str]:
         yield f'font-style="{"italic" if run.italic else "normal"}"'
     if run.spacing != around.spacing:
         yield f'letter-spacing="{number(run.spacing)}"'
+    if run.word_spacing != around.word_spacing:
+        yield f'word-spacing="{number(run.word_spacing)}"'
+    if (run.underline, run.strike) != (around.underline, around.strike):
+        yield f'text-decoration="{decoration(run)}"'
 
 
 def _paint(paint: RunPaint) -> Iterator[str]:

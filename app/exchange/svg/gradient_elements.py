@@ -11,30 +11,20 @@ from ...document.gradient import Gradient, GradientKind, Spread, Stop
 from ...document.model import Vector
 from ..drawing.styles import PictureStyle
 from ..naming import Names
+from .defined_elements import DefinedElements
 from .numbers import number
 
 _ROUNDING = 1e-9
 """Share of its size by which a gradient may differ from one that attributes can say without a transform."""
 
 
-class GradientElements:
-    """The gradients of one file.
-
-    Attributes
-    ----------
-    lines
-        Those that were asked for so far.
-    """
+class GradientElements(DefinedElements):
+    """The gradients of one file."""
 
     def __init__(self, picture: PictureStyle, ids: Names) -> None:
-        self._picture, self._ids = picture, ids
+        super().__init__(ids)
+        self._picture = picture
         self._known: dict[Gradient, str] = {}
-        self.lines: list[str] = []
-
-    def taken(self) -> list[str]:
-        """Return those that were asked for since it was asked last."""
-        lines, self.lines = self.lines, []
-        return lines
 
     def reference(self, gradient: Gradient) -> str:
         """Return the paint that refers to a gradient."""

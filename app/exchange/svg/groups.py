@@ -2,52 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from msgspec import structs
 
 from ...document.empty_layer import EmptyLayer
+from ...document.group_look import looks_of
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
 from ..naming import Names
-
-if TYPE_CHECKING:
-    from .state import State
-
-
-@dataclass(frozen=True, eq=False)
-class Anchor:
-    """What in a file shows something: its element, or the outermost `use` of it; with the state around."""
-
-    element: ET.Element
-    around: State
-
-
-@dataclass(frozen=True)
-class Group:
-    """A group around shapes.
-
-    Attributes
-    ----------
-    number
-        Another one for each, however they are called.
-    name
-        What the file calls it; empty where it does not.
-    is_layer
-        Whether it is a layer of Inkscape's, in nothing but layers.
-    visible, locked
-        What it says of a layer in which there is nothing.
-    anchor
-        What it is in the file.
-    """
-
-    number: int
-    name: str
-    is_layer: bool = False
-    visible: bool = True
-    locked: bool = False
-    anchor: Anchor | None = field(default=None, compare=False)
+from .state import Anchor, Group, State
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +60,43 @@ def with_line(drawn: Drawn) -> Drawn:
     return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))
 
 
+def without_lone_groups(drawn: Sequence[Drawn]) -> list[Drawn]:
+    """Return paths with the opacities of those groups around them that no document has: see `settled`."""
+    if not any(group.opacity < 1 for each in drawn for group in each.groups):
+        return list(drawn)
+    held = _held(drawn)
+    lone = {group for group in held if group.opacity < 1 and not _is_one(group, held[group])}
+    return [_seen_through(each, lone) if not lone.isdisjoint(each.groups) else each for each in drawn]
+
+
+def _seen_through(drawn: Drawn, lone: Collection[Group]) -> Drawn:
+    """Return a path on which the opacity of some of its groups is put, as that of what is around it."""
+    share = math.prod(group.opacity for group in drawn.groups if group in lone)
+    look, around = drawn.path.look, drawn.anchor.around
+    style = structs.replace(look.style, opacity=round(look.style.opacity * share, 6))
+    outer = math.prod(group.opacity for group in around.groups if group in lone)
+    properties = replace(around.properties, opacity=around.properties.opacity * outer)
+    return replace(
+        drawn,
+        path=replace(drawn.path, look=replace(look, style=style)),
+        groups=tuple(replace(each, opacity=1.0) if each in lone else each for each in drawn.groups),
+        anchor=replace(drawn.anchor, around=replace(around, properties=properties)),
+    )
+
+
+def _held(drawn: Sequence[Drawn]) -> dict[Group, set[int]]:
+    """Return which elements are in each group."""
+    held: dict[Group, set[int]] = {}
+    for each in drawn:
+        for group in each.groups:
+            held.setdefault(group, set()).add(each.element)
+    return held
+
+
+def _is_one(group: Group, elements: Collection[int]) -> bool:
+    return bool(group.name) or group.is_layer or len(elements) > 1
+
+
 class Settled(NamedTuple):
     """Paths with the names of their groups, the layers, and the name of each group."""
 
@@ -107,11 +112,8 @@ def settled(drawn: Sequence[Drawn], layers: Sequence[tuple[Group, ...]] = ()) ->
     A group without a name, around a single shape, is none. The `layers` of the file are there in any case,
     each with those around it.
     """
-    held: dict[Group, set[int]] = {}
-    for each in drawn:
-        for group in each.groups:
-            held.setdefault(group, set()).add(each.element)
-    kept = {group for group, elements in held.items() if group.name or group.is_layer or len(elements) > 1}
+    held = _held(drawn)
+    kept = {group for group, elements in held.items() if _is_one(group, elements) or group.opacity < 1}
     names = _Given()
     paths = [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
     empty = tuple(names.empty(each) for each in layers if each[-1] not in held)
@@ -134,12 +136,17 @@ class _Given:
     def empty(self, layers: Sequence[Group]) -> EmptyLayer:
         """Return a layer without paths, the last of those within each other."""
         *around, own = self._chain(layers)
-        return EmptyLayer(own, around[-1] if around else "", layers[-1].visible, layers[-1].locked)
+        last = layers[-1]
+        return EmptyLayer(own, around[-1] if around else "", last.visible, last.locked, last.opacity)
 
     def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
         """Return a path with names of its groups, and one of its shape, that no others have."""
-        look = drawn.path.look
-        return replace(drawn.path, look=replace(look, shape=self._shape(drawn), groups=self._chain(groups)))
+        chain = self._chain(groups)
+        opacities = {name: group.opacity for name, group in zip(chain, groups, strict=True)}
+        look = replace(
+            drawn.path.look, shape=self._shape(drawn), groups=chain, group_looks=looks_of(chain, opacities)
+        )
+        return replace(drawn.path, look=look)
 
     def _shape(self, drawn: Drawn) -> str:
         wanted = drawn.path.look.shape

@@ -6,29 +6,18 @@ import re
 
 from ...document.marker import RINGS, MarkerKind
 from ..naming import Names
+from .defined_elements import DefinedElements
 from .numbers import number
 
 _OWN = "curvebench-"
 
 
-class MarkerElements:
-    """The markers of one file.
-
-    Attributes
-    ----------
-    lines
-        Those that were asked for so far.
-    """
+class MarkerElements(DefinedElements):
+    """The markers of one file."""
 
     def __init__(self, ids: Names) -> None:
-        self._ids = ids
+        super().__init__(ids)
         self._known: dict[MarkerKind, str] = {}
-        self.lines: list[str] = []
-
-    def taken(self) -> list[str]:
-        """Return those that were asked for since it was asked last."""
-        lines, self.lines = self.lines, []
-        return lines
 
     def reference(self, kind: MarkerKind) -> str:
         """Return what refers to a marker; "none" of none."""

@@ -10,9 +10,8 @@ from ...document.marker import MarkerKind
 from .flaw import Flaw
 from .marker_elements import own_kind
 from .names import INKSCAPE_SPACE
-from .xml_tree import tag_of
+from .xml_tree import referred, tag_of
 
-_REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 _STOCK = {
     r"Arrow[134]": MarkerKind.OPEN,
     r"Arrow[12345][LMS]?": MarkerKind.ARROW,
@@ -54,11 +53,10 @@ class Markers:
 
     def _kinds(self, text: str, place: str) -> tuple[MarkerKind, MarkerKind]:
         """Return of what kind of our own a marker is, and the nearest to it of another program."""
-        reference = _REFERENCE.fullmatch(text)
-        name = reference[1] if reference else ""
-        element = self._by_id.get(name)
+        element = referred(self._by_id, text)
         if element is None or tag_of(element) != "marker":
             return MarkerKind.NONE, MarkerKind.NONE
+        name = element.get("id", "")
         stock = element.get(f"{{{INKSCAPE_SPACE}}}stockid") or name
         turns = element.get("orient") == "auto-start-reverse"
         return own_kind(name), _near_kind(stock, place, turns=turns)

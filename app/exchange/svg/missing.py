@@ -13,7 +13,6 @@ from .xml_tree import tag_of
 
 _EFFECTS = {
     "mask": Flaw("a mask covers some of it", "it comes in whole"),
-    "filter": Flaw("a filter changes it", "it comes in without"),
     "mix-blend-mode": Flaw("it is blended with what lies below", "it covers that"),
 }
 _NO_EFFECT = ("none", "normal")

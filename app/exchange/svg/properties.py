@@ -21,6 +21,9 @@ from .lengths import Viewport, length
 from .markers import Markers
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
+DECORATIONS = ("underline", "line-through")
+"""Lines that letters may have."""
+
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
 _SIZES = {
@@ -48,14 +51,17 @@ class Properties:
     values
         The properties of `INHERITED`.
     opacity
-        Of all groups around it, and its own.
+        Its own, and that of all around it up to the next group, which is seen through as a whole.
     is_displayed
         Whether neither it nor a group around it is `display: none`.
+    decorated
+        By which lines its letters are: nothing within takes away what is around.
     """
 
     values: Mapping[str, str] = field(default_factory=lambda: INHERITED)
     opacity: float = 1.0
     is_displayed: bool = True
+    decorated: frozenset[str] = frozenset()
 
     def entered(self, declared: Mapping[str, str]) -> Properties:
         """Return the properties within an element that declares these."""
@@ -66,7 +72,13 @@ class Properties:
             {**self.values, **new},
             self.opacity * share_of(declared.get("opacity", "1")),
             self.is_displayed and declared.get("display") != "none",
+            self.decorated | _lines_declared(declared),
         )
+
+    @property
+    def share(self) -> float:
+        """The opacity without the noise of its last digits."""
+        return _rounded(self.opacity)
 
     def _computed(self, name: str, value: str) -> str:
         word = value.lower()
@@ -93,6 +105,11 @@ class Properties:
         """Whether a line of no length is seen, by its caps."""
         has_caps = self.values["stroke-linecap"].lower() in ("round", "square")
         return self.is_visible and has_caps and self.values["stroke"].lower() != "none"
+
+
+def _lines_declared(declared: Mapping[str, str]) -> frozenset[str]:
+    said = declared.get("text-decoration-line", declared.get("text-decoration", ""))
+    return frozenset(word for word in said.lower().split() if word in DECORATIONS)
 
 
 def font_size(word: str, around: str) -> str:
@@ -140,7 +157,7 @@ class StyleReader:
             fill=fill.colour,
             fill_rule=_one_of(FillRule, values["fill-rule"], FillRule.NONZERO),
             fill_opacity=_rounded(fill.opacity * share_of(values["fill-opacity"])),
-            opacity=_rounded(properties.opacity),
+            opacity=properties.share,
             fill_gradient=fill.gradient,
         )
         if stroke.colour == "none":

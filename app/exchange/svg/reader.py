@@ -26,9 +26,10 @@ from . import own_data
 from .cascade import Cascade
 from .clips import Clips
 from .clones import linked
+from .filters import Filters, without_noise
 from .flaw import Flaw
 from .gradients import Ground
-from .groups import Anchor, Drawn, Group, Settled, is_seen, settled, with_line
+from .groups import Drawn, Settled, is_seen, settled, with_line, without_lone_groups
 from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
@@ -53,7 +54,7 @@ from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
 from .shown import CONTENTS, NO_CURVES, Shown
-from .state import State, Window
+from .state import Anchor, Group, State, Window
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
 MAX_PATHS = 10_000
@@ -131,8 +132,10 @@ class SvgReader:
         self._cascade = Cascade(root)
         self._missing = Missing(root, self._cascade.missed)
         paints = Paints(self._by_id, self._cascade.of)
-        self._styles, self._shown = StyleReader(paints, self._by_id), Shown(paints, self._cascade.of)
+        self._styles = StyleReader(paints, self._by_id)
+        self._shown = Shown(paints, self._cascade.of, self._by_id)
         self._clips = Clips(self._by_id, self._cascade.of)
+        self._filters = Filters(self._by_id, self._cascade.of)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
@@ -158,7 +161,7 @@ class SvgReader:
     def drawn(self) -> list[Drawn]:
         """Return all paths of the file, painted or not."""
         state = State(self.sheet.matrix, self.sheet.viewport)
-        return list(self._drawn(self._root, state, depth=0))
+        return without_lone_groups(list(self._drawn(self._root, state, depth=0)))
 
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
@@ -217,6 +220,7 @@ class SvgReader:
             matrix=matrix,
             windows=windows,
             clips=clips,
+            blur=self._filters.blurred(state.blur, declared, matrix),
             properties=state.properties.entered(declared),
             # What is locked where it is drawn is not so where it is used.
             is_locked=state.is_locked or (state.anchor is None and element.get(INSENSITIVE) == "true"),
@@ -227,11 +231,13 @@ class SvgReader:
     ) -> Iterator[Drawn]:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
         name, state = state.clone or name_of(element), replace(state, clone="")
-        if not is_around_copied and (tag == "g" or (depth > 0 and name)):
+        share = state.properties.share
+        if not is_around_copied and (tag == "g" or (depth > 0 and (name or share < 1))):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
             visible = state.properties.is_displayed
-            group = Group(self._visited, name, is_layer, visible, state.is_locked, anchor)
-            state = replace(state, groups=(*state.groups, group))
+            group = Group(self._visited, name, is_layer, visible, state.is_locked, anchor, share)
+            inside = replace(state.properties, opacity=1.0)
+            state = replace(state, groups=(*state.groups, group), properties=inside)
             if is_layer:
                 self.layers.append(state.groups)
         if tag == "svg" and depth > 0:
@@ -367,7 +373,8 @@ class SvgReader:
         if state.properties.is_visible:
             self._missing.note(element, *flaws)
         visible = state.properties.is_visible
-        return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
+        style = msgspec.structs.replace(self._ours.restored(style), blur=without_noise(state.blur))
+        return Look(style, visible=visible, locked=state.is_locked)
 
     def _length(self, element: ET.Element, name: str, state: State) -> float | None:
         try:
@@ -379,10 +386,10 @@ class SvgReader:
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
-        found = effects_on(declared)
+        found = effects_on(declared) + self._filters.flaws(declared, state.matrix, is_many=is_many)
         if not self._clips.is_known(declared, state, has_box=tag_of(element) in SHAPES):
             found.append(_CLIPPED)
-        if is_many and share_of(declared.get("opacity", "1")) < 1:
+        if element is self._root and is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
         self._missing.note(element, *found)
 

@@ -27,10 +27,11 @@ from .paint import Paints
 from .pictures import Pictures
 from .properties import Properties
 from .state import State
+from .text_paths import TextPaths
 from .texts import Texts
 from .xml_tree import reference_of
 
-CONTENTS = ("text", "image")
+CONTENTS = ("text", "flowRoot", "image")
 """Elements that come in as frames of what they show."""
 
 _NO_TEXT = Flaw("it has no letters that can be read here", "left out, but as paths it would come in")
@@ -114,8 +115,14 @@ class Found(NamedTuple):
 class Shown:
     """The texts and pictures of one file, as they are met."""
 
-    def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
-        self._texts, self._pictures = Texts(paints, declared), Pictures()
+    def __init__(
+        self,
+        paints: Paints,
+        declared: Callable[[ET.Element], Mapping[str, str]],
+        by_id: Mapping[str, ET.Element],
+    ) -> None:
+        self._texts = Texts(paints, declared, TextPaths(by_id, declared), by_id)
+        self._pictures = Pictures()
 
     def found(self, tag: str, element: ET.Element, state: State) -> Found | None:
         """Return what an element shows; None where it cannot be shown."""
@@ -123,7 +130,7 @@ class Shown:
         return None if found is None or found.is_flat else found
 
     def _read(self, tag: str, element: ET.Element, state: State) -> Found | None:
-        if tag == "text" and (text := self._texts.text(element, state)) is not None:
+        if tag in ("text", "flowRoot") and (text := self._texts.text(element, state)) is not None:
             clips = (*state.clips, *(clip_of_box(each.box, each.matrix) for each in state.windows))
             flaw = _UNEVEN if _is_uneven(element) else None
             return Found(text.form, state.matrix, clips, text.properties, flaw)

@@ -10,7 +10,6 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...document.clip import Clip
-from .groups import Anchor, Group
 from .lengths import Viewport
 from .matrices import Box, moved
 from .properties import Properties
@@ -50,6 +49,43 @@ class Window:
 
 
 @dataclass(frozen=True, eq=False)
+class Anchor:
+    """What in a file shows something: its element, or the outermost `use` of it; with the state around."""
+
+    element: ET.Element
+    around: State
+
+
+@dataclass(frozen=True)
+class Group:
+    """A group around shapes.
+
+    Attributes
+    ----------
+    number
+        Another one for each, however they are called.
+    name
+        What the file calls it; empty where it does not.
+    is_layer
+        Whether it is a layer of Inkscape's, in nothing but layers.
+    visible, locked
+        What it says of a layer in which there is nothing.
+    anchor
+        What it is in the file.
+    opacity
+        Of all that is in it together.
+    """
+
+    number: int
+    name: str
+    is_layer: bool = False
+    visible: bool = True
+    locked: bool = False
+    anchor: Anchor | None = field(default=None, compare=False)
+    opacity: float = field(default=1.0, compare=False)
+
+
+@dataclass(frozen=True, eq=False)
 class State:
     """Inherited state of an element.
 
@@ -67,6 +103,8 @@ class State:
         The boxes that it is shown in, but for that of the file.
     clips
         What else it is cut by, in the document's plane.
+    blur
+        Standard deviation of all blurs that it is in, in the document's plane.
     is_locked
         Whether Inkscape keeps it from being touched.
     anchor
@@ -82,6 +120,7 @@ class State:
     groups: tuple[Group, ...] = ()
     windows: tuple[Window, ...] = ()
     clips: tuple[Clip, ...] = ()
+    blur: float = 0.0
     is_locked: bool = False
     anchor: Anchor | None = None
     clone: str = ""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import NamedTuple
@@ -27,19 +27,21 @@ from ...document.content import (
     TextLine,
     TextRun,
     lettering,
-    rough_box,
+    rough_box_along,
 )
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
+from .flowed import FLOW_ROOT, PARAGRAPHS, SPANS, Room, anchor_of, frame_of, width_of
 from .gradients import Ground
 from .lengths import length
 from .paint import Paints, share_of
 from .properties import Properties
 from .state import State
+from .text_paths import TextPaths
 from .xml_tree import tag_of
 
 _SPACE = "{http://www.w3.org/XML/1998/namespace}space"
-_SPANS = ("tspan", "a")
+_SPANS = ("tspan", "a", *PARAGRAPHS, *SPANS)
 _PLACES = ("x", "y", "dx", "dy")
 _WEIGHTS = {"normal": 400.0, "bold": 700.0}
 _OF_FONTS = {"em": 1.0, "ex": 0.5}
@@ -99,10 +101,21 @@ class Texts:
         Those of the file.
     declared
         Returns what an element declares.
+    paths
+        Those that texts may lie along.
+    by_id
+        The elements by their ids.
     """
 
-    def __init__(self, paints: Paints, declared: Callable[[ET.Element], Mapping[str, str]]) -> None:
-        self._paints, self._declared, self._left = paints, declared, MOST_LETTERS
+    def __init__(
+        self,
+        paints: Paints,
+        declared: Callable[[ET.Element], Mapping[str, str]],
+        paths: TextPaths,
+        by_id: Mapping[str, ET.Element],
+    ) -> None:
+        self._paints, self._declared, self._paths, self._left = paints, declared, paths, MOST_LETTERS
+        self._by_id = by_id
 
     @property
     def is_full(self) -> bool:
@@ -113,11 +126,24 @@ class Texts:
         """Return a text; None where it cannot be shown."""
         if state.properties.values["writing-mode"].lower()[:2] in ("tb", "ve"):
             return None
-        all_of_it = _collapsed(self._letters(element, state.properties, (element,), 0.0))
+        on, room = self._paths.found(element, state, _length), self._room(element, state)
+        if on is None and room is None and tag_of(element) != "text":
+            return None
+        if on is None:
+            ends = room is not None
+            all_of_it = _collapsed(self._letters(element, state.properties, (element,), 0.0), keeps_ends=ends)
+        else:
+            inner = state.properties.entered(self._declared(on.element))
+            all_of_it = _collapsed(self._letters(on.element, inner, (element, on.element), 0.0))
         letters = list(islice(all_of_it, max(self._left, 0) + 1))
         self._left -= len(letters)
-        laid = [line for line in self._laid(letters, state) if line.words.strip()] if self._left >= 0 else []
-        if not laid or not np.linalg.det(state.matrix[:, :2]):
+        if self._left < 0:
+            laid = []
+        elif room is not None:
+            laid = self._paragraphs(letters, state, has_place=room.frame is None)
+        else:
+            laid = [line for line in self._laid(letters, state) if line.words.strip()]
+        if not any(line.words.strip() for line in laid) or not np.linalg.det(state.matrix[:, :2]):
             return None
         first = next(run.properties for line in laid for run in line.runs if "".join(run.letters).strip())
         common = self._paint(first, first, state)
@@ -130,8 +156,12 @@ class Texts:
             )
             for line in laid
         )
-        box = rough_box(lines)
-        return TextFound(lettering(lines, box), first) if _is_within(box) else None
+        along = on and on.along
+        if along is not None:
+            lines = (_in_a_line(lines, is_placed=element.get("y") is not None),)
+        flow, box = (None, rough_box_along(lines, along)) if room is None else room.filled(lines, first)
+        form = msgspec.structs.replace(lettering(lines, box), along=along, flow=flow)
+        return TextFound(form, first) if _is_within(box) else None
 
     def _letters(
         self, element: ET.Element, properties: Properties, around: tuple[ET.Element, ...], raised: float
@@ -142,18 +172,58 @@ class Texts:
         def said(text: str | None) -> Iterator[_Letter]:
             return (_Letter(each, properties, around, is_spaced, raised) for each in text or "")
 
-        yield from said(element.text)
+        yield from said(element.text if tag_of(element) != FLOW_ROOT else None)
+        is_first = True
         for child in element:
+            if tag_of(child) in PARAGRAPHS and not is_first:
+                yield _Letter("\n", properties, around, is_spaced=True, raised=raised)
             if tag_of(child) in _SPANS:
+                is_first = is_first and tag_of(child) not in PARAGRAPHS
                 declared = self._declared(child)
                 inner = properties.entered(declared)
                 # Of one that is hidden as a whole all is, and it is a text still.
                 if inner.is_displayed or not properties.is_displayed:
                     shift = _raised(declared.get("baseline-shift", "0").lower(), inner)
                     yield from self._letters(child, inner, (*around, child), raised + shift)
-            yield from said(child.tail)
+            yield from said(child.tail if tag_of(element) != FLOW_ROOT else None)
 
     # Places
+
+    def _room(self, element: ET.Element, state: State) -> Room | None:
+        """Return what the words of an element wrap in; None where they do not."""
+        declared = self._declared(element)
+        frame = frame_of(element, declared, state.viewport, self._by_id)
+        width = width_of(declared, state.viewport) if tag_of(element) == "text" else None
+        return None if frame is None and width is None else Room(frame, width or 0.0)
+
+    def _paragraphs(self, letters: Sequence[_Letter], state: State, *, has_place: bool) -> list[_Line]:
+        """Return the paragraphs of a text that wraps, with the place of the first, if it has one."""
+        if not letters:
+            return []
+        first, places = letters[0], dict[str, float]()
+        for element in first.around if has_place else ():
+            for name in ("x", "y"):
+                if found := _numbers(element, name, state, first):
+                    places[name] = found[0]
+        x, y, values = places.get("x", 0.0), places.get("y", 0.0), first.properties.values
+        anchor = anchor_of(values["text-align"], values["text-anchor"])
+        lines, before, shift = [_Line(x, y, anchor)], None, 0.0
+        for each in letters:
+            line = lines[-1]
+            if before is not each.properties or each.raised != shift or not line.runs:
+                line.runs.append(_Run(each.properties, 0.0, shift - each.raised))
+                before, shift = each.properties, each.raised
+            if each.letter == "\n":
+                lines.append(_Line(x, y, anchor))
+                # What is raised is so from its own line on.
+                shift = 0.0
+                if line is not lines[0] or line.words:
+                    before = None
+            else:
+                line.runs[-1].letters.append(each.letter)
+        if not lines[-1].runs:
+            lines.pop()
+        return lines
 
     def _laid(self, letters: Iterable[_Letter], state: State) -> list[_Line]:
         """Return lines: one begins wherever a letter has a place of its own."""
@@ -217,6 +287,13 @@ class Texts:
         )
 
 
+def _in_a_line(lines: tuple[TextLine, ...], *, is_placed: bool) -> TextLine:
+    """Return all lines one after the other; along a path none has a height of its own."""
+    first = lines[0]
+    runs = tuple(run for line in lines for run in line.runs)
+    return msgspec.structs.replace(first, runs=runs, y=0.0 if is_placed else first.y)
+
+
 def font_of(properties: Properties) -> TextRun:
     """Return no letters in the font of an element."""
     values = properties.values
@@ -228,6 +305,9 @@ def font_of(properties: Properties) -> TextRun:
         _weight(values["font-weight"].lower()),
         values["font-style"].lower() in ("italic", "oblique"),
         _length(values["letter-spacing"], size),
+        word_spacing=_length(values["word-spacing"], size),
+        underline="underline" in properties.decorated,
+        strike="line-through" in properties.decorated,
     )
 
 
@@ -236,11 +316,18 @@ def _is_within(box: Inner) -> bool:
     return bool((np.abs(box) <= MAX_MAGNITUDE).all()) and box[0] < box[2] and box[1] < box[3]
 
 
-def _collapsed(letters: Iterable[_Letter]) -> Iterator[_Letter]:
-    """Yield letters with blanks as they are drawn: one where there are several, and none at the ends."""
+def _collapsed(letters: Iterable[_Letter], *, keeps_ends: bool = False) -> Iterator[_Letter]:
+    """Yield letters with blanks as they are drawn: one where there are several, and none at the ends.
+
+    Ends of lines that are written as they are may be kept.
+    """
     waiting: _Letter | None = None
     is_begun = False
     for each in letters:
+        if keeps_ends and each.letter == "\n" and each.is_spaced:
+            waiting, is_begun = None, False
+            yield each
+            continue
         letter = " " if each.letter < "!" else each.letter
         if letter == " " and not each.is_spaced:
             waiting = replace(each, letter=letter) if is_begun and waiting is None else waiting

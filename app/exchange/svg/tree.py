@@ -10,9 +10,10 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.content import Picture
 from ...document.contents import plane_of, shortened
 from ...document.style import Style
+from ...view_model.geometry.extents import extent_of
+from ...view_model.geometry.stroked import farthest_reach
 from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline, with_markers_seen
 from ..drawing.styles import PictureStyle
@@ -20,15 +21,17 @@ from ..naming import Names
 from ..node_types import guessed, joined
 from . import own_data
 from .clip_elements import ClipElements
-from .content_elements import content_element, in_units_of, uncut
+from .content_elements import content_element, in_units_of, refers, uncut
+from .course_elements import CourseElements
 from .escapes import quoted
+from .filter_elements import FilterElements
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
 from .marker_elements import MarkerElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
-from .use_elements import use_attributes, used, words_about_paths
+from .use_elements import use_attributes, used, words_about_clones
 
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
@@ -64,6 +67,9 @@ class Tree:
         for outline in (each for shape in shapes for each in shape):
             for name in self._layers_of(outline):
                 self._layers[name].add(outline)
+        looks = (look for shape in shapes for look in shape[0].group_looks)
+        self._opacities = {look.name: look.opacity for look in looks}
+        self._opacities |= {each.name: each.opacity for each in self._empty if each.opacity < 1}
         unseen = (place for place, shape in enumerate(shapes) if self._is_unseen(shape[0]))
         self.uses = used(shapes, drawing.usual_width, unseen)
         self._open: tuple[str, ...] = ()
@@ -71,24 +77,26 @@ class Tree:
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
         self.clips, self._markers = ClipElements(self._ids), MarkerElements(self._ids)
+        self._filters = FilterElements(self._ids)
+        self._courses = CourseElements(self._ids, self._carrier)
         self.lines: list[str] = []
 
     @property
     def has_links(self) -> bool:
         """Whether anything is referred to by XLink."""
-        return bool(self.uses) or any(isinstance(shape[0].content, Picture) for shape in self._shapes)
+        return bool(self.uses) or any(map(_has_link, self._shapes))
 
     @property
     def definitions(self) -> list[str]:
         """What paints what was written, cuts it and ends its lines, in an element of their own."""
-        found = [*self._gradients.lines, *self.clips.lines, *self._markers.lines]
+        found = [*self._gradients.lines, *self.clips.lines, *self._filters.lines]
+        found += [*self._markers.lines, *self._courses.lines]
         return ["  <defs>", *found, "  </defs>"] if found else []
 
     @property
     def words(self) -> tuple[str, ...]:
         """What is to be said of clones."""
-        told = words_about_paths(self._shapes, self.uses)
-        return (told,) if told else ()
+        return words_about_clones(self._shapes, self.uses)
 
     def add(self, place: int) -> None:
         """Write the outlines of a shape as one path, or as what shows another one."""
@@ -116,6 +124,7 @@ class Tree:
         if tag == "path":
             runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
+        cut += self._blurred(first.style, _corners_of(shape))
         runs = f"{called}{_own_data_of(shape)}{runs}"
         return self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
 
@@ -128,18 +137,36 @@ class Tree:
     def _styled(self, style: Style, usual_width: float) -> str:
         return style_attributes(style, self._style, usual_width, self._gradients, self._markers)
 
+    def _blurred(self, style: Style, corners: FloatArray) -> str:
+        """Return the blur of what lies so in its own units, as an attribute; empty of none."""
+        if not style.blur:
+            return ""
+        overhang = farthest_reach(style.with_usual_width(self._usual_width))
+        return f' filter="{self._filters.reference(style.blur, corners, overhang)}"'
+
     def _content(self, frame: Outline, called: str, more: str) -> str:
         """Return a text or a picture; the clips are around it, for they do not lie in its units."""
         frame = uncut(frame)
         assert frame.content is not None
-        content, plane = frame.content, plane_of(frame.content, frame.corners)
+        content, plane, path = self._courses.under(frame.content, plane_of(frame.content, frame.corners))
         style = in_units_of(plane, frame.style)
-        painted = self._styled(style, self._usual_width / plane.scale)
-        if isinstance(content, Picture):
+        if content.has_paints:
+            painted = self._styled(style, self._usual_width / plane.scale)
+        else:
             painted = f' opacity="{number(style.opacity)}"' if style.opacity < 1 else ""
+        # Letters reach beyond their frame.
+        left, top, right, bottom = content.inner
+        beyond = min(right - left, bottom - top) / 4
+        around = np.array([(left - beyond, top - beyond), (right + beyond, bottom + beyond)])
+        painted += self._blurred(style, around)
         return self.clips.around(
-            content_element(content, plane, f"{called}{painted}{more}"), frame.style.clips
+            content_element(content, plane, f"{called}{painted}{more}", path), frame.style.clips
         )
+
+    def _carrier(self, identity: str) -> str:
+        """Return the id of the path that shows a curve; empty where none does."""
+        place = next((at for at, each in enumerate(self._shapes) if each[0].identity == identity), None)
+        return self._id_of(place) if place is not None and place not in self.uses else ""
 
     def close(self) -> None:
         """Close all groups."""
@@ -182,7 +209,7 @@ class Tree:
             tag += _LOCKED
         if state.is_hidden and not any(each.is_hidden for each in around):
             tag += ' style="display:none"'
-        return f"{tag}>"
+        return f"{tag}{self._clear(name)}>"
 
     def _layers_of(self, outline: Outline) -> Iterator[str]:
         return takewhile(self._layers.__contains__, outline.groups)
@@ -191,7 +218,11 @@ class Tree:
         self.lines.append("  " * (len(self._open) + 1) + element)
 
     def _group(self, name: str) -> str:
-        return _named(name, self._ids.different(stem(name, "curve")))
+        return _named(name, self._ids.different(stem(name, "curve"))) + self._clear(name)
+
+    def _clear(self, name: str) -> str:
+        """Return how much is seen of a group, as an attribute; empty of one that is seen whole."""
+        return f' opacity="{number(self._opacities[name])}"' if name in self._opacities else ""
 
     def _called(self, place: int) -> str:
         first, name, own = self._shapes[place][0], _name_of(self._shapes[place]), self._id_of(place)
@@ -205,6 +236,11 @@ class Tree:
         if place not in self._own_ids:
             self._own_ids[place] = self._ids.different(stem(_name_of(self._shapes[place]), "curve"))
         return self._own_ids[place]
+
+
+def _has_link(shape: tuple[Outline, ...]) -> bool:
+    content = shape[0].content
+    return content is not None and refers(content)
 
 
 def _name_of(shape: tuple[Outline, ...]) -> str:
@@ -224,11 +260,16 @@ def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
     if found is None or others:
         return None
     tag, attributes, matrix = found
-    if matrix is not None and outline.style.is_placed:
-        # A gradient would turn with it.
+    if matrix is not None and outline.style.goes_along:
+        # A gradient would turn with it, and a blur be as large as that is.
         return None
     turned = {} if matrix is None else {"transform": matrix_text(matrix)}
     return tag, "".join(f' {name}="{value}"' for name, value in {**attributes, **turned}.items())
+
+
+def _corners_of(shape: tuple[Outline, ...]) -> FloatArray:
+    """Return the least and the largest coordinates of a shape in the file, (2, 2)."""
+    return extent_of(np.concatenate([each.control_points for each in shape]) * (1, -1))
 
 
 def _node_types_of(shape: tuple[Outline, ...]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
@@ -60,15 +61,16 @@ def use_attributes(identity: str, by: FloatArray) -> str:
     return f' xlink:href="#{identity}" transform="{transform}"'
 
 
-def words_about_paths(shapes: Sequence[Shape], uses: Mapping[int, Cloned]) -> str:
-    """Return, as a sentence, which clones are paths in the file; empty of none."""
-    names = [
-        f"“{shape[0].shape or shape[0].name}”"
-        for place, shape in enumerate(shapes)
-        if place not in uses and all(outline.clone is not None for outline in shape)
-    ]
-    if not names:
-        return ""
-    if len(names) == 1:
-        return f"The clone {names[0]} became a path, because it looks otherwise than its original."
-    return f"The clones {names_of(names)} became paths; each looks otherwise than its original."
+def words_about_clones(shapes: Sequence[Shape], uses: Mapping[int, Cloned]) -> tuple[str, ...]:
+    """Return, in sentences, which clones are none in the file, and what they are there."""
+    names = defaultdict[str, list[str]](list)
+    for place, shape in enumerate(shapes):
+        if place not in uses and all(outline.clone is not None for outline in shape):
+            noun = "path" if shape[0].content is None else shape[0].content.noun
+            names[noun].append(f"“{shape[0].shape or shape[0].name}”")
+    return tuple(
+        f"The clone {each[0]} became a {noun}, because it looks otherwise than its original."
+        if len(each) == 1
+        else f"The clones {names_of(each)} became {noun}s; each looks otherwise than its original."
+        for noun, each in names.items()
+    )

@@ -58,13 +58,7 @@ def read_titled_block(
     TableTextError
         If a cell is no number, is missing, or could mean two numbers. Rows and columns count from 1.
     """
-    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    while lines and not lines[-1].strip():
-        lines.pop()
-    if len(lines) > MAX_ROWS:
-        raise TableTextError(f"These are {len(lines)} rows; {MAX_ROWS} can be pasted at once.")
-    if not lines:
-        raise TableTextError("There are no numbers on the clipboard.")
+    lines = _lines_of(text)
     separator, comma = _separator(lines, mark)
     cells = [_split(line, separator) for line in lines]
     if max(map(len, cells)) > MAX_COLUMNS:
@@ -86,6 +80,18 @@ def read_titled_block(
     if len(first) != len(numbers[0]):
         raise TableTextError(f"There are {len(first)} titles, but {len(numbers[0])} columns.")
     return Block(first, numbers)
+
+
+def _lines_of(text: str) -> list[str]:
+    """Return the lines of a text but empty ones at its end; raise where there are none, or too many."""
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    while lines and not lines[-1].strip():
+        lines.pop()
+    if len(lines) > MAX_ROWS:
+        raise TableTextError(f"These are {len(lines)} rows; {MAX_ROWS} can be pasted at once.")
+    if not lines:
+        raise TableTextError("There are no numbers on the clipboard.")
+    return lines
 
 
 def _titles(cells: list[list[str]]) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...actions.declaration import Action, action, action_for_each, also
-from ...actions.needs import CHOSEN, Need
+from ...actions.needs import CHOSEN, SOME_CURVE
 from ...actions.sections import EDIT_SAME, EDIT_SELECT
 from ...actions.strips import CANVAS_MENU
 from ...document.point_group import some_points
@@ -26,7 +26,7 @@ class ChoosingCommands:
         EDIT_SELECT,
         "!",
         "select-inverse",
-        needs=Need("a curve", lambda now: not now.is_blank),
+        needs=SOME_CURVE,
         keywords="opposite others rest unselected",
     )
     @also(CANVAS_MENU(14))

@@ -20,11 +20,13 @@ from .offer import Offer
 class PointsContent(msgspec.Struct, frozen=True):
     """Points, and the row of the text that they begin in.
 
-    `like` is the curve that they were copied from; `note` goes on the sentence that tells what was pasted.
+    `like` is the curve that they were copied from, in `unit`; `note` goes on the sentence that tells what
+    was pasted.
     """
 
     points: tuple[Point, ...]
     like: Curve | None = None
+    unit: str = ""
     first_row: int = 1
     note: str = ""
 
@@ -52,7 +54,7 @@ def points_in(data: QMimeData) -> PointsContent:
     """
     document = _document(data, POINTS, "points")
     if document is not None and document.curves[0].points:
-        return PointsContent(document.curves[0].points, document.curves[0])
+        return PointsContent(document.curves[0].points, document.curves[0], document.unit)
     text = data.text() if data.hasText() else ""
     block = read_titled_block(text, decimal_mark(), known_titles())
     # A row of titles was skipped.

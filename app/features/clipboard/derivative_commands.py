@@ -34,6 +34,7 @@ class DerivativeCommands:
         "Copy Derivatives",
         EDIT_DERIVATIVES,
         "Ctrl+Alt+C",
+        drawing_key="",
         needs=Need(
             "one selected point of a Hermite curve",
             lambda now: HERMITE_POINTS.is_met(now) and now.group.count == 1,

@@ -12,18 +12,18 @@ from PySide6.QtCore import QMimeData
 
 from ... import exchange
 from ...actions.declaration import action, also
-from ...actions.sections import EDIT_CLIPBOARD
+from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.curve_edits import free_name
 from ...document.edits import EditError
 from ...document.layers import front_of, in_front
-from ...document.model import Document, Vector
+from ...document.model import Curve, Document, Vector
 from ...document.paper import DocumentKind, kind_of
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
-from ...session.next_style import choose_brought
+from ...session.brought import choose_brought
 from ...tasks.progress import Report, part, silent
 from ...view_model.pieces.arrivals import Arrival, Target
 from ...view_model.pieces.pasting import (
@@ -58,15 +58,16 @@ class PasteCommands:
     @also(CANVAS_MENU(20), CHOSEN_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
         """Add the curves, SVG or picture on the clipboard at the pointer; append points (x y, or t x y)."""
-        self._paste(self._context.central.canvas.pointed_place, self._append)
+        place = self._context.central.canvas.pointed_place
+        self._paste(place, partial(self._append, place))
 
     @action("pasteInPlace", "Paste in Place", EDIT_CLIPBOARD, "Ctrl+Alt+V")
     @also(CANVAS_MENU(21))
     def _paste_in_place(self) -> None:
         """Add the curves or the SVG on the clipboard where they were copied from; append points."""
-        self._paste(None, self._append)
+        self._paste(None, partial(self._append, None))
 
-    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Alt+N")
+    @action("pasteAsCurve", "Paste as New Curve", EDIT_DERIVATIVES, "Ctrl+Alt+N")
     @also(CANVAS_MENU(22))
     def _paste_as_curve(self) -> None:
         """Make a curve of the points on the clipboard."""
@@ -195,8 +196,12 @@ class PasteCommands:
 
     # Points
 
-    def _append(self, pasted: PointsContent) -> None:
+    def _append(self, place: Vector | None, pasted: PointsContent) -> None:
         session, view = self._session, self._session.active_view
+        if pasted.like is not None and kind_of(session.document) is DocumentKind.DRAWING:
+            path = _as_path(pasted.like, pasted.unit)
+            self._bring(partial(_known, path), place, len(pasted.points))
+            return
         if not session.selected.is_editing:
             # No curve is there to go on with.
             self._add_curve(pasted)
@@ -233,6 +238,20 @@ class PasteCommands:
         """Fit the view if points that were pasted lie outside it."""
         if not self._context.central.canvas.framing.shows_all_points:
             self._context.actions["fitView"].trigger()
+
+
+def _as_path(like: Curve, unit: str) -> Document:
+    """Return a document of copied points alone: in a drawing they are a path of their own.
+
+    Raises
+    ------
+    EditError
+        If there is one alone.
+    """
+    if len(like.points) < 2:
+        raise EditError("One point is no path: copy two of a curve, or more, to paste them.")
+    path = replace(copied_as_new_curve(like, like.name), shape="", groups=())
+    return Document((path,), unit=unit)
 
 
 def _known(curves: Document, _report: Report) -> Imported:

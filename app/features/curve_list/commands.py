@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
-from ...actions.needs import SOME_LAYER, Need
+from ...actions.needs import SOME_CURVE, SOME_LAYER, Need
 from ...actions.sections import (
     CURVE_COLOUR,
     CURVE_NAME,
@@ -43,7 +43,7 @@ from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.highlight import delete_layer, highlighted_curves
 from ...workbench.strip_menu import strip_menu
-from .model import Marks
+from .entries import Marks
 from .panel import CurveList
 from .row_edits import RowEdits
 
@@ -73,6 +73,8 @@ class CurveListCommands:
         self.panel.view.all_wanted.connect(self._choose_all)
         self.panel.menu_requested.connect(self._open_menu)
         self._rows.listen(self.panel)
+        self.panel.finder.found.connect(self._choose_found)
+        self.panel.finder.left.connect(self._context.central.canvas.setFocus)
         session = self._session
         session.interrupted.connect(self.panel.abandon)
         session.selected_curves_changed.connect(self._render)
@@ -235,11 +237,33 @@ class CurveListCommands:
     # Choosing
 
     @action(
+        "findCurves",
+        "Find…",
+        EDIT_SELECT,
+        "Ctrl+F",
+        "search",
+        keywords="search filter name text layer id",
+        needs=SOME_CURVE,
+    )
+    def _find(self) -> None:
+        """Find curves, texts, groups and layers in the list by words; Enter chooses them."""
+        self._dock.bring_up()
+        self.panel.finder.begin()
+
+    def _choose_found(self, places: frozenset[int]) -> None:
+        session, document = self._session, self._session.document
+        if not places:
+            session.refuse("Nothing is found by these words.")
+            return
+        self.panel.view.rows_selected.emit(places)
+        session.say(f"{counted(document, places)} found and chosen.")
+
+    @action(
         "selectAllCurves",
         "Select All Curves",
         EDIT_SELECT,
         "Ctrl+Shift+A",
-        needs=Need("a curve", lambda now: not now.is_blank),
+        needs=SOME_CURVE,
     )
     @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
     def _choose_all(self) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import msgspec
 
 from ...document.curve_tree import OUTSIDE, Container, Node, NodeKind
-from .model import Entry
+from .entries import Entry
 
 
 class Drop(msgspec.Struct, frozen=True):

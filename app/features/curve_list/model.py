@@ -7,83 +7,23 @@ while it is open. Everything outside Qt's indices names a curve by its place in 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import compress
 from operator import is_not
-from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
 from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, layered_tree
 from ...document.layers import layer_node, looks_of
-from ...document.model import Curve, Document
+from ...document.model import Document
 from ...document.several_curves import is_blank
 from ...document.steps import changed_besides_points
-from ...document.style import PLAIN_STYLE, Style
-from ...document.words import count_of
+from ...document.style import PLAIN_STYLE
 from ...qt.overrides import Guarded
+from .entries import Entry, Key, Marks, Row, entries_of, row_of_curve, rows_around, state_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
-_Key = tuple[NodeKind, Container, str]
-
-
-class Row(NamedTuple):
-    """Values of an entry that the list shows."""
-
-    name: str
-    style: Style
-    visible: bool
-    locked: bool
-    facts: str
-    is_clone: bool = False
-    icon: str = ""
-
-
-class Entry(NamedTuple):
-    """Row of the list: a curve, a shape, a group or a layer, and whether it is open."""
-
-    node: Node
-    is_open: bool = False
-
-    @property
-    def places(self) -> frozenset[int]:
-        """The curves that it is about."""
-        return frozenset(self.node.places)
-
-    @property
-    def holds(self) -> bool:
-        """Whether curves can be in it."""
-        return self.node.kind is not NodeKind.CURVE
-
-    @property
-    def opens(self) -> bool:
-        """Whether it has rows of its own below it when it is open."""
-        return bool(self.node.parts)
-
-    @property
-    def key(self) -> _Key:
-        """Key that it keeps from one document to the next."""
-        return self.node.kind, self.node.around, self.node.name
-
-
-class Marks(NamedTuple):
-    """What is chosen, as the rows show it.
-
-    Attributes
-    ----------
-    active, is_editing
-        The active curve, and whether it is edited.
-    curves
-        The curves that are chosen, or edited.
-    layer
-        The layer that what is new comes into.
-    """
-
-    active: int = 0
-    is_editing: bool = True
-    curves: frozenset[int] = frozenset()
-    layer: str = ""
 
 
 class CurveListModel(Guarded, QAbstractListModel):
@@ -116,7 +56,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         self._rows: list[Row] = []
         self._row_of: dict[int, int] = {}
         self._rows_around: list[int | None] = []
-        self._open: set[_Key] = set()
+        self._open: set[Key] = set()
 
     def show_document(self, document: Document, marks: Marks) -> None:
         """Show the curves and layers of `document`, and what is chosen; only what changed is announced."""
@@ -146,7 +86,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         tree = layered_tree(document)
         # What is no more is folded when something of its name is there again: in another document, for one.
         self._open &= {_key(node) for top in tree for node in top.walk()}
-        self._put(list(_entries(tree, self._open)))
+        self._put(list(entries_of(tree, self._open)))
 
     def _put(self, entries: list[Entry]) -> None:
         rows = [self._row(entry.node) for entry in entries]
@@ -163,7 +103,7 @@ class CurveListModel(Guarded, QAbstractListModel):
     def _take(self, entries: list[Entry], rows: list[Row]) -> None:
         self.entries, self._rows = entries, rows
         self.has_folds = any(entry.opens or entry.node.depth for entry in entries)
-        self._rows_around = list(_rows_around(entries))
+        self._rows_around = list(rows_around(entries))
         self._row_of = {
             place: row
             for row, entry in enumerate(entries)
@@ -186,7 +126,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         assert self._document is not None
         parts = self._document.curves[node.places.start : node.places.stop]
         if node.kind is NodeKind.CURVE:
-            return _row_of_curve(parts[0])
+            return row_of_curve(parts[0])
         what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}" if parts else "empty layer"
         style = parts[0].style if parts else PLAIN_STYLE
         return Row(node.name, style, *looks_of(self._document, node), what)
@@ -221,7 +161,7 @@ class CurveListModel(Guarded, QAbstractListModel):
 
     def _layer_row(self) -> int | None:
         """Return the row of the layer that what is new comes into, if it has one."""
-        return next((row for row, each in enumerate(self.entries) if self.is_layer_now(each)), None)
+        return next((row for row, each in enumerate(self.entries) if self.marks.is_layer_now(each)), None)
 
     def show_layer(self) -> int:
         """Open what the layer that what is new comes into is in, and return its row."""
@@ -247,6 +187,20 @@ class CurveListModel(Guarded, QAbstractListModel):
         """Return what an index is about."""
         return self.entries[index.row()] if index.isValid() else None
 
+    def rows_where(self, test: Callable[[Document, Node], bool]) -> list[int]:
+        """Return the rows of the nodes that pass a test."""
+        curves = self._document
+        return [row for row, each in enumerate(self.entries) if curves and test(curves, each.node)]
+
+    def open_around(self, test: Callable[[Document, Node], bool]) -> None:
+        """Open whatever holds a node that passes a test."""
+        document, before = self._document, len(self._open)
+        assert document is not None
+        for top in layered_tree(document):
+            self._open |= set(_keys_around(top, lambda node: test(document, node)))
+        if len(self._open) > before:
+            self._build(document)
+
     def open(self, row: int, is_open: bool) -> None:
         """Show what is in a shape or a group, or no longer."""
         entry = self.entries[row]
@@ -269,50 +223,9 @@ class CurveListModel(Guarded, QAbstractListModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return row.name
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            here = ", new curves come here" if self.is_layer_now(entry) else ""
-            return f"{row.name}, {row.facts}{_state(row, entry)}{self._role_of(entry)}{here}"
+            here = ", new curves come here" if self.marks.is_layer_now(entry) else ""
+            return f"{row.name}, {row.facts}{state_of(row, entry)}{self.marks.words_of(entry)}{here}"
         return None
-
-    # What is chosen
-
-    def is_layer_now(self, entry: Entry) -> bool:
-        """Whether an entry is the layer that what is new comes into."""
-        return entry.node.kind is NodeKind.LAYER and entry.node.name == self.marks.layer
-
-    def is_edited(self, entry: Entry) -> bool:
-        """Whether an entry is the curve that is edited, or a folded shape that it is in."""
-        is_one = entry.node.kind in (NodeKind.CURVE, NodeKind.SHAPE) and not entry.is_open
-        return self.marks.is_editing and is_one and self.marks.active in entry.node.places
-
-    def is_chosen(self, entry: Entry) -> bool:
-        """Whether an entry is of what is chosen; an empty layer, while new curves come there and none is."""
-        if not entry.places:
-            return self.is_layer_now(entry) and not self.marks.curves
-        return entry.places <= self.marks.curves
-
-    def is_chosen_whole(self, entry: Entry) -> bool:
-        """Whether an entry is chosen to be acted on as a whole: not where it alone is edited."""
-        is_whole = not self.marks.is_editing or len(self.marks.curves) > 1
-        return is_whole and self.is_chosen(entry)
-
-    def has_chosen_within(self, entry: Entry) -> bool:
-        """Whether a part of what an entry hides, being folded, is chosen or edited, and not all of it."""
-        is_folded = entry.opens and not entry.is_open
-        is_marked = self.is_edited(entry) or self.is_chosen(entry)
-        return is_folded and not is_marked and not self.marks.curves.isdisjoint(entry.node.places)
-
-    def chosen_layer(self, entry: Entry) -> str:
-        """Return the name of an entry that is a layer, all that is chosen being in it; empty of others."""
-        is_layer = entry.node.kind is NodeKind.LAYER and self.is_chosen(entry)
-        return entry.node.name if is_layer and self.marks.curves <= entry.places else ""
-
-    def _role_of(self, entry: Entry) -> str:
-        is_with_edited = self.marks.is_editing and self.marks.active in entry.places
-        if self.has_chosen_within(entry):
-            return ", the edited curve is in it" if is_with_edited else ", something in it is chosen"
-        if not self.is_chosen_whole(entry):
-            return ""
-        return ", chosen, edited" if is_with_edited else ", chosen"
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         entry = self.entry_of(index)
@@ -332,46 +245,18 @@ def _have_same_tree(before: Document, after: Document) -> bool:
     return len(old) == len(new) and all(a.shape == b.shape and a.groups == b.groups for a, b in others)
 
 
+def _keys_around(node: Node, test: Callable[[Node], bool]) -> Iterator[Key]:
+    """Yield the keys of a node, and of those in it, that hold one that passes a test."""
+    for part in node.parts:
+        inner = list(_keys_around(part, test))
+        yield from inner
+        if inner or test(part):
+            yield _key(node)
+
+
 def _walked(document: Document) -> Iterator[Node]:
     return (node for top in layered_tree(document) for node in top.walk())
 
 
-def _key(node: Node) -> _Key:
+def _key(node: Node) -> Key:
     return Entry(node).key
-
-
-def _entries(nodes: Sequence[Node], are_open: Collection[_Key]) -> Iterator[Entry]:
-    """Yield what has a row, from the front to the back."""
-    for node in reversed(nodes):
-        is_open = bool(node.parts) and _key(node) in are_open
-        yield Entry(node, is_open)
-        if is_open:
-            yield from _entries(node.parts, are_open)
-
-
-def _rows_around(entries: Sequence[Entry]) -> Iterator[int | None]:
-    """Yield for each entry the row of the open one that it is in."""
-    opened: list[int] = []
-    for row, entry in enumerate(entries):
-        del opened[entry.node.depth :]
-        yield opened[-1] if opened else None
-        opened.append(row)
-
-
-def _row_of_curve(curve: Curve) -> Row:
-    form, drawn = curve.form, ""
-    if form is not None and form.is_content:
-        facts, drawn = form.noun.capitalize(), form.icon
-    else:
-        family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
-        facts = f"{family}, {count_of(len(curve.points), 'point')}"
-        if curve.is_closed:
-            facts += ", closed"
-    if is_clone := curve.clone is not None:
-        facts += ", clone"
-    return Row(curve.name, curve.style, curve.visible, curve.locked, facts, is_clone, drawn)
-
-
-def _state(row: Row, entry: Entry) -> str:
-    folded = (", open" if entry.is_open else ", folded") if entry.opens else ""
-    return folded + ("" if row.visible else ", hidden") + (", locked" if row.locked else "")

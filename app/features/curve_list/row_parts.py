@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QListView
 from ...appearance.theme import LIGHT, Theme
 from ...document.curve_tree import Node
 from ...view_model.look.palette import adjustment_of
-from .model import CurveListModel, Row
+from .entries import Row
+from .model import CurveListModel
 
 INDENT = 14
 """Pixels by which what is in a shape or group stands to the right of it; as wide is what opens it."""

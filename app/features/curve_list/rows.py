@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
-from PySide6.QtWidgets import QLineEdit, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+from PySide6.QtWidgets import QLineEdit, QListView, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.swatches import draw_style
@@ -14,11 +12,9 @@ from ...appearance.theme import Theme, mix, theme_of
 from ...document.curve_tree import NodeKind
 from ...qt.overrides import Guarded
 from ...widgets.controls import named
-from .model import Entry, Row
-from .row_parts import ICON, SWATCH, Spot, spot_rect
-
-if TYPE_CHECKING:
-    from .view import CurveListView
+from .entries import Entry, Row
+from .model import CurveListModel
+from .row_parts import ICON, SWATCH, RowParts, Spot, spot_rect
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -28,28 +24,28 @@ _BAR, _DOT = 3, 3.0
 class RowDelegate(Guarded, QStyledItemDelegate):
     """Paints a row, and edits its name in place."""
 
-    def __init__(self, view: CurveListView) -> None:
+    def __init__(self, view: QListView, model: CurveListModel, parts: RowParts) -> None:
         super().__init__(view)
-        self._view = view
+        self._view, self._model, self._parts = view, model, parts
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Paint a row; called by Qt."""
-        model, number, theme = self._view.curves, index.row(), theme_of(self._view.palette())
+        model, number, theme = self._model, index.row(), theme_of(self._view.palette())
         entry, row = model.entries[number], model.row(number)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         self._paint_marks(painter, option.rect, number, theme)
-        rect = self._view.parts.entry_rect(number)
+        rect = self._parts.entry_rect(number)
         if entry.opens:
             opener = "fold-open" if entry.is_open else "fold"
-            self._paint_switch(painter, self._view.parts.opener_rect(number), opener, True)
+            self._paint_switch(painter, self._parts.opener_rect(number), opener, True)
         self._paint_swatch(painter, spot_rect(rect, Spot.SWATCH), entry, row, theme)
         font = painter.font()
-        font.setBold(model.is_edited(entry))
+        font.setBold(model.marks.is_edited(entry))
         painter.setFont(font)
         painter.setPen(theme.ink if row.visible else theme.muted)
         name = spot_rect(rect, Spot.NAME)
-        if model.has_chosen_within(entry):
+        if model.marks.has_chosen_within(entry):
             name.setRight(name.right() - ICON)
         if row.is_clone:
             place = QRect(name.right() - ICON, name.top(), ICON, name.height())
@@ -64,33 +60,33 @@ class RowDelegate(Guarded, QStyledItemDelegate):
 
     def _paint_marks(self, painter: QPainter, line: QRect, number: int, theme: Theme) -> None:
         """Mark what is edited or chosen, and fainter what it is in while that is folded."""
-        view, model, entry = self._view, self._view.curves, self._view.curves.entries[number]
-        share = 0.2 if view.hasFocus() else 0.12
-        if model.is_edited(entry) or model.is_chosen(entry):
+        model, entry = self._model, self._model.entries[number]
+        share = 0.2 if self._view.hasFocus() else 0.12
+        if model.marks.is_edited(entry) or model.marks.is_chosen(entry):
             painter.fillRect(line, mix(theme.accent, theme.paper, share))
-        elif model.has_chosen_within(entry):
+        elif model.marks.has_chosen_within(entry):
             painter.fillRect(line, mix(theme.accent, theme.paper, share / 2))
-            name = QRectF(spot_rect(view.parts.entry_rect(number), Spot.NAME))
+            name = QRectF(spot_rect(self._parts.entry_rect(number), Spot.NAME))
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.accent)
             painter.drawEllipse(QPointF(name.right() - ICON / 2, name.center().y()), _DOT, _DOT)
-        if model.is_edited(entry) and model.is_chosen_whole(entry):
+        if model.marks.is_edited(entry) and model.marks.is_chosen_whole(entry):
             painter.fillRect(QRect(line.left(), line.top(), _BAR, line.height()), theme.accent)
 
     def _paint_swatch(self, painter: QPainter, swatch: QRect, entry: Entry, row: Row, theme: Theme) -> None:
-        model = self._view.curves
-        if model.is_chosen_whole(entry):
+        model = self._model
+        if model.marks.is_chosen_whole(entry):
             self._paint_ring(painter, swatch, theme.accent)
         if entry.node.kind is NodeKind.LAYER:
             # That into which what is new comes is seen at once.
-            self._paint_switch(painter, swatch, "layers", model.is_layer_now(entry))
+            self._paint_switch(painter, swatch, "layers", model.marks.is_layer_now(entry))
         elif entry.node.kind is NodeKind.GROUP:
             # What is in a group need not look the same.
             self._paint_switch(painter, swatch, "group", True)
         elif row.icon:
             self._paint_switch(painter, swatch, row.icon, True)
         else:
-            draw_style(painter, QRectF(swatch).center(), SWATCH, row.style, theme, self._view.parts.paper)
+            draw_style(painter, QRectF(swatch).center(), SWATCH, row.style, theme, self._parts.paper)
 
     @staticmethod
     def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:
@@ -113,10 +109,10 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         return QSize(120, option.fontMetrics.height() + 12)
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
-        what = self._view.curves.entries[index.row()].node.kind.name.lower()
+        what = self._model.entries[index.row()].node.kind.name.lower()
         tip = f"Name of the {what} (Enter to set, Escape to leave it)"
         return named(QLineEdit(parent), "curveNameEditor", f"Name of the {what}", tip)
 
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:
-        rect = self._view.parts.entry_rect(index.row())
+        rect = self._parts.entry_rect(index.row())
         editor.setGeometry(spot_rect(rect, Spot.NAME).adjusted(-4, 1, 0, -1))

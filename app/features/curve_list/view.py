@@ -81,7 +81,7 @@ class CurveListView(ClaimsKeys, QListView):
             " place; Ctrl or Shift+click chooses several. Left and Right fold shapes and groups"
         )
         named(self, "curveList", "Curves", tip)
-        self._delegate = RowDelegate(self)
+        self._delegate = RowDelegate(self, model, self.parts)
         self.setItemDelegate(self._delegate)
         self.setFrameShape(QListView.Shape.NoFrame)
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
@@ -126,7 +126,7 @@ class CurveListView(ClaimsKeys, QListView):
             return False
         entry, marks = self.curves.entries[row], self.curves.marks
         if not marks.curves:
-            return not entry.places and self.curves.is_chosen(entry)
+            return not entry.places and self.curves.marks.is_chosen(entry)
         is_of_one = len(marks.curves) == 1 and marks.active in entry.places and not entry.is_open
         return entry.places == marks.curves or is_of_one
 
@@ -263,19 +263,24 @@ class CurveListView(ClaimsKeys, QListView):
         elif event.matches(_ALL):
             self.all_wanted.emit()
         elif step is not None and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            self._choose_to(self._reached + step)
+            self._choose_to(self._seen_from(self._reached, step))
         elif step is not None and is_plain:
-            self._go(self._current + step)
+            self._go(self._seen_from(self._current, step))
         elif is_open is not None and is_plain:
             self._walk_fold(is_open=is_open)
         elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:
             self.edit_name(self._current)
         elif _deletes(event):
             entry = self.curves.entries[self._current]
-            self.deletion_wanted.emit(self.meant, self.curves.chosen_layer(entry))
+            self.deletion_wanted.emit(self.meant, self.curves.marks.chosen_layer(entry))
         else:
             # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
             event.ignore()
+
+    def _seen_from(self, row: int, step: int) -> int:
+        """Return the next row that is seen; the same one where there is none."""
+        there = range(row + step, self.curves.rowCount() if step > 0 else -1, step)
+        return next((each for each in there if not self.isRowHidden(each)), row)
 
     def _walk_fold(self, *, is_open: bool) -> None:
         """Open the current entry, or go into it; fold it, or go to what it is in."""

@@ -257,7 +257,7 @@ class CurveCommands:
         "splitCurve",
         "Split",
         CURVE_SHAPE,
-        "Ctrl+K, Shift+B",
+        "Shift+B",
         "split",
         full_name="Split Curve",
         needs=UNLOCKED_CURVE,

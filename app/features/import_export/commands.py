@@ -26,7 +26,8 @@ from ...exchange.formats import (
     file_filters,
     is_document,
 )
-from ...session.next_style import Marked, choose_brought
+from ...session.brought import choose_brought
+from ...session.next_style import Marked
 from ...storage.files import read
 from ...storage.foreign import Foreign
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
@@ -39,6 +40,7 @@ from .export_commands import ExportCommands
 from .import_series import ImportSeries
 from .overwrite_commands import OverwriteCommands
 from .picture_commands import PictureCommands
+from .save_copy_commands import SaveCopyCommands
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
@@ -66,6 +68,7 @@ class ImportCommands:
         )
         self._opened: Path | None = None
         context.files.open_foreign = self._open
+        context.files.take_opened = self._take_opened
         self._work.jobs.ended.connect(self._series.go_on)
         context.session.opened.connect(self._count_document)
 
@@ -164,7 +167,7 @@ class ImportCommands:
         dialog.bring_up()
 
     def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
-        if path == self._opened and not isinstance(found, _OpenTable) and self._knows(path):
+        if path == self._opened and not isinstance(found, _OpenTable) and self._is_told(path, found):
             self._take_in(path, found, True)
             return
         dialogs, parent = import_export, self._context.window
@@ -182,6 +185,10 @@ class ImportCommands:
         dialog.chosen.connect(partial(self._take_in, path))
         self._ask(dialog)
 
+    def _is_told(self, path: Path, found: Imported) -> bool:
+        """Whether there is nothing to be told of a file before it is seen."""
+        return not found.sentences or self._knows(path)
+
     def _knows(self, path: Path) -> bool:
         """Whether a file was opened or saved here lately: nobody needs to be shown what it is."""
         return path.absolute() in self._preferences.recent_files
@@ -190,13 +197,12 @@ class ImportCommands:
         """Begin with the curves or add them, and go on with the next file; many are computed beside."""
         files, session, intake = self._context.files, self._session, import_export.intake
         assert taken.document is not None
-        if anew and not files.may_discard():
+        if anew and (self._goes_elsewhere(path, taken) or not files.may_discard()):
             self._end_turn()
             return
         new, begins = taken.document, anew or session.files.is_untouched
-        target, rest = self._target(anew), self._words_about_rest(new, anew)
-        if path == self._opened and self._knows(path) and (missed := len(getattr(taken, "missed", ()))):
-            rest = f"{count_of(missed, 'element')} otherwise than drawn. {rest}"
+        target = self._target(anew)
+        rest = self._words_about_missed(path, taken) + self._words_about_rest(new, anew)
         layer = "" if begins else free_layer(target, session.selected.layer)
 
         def work(report: Report) -> Arrival:
@@ -224,6 +230,25 @@ class ImportCommands:
             done(intake.intake(target, new, layer=layer))
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
+
+    def _goes_elsewhere(self, path: Path, taken: Imported | PreparedTable) -> bool:
+        """Let another window begin with what was read, where one is meant for it; return whether it does."""
+        other = self._context.files.elsewhere()
+        if other is not None:
+            other.take_opened(path, taken)
+        return other is not None
+
+    def _words_about_missed(self, path: Path, taken: Imported | PreparedTable) -> str:
+        """Return what to say of elements drawn otherwise, of a file that is opened without a dialog."""
+        missed = len(getattr(taken, "missed", ()))
+        if not missed or path != self._opened or not self._knows(path):
+            return ""
+        return f"{count_of(missed, 'element')} otherwise than drawn. "
+
+    def _take_opened(self, path: Path, taken: Imported | PreparedTable) -> None:
+        """Begin with what another window has read and was asked about."""
+        self._meant_for, self._opened = self._documents, path
+        self._take_in(path, taken, True)
 
     def _target(self, anew: bool) -> Document:
         """Return the document that curves go to."""
@@ -305,4 +330,11 @@ class _OpenTable:
     preview: Preview
 
 
-COMMAND_SETS = (ImportCommands, PictureCommands, ExportCommands, CopyCommands, OverwriteCommands)
+COMMAND_SETS = (
+    ImportCommands,
+    PictureCommands,
+    ExportCommands,
+    CopyCommands,
+    SaveCopyCommands,
+    OverwriteCommands,
+)

@@ -10,7 +10,7 @@ from ...appearance.theme import DARK, LIGHT, mix
 from ...document.expression import ExpressionError
 from ...document.model import Document
 from ...exchange.choice import ExportChoice
-from ...exchange.drawing.image import PicturePreview
+from ...exchange.drawing.preview import PicturePreview
 from ...exchange.errors import ExchangeError
 from ...exchange.options import DARK_PAPER
 from ...qt.labels import Label

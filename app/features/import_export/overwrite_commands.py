@@ -51,7 +51,7 @@ def _words_about_loss(foreign: Foreign) -> str:
     )
 
 
-def _words_about(foreign: Foreign, done: _Done) -> str:
+def _words_about(foreign: Foreign, done: Done) -> str:
     """Return how near a file is to the document, and to what it was."""
     if not foreign.missed:
         return f", {done.written.words}"
@@ -63,7 +63,7 @@ def _words_about(foreign: Foreign, done: _Done) -> str:
     return f" without {count} that had not come in{near}"
 
 
-class _Done(NamedTuple):
+class Done(NamedTuple):
     """A file that was written.
 
     Attributes
@@ -133,15 +133,13 @@ class OverwriteCommands:
         session = self._session
         session.cancel()
         document, files = session.committed, session.files
-        work = partial(_written_to, path.absolute(), files.foreign, document)
+        work = partial(written_to, path.absolute(), files.foreign, document)
         done = partial(self._go_over, document, files.beginning, files.foreign)
         start = self._work.do_now if waits else self._work.start
         start(f"Writing {shown(path.name)}", work, done, path, "saved")
         return not files.is_modified
 
-    def _go_over(
-        self, document: Document, beginning: Beginning, origin: Foreign | None, found: _Done
-    ) -> None:
+    def _go_over(self, document: Document, beginning: Beginning, origin: Foreign | None, found: Done) -> None:
         session, path = self._session, found.now.path
         session.files.go_over_to(found.now, beginning, document)
         self._preferences.add_recent_file(path)
@@ -163,7 +161,7 @@ class OverwriteCommands:
         start(f"Writing {shown(foreign.path.name)}", work, done, foreign.path, "written")
 
     def _tell(
-        self, foreign: Foreign, document: Document, beginning: Beginning, found: _Done | _Question
+        self, foreign: Foreign, document: Document, beginning: Beginning, found: Done | _Question
     ) -> None:
         session, name = self._session, shown(foreign.path.name)
         if isinstance(found, _Question):
@@ -183,7 +181,7 @@ class OverwriteCommands:
         self._work.warn_of(found.written.remarks)
 
 
-def _written_back(foreign: Foreign, document: Document, may: bool, report: Report) -> _Done | _Question:
+def _written_back(foreign: Foreign, document: Document, may: bool, report: Report) -> Done | _Question:
     """Write a document back to a file, unless a person who was not asked yet is to know something first."""
     writing, content = exchange.writing, foreign.content()
     if content is not None and foreign.is_another(content) and not may:
@@ -195,22 +193,22 @@ def _written_back(foreign: Foreign, document: Document, may: bool, report: Repor
     if kept is None and foreign.missed and not may:
         return _Question(_words_about_loss(foreign))
     if kept is not None and content is not None and kept.data == content.data:
-        return _Done(kept, True, None, foreign, is_same=True)
+        return Done(kept, True, None, foreign, is_same=True)
     copy = foreign.keep_what_would_be_lost()
     if kept is not None:
         writing.put(kept, foreign.path, report)
-        return _Done(kept, True, copy, foreign.as_it_is(document, is_kept=True))
+        return Done(kept, True, copy, foreign.as_it_is(document, is_kept=True))
     return _anew(foreign, document, copy, report)
 
 
-def _anew(foreign: Foreign, document: Document, copy: Path | None, report: Report) -> _Done:
+def _anew(foreign: Foreign, document: Document, copy: Path | None, report: Report) -> Done:
     """Write a file with a document and nothing else."""
     options = replace(exchange.options.DEFAULT, unit=document.unit, tells_exactness=False)
     written = exchange.writing.export(document, foreign.path, options.reporting(report))
-    return _Done(written, False, copy, foreign.as_it_is(document, is_kept=False))
+    return Done(written, False, copy, foreign.as_it_is(document, is_kept=False))
 
 
-def _written_to(path: Path, origin: Foreign | None, document: Document, report: Report) -> _Done:
+def written_to(path: Path, origin: Foreign | None, document: Document, report: Report) -> Done:
     """Write a document to another file, with all else in that which it came from if it is of that format."""
     writing, new = exchange.writing, Foreign(path)
     content = origin.content() if origin is not None and origin.path.suffix == path.suffix else None
@@ -222,4 +220,4 @@ def _written_to(path: Path, origin: Foreign | None, document: Document, report: 
         return _anew(new, document, None, report)
     writing.put(kept, path, report)
     new = replace(new, missed=origin.missed)
-    return _Done(kept, True, None, new.as_it_is(document, is_kept=True))
+    return Done(kept, True, None, new.as_it_is(document, is_kept=True))

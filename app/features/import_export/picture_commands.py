@@ -11,7 +11,7 @@ from ...document.edits import EditError
 from ...document.layers import free_layer
 from ...document.model import Curve, Document, Vector
 from ...document.words import count_of
-from ...session.next_style import choose_brought
+from ...session.brought import choose_brought
 from ...storage.files import StorageError, read
 from ...view_model.pieces.arrivals import Target
 from ...workbench.context import WindowContext

@@ -14,8 +14,9 @@ from ...tasks.progress import Report
 from ...view_model import analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, Group, Overlay
+from ...view_model.analysis.overlay_settings import ErrorSize
 from ...view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
-from ...view_model.analysis.settings import AnalysisSettings, ErrorSize
+from ...view_model.analysis.settings import AnalysisSettings
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel

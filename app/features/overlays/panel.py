@@ -25,7 +25,7 @@ from ...qt.labels import Label
 from ...state.analysis import Analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, Overlay
-from ...view_model.analysis.settings import Count, ErrorSize, Factor
+from ...view_model.analysis.overlay_settings import Count, ErrorSize, Factor
 from ...widgets.action_switch import mirror
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import check_box

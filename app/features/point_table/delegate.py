@@ -44,6 +44,10 @@ from .model import PointTableModel
 _MARK = 6
 """Pixels along the sides of the mark that a number has a second one, after the corner."""
 
+# As plain numbers: Python's flags are slow, and all cells in sight are painted while points are dragged.
+_SELECTED, _FOCUSED = QStyle.StateFlag.State_Selected.value, QStyle.StateFlag.State_HasFocus.value
+_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+
 PADDING, LEFT_PADDING = 3, 6
 """Pixels right and left of a number: together the least gap between two columns."""
 
@@ -159,7 +163,8 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         # Drawn here rather than by the style, which asks the model for a dozen roles of every cell.
         rect, theme, row, column = option.rect, self._theme, index.row(), index.column()
         estimated = bool(self._model.estimated[row, column])
-        if option.state & QStyle.StateFlag.State_Selected:
+        state = option.state.value
+        if state & _SELECTED:
             painter.fillRect(rect, mix(theme.accent, theme.paper, 0.2))
         painter.setPen(theme.grid_fine)
         painter.drawLine(rect.bottomLeft(), rect.bottomRight())
@@ -168,12 +173,8 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         text = self.text(row, column)
         painter.setFont(self._italic_of(option.font) if estimated else option.font)
         painter.setPen(theme.muted if estimated else theme.ink)
-        painter.drawText(
-            rect.adjusted(0, 0, -PADDING, 0),
-            int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter),
-            text,
-        )
-        if option.state & QStyle.StateFlag.State_HasFocus:
+        painter.drawText(rect.adjusted(0, 0, -PADDING, 0), _RIGHT, text)
+        if state & _FOCUSED:
             painter.setPen(theme.accent)
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
+import numpy as np
 from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
@@ -13,7 +15,8 @@ from ...document.derivatives import DERIVATIVES
 from ...document.edits import EditError
 from ...document.model import Document, Point
 from ...document.paper import vector_word
-from ...document.words import enumerated
+from ...document.words import count_of, enumerated
+from ...exchange.table.clipboard import Block
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.points.appending import appended_parameter, with_points_appended
 from ...view_model.points.point_columns import PARAMETER, POSITION, Column, knot_parameters
@@ -28,6 +31,42 @@ def fill_cells(
             raise EditError("Every point needs a t of its own.")
         document = column.put(document, curve, view, dict.fromkeys(rows, value))
     return document
+
+
+def columns_of_block(block: Block, shown: Sequence[Column], left: int) -> tuple[list[Column], FloatArray]:
+    """Return which of the columns shown a block covers, in their order, and its numbers.
+
+    Titles name them; without titles the block begins at the column `left`.
+    """
+    places = _places_by_title(block, shown) if block.titles else _places_from(left, block, shown)
+    needed = [place for column, place in places.items() if column.set is not None]
+    # Where a column is computed, there may have been nothing to copy.
+    for row, numbers in enumerate(block.rows, start=2 if block.titles else 1):
+        for place in needed:
+            if math.isnan(numbers[place]):
+                raise EditError(f"Row {row}, column {place + 1} is empty.")
+    return list(places), np.array(block.rows, dtype=float)[:, list(places.values())]
+
+
+def _places_from(left: int, block: Block, shown: Sequence[Column]) -> dict[Column, int]:
+    width = len(block.rows[0])
+    if len(shown) - left < width:
+        room = count_of(len(shown) - left, "column")
+        raise EditError(f"These are {width} columns; from {shown[left].name} on there is room for {room}.")
+    return {column: place for place, column in enumerate(shown[left : left + width])}
+
+
+def _places_by_title(block: Block, shown: Sequence[Column]) -> dict[Column, int]:
+    titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
+    if len(titled) + block.titles.count("#") < len(block.rows[0]):
+        raise EditError("A title stands twice.")
+    places = {column: titled[column.title] for column in shown if column.title in titled}
+    missing = [name for name in titled if name not in {column.title for column in places}]
+    if missing:
+        raise EditError(f"A curve of this family has no {missing[0]}.")
+    if not places:
+        raise EditError("There is no column of the table in what was copied.")
+    return places
 
 
 def paste_block(

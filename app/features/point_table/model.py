@@ -29,6 +29,10 @@ _NO_INDEX = QModelIndex()
 _SWATCH = 9
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
+# Joined once: Python's flags are slow, and Qt asks for those of cells again and again.
+_SHOWN = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
+_EDITABLE = _SHOWN | Qt.ItemFlag.ItemIsEditable
+
 
 class TableValues(msgspec.Struct, frozen=True):
     """Values of the table: numbers (n, columns), NaN where there is none, and which are estimated."""
@@ -183,9 +187,9 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return 0 if parent.isValid() else len(self.columns)
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        flags = super().flags(index)
-        is_set = index.isValid() and self.columns[index.column()].set is not None
-        return flags | Qt.ItemFlag.ItemIsEditable if is_set else flags
+        if not index.isValid():
+            return Qt.ItemFlag.NoItemFlags
+        return _SHOWN if self.columns[index.column()].set is None else _EDITABLE
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 
-import numpy as np
 from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
@@ -17,14 +15,14 @@ from ...appearance.themed import FollowsTheme
 from ...document.edits import EditError
 from ...document.model import Document
 from ...document.words import count_of
-from ...exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
+from ...exchange.table.clipboard import TableTextError, read_titled_block, write_block
 from ...qt.labels import Label, html_of
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.points.point_columns import POSITION, Column, known_titles
 from ...widgets.boxes import column_of, row_of
 from ...widgets.number_text import decimal_mark, exact_text
 from ...widgets.tool_buttons import ICON, action_button, tool_button
-from .edits import explicit_orders, keeping_sentence
+from .edits import columns_of_block, explicit_orders, keeping_sentence
 from .model import PointTableModel
 from .view import PointTableView
 
@@ -324,7 +322,9 @@ class PointTable(FollowsTheme, QWidget):
             if len(cells) > 1 and len(block.rows) == len(block.rows[0]) == 1:
                 self._request_fill(cells, block.rows[0][0])
             else:
-                self.paste_requested.emit(self._paste_row(), *self._columns_of(block))
+                columns = self.model.columns
+                covered = columns_of_block(block, columns, self._paste_column(len(block.rows[0])))
+                self.paste_requested.emit(self._paste_row(), *covered)
         except (TableTextError, EditError) as reason:
             self._report_refusal(str(reason))
 
@@ -333,36 +333,6 @@ class PointTable(FollowsTheme, QWidget):
         for row, column in sorted(cells):
             rows.setdefault(self.model.columns[column], []).append(row)
         self.fill_requested.emit(rows, value)
-
-    def _columns_of(self, block: Block) -> tuple[list[Column], np.ndarray]:
-        """Return which columns a block covers, in the table's order, and its numbers.
-
-        Titles name them; without titles the block begins at the current cell.
-        """
-        numbers, shown = np.array(block.rows, dtype=float), self.model.columns
-        width = numbers.shape[1]
-        if not block.titles:
-            left = self._paste_column(width)
-            if len(shown) - left < width:
-                room = count_of(len(shown) - left, "column")
-                raise EditError(
-                    f"These are {width} columns; from {shown[left].name} on there is room for {room}."
-                )
-            columns, places = list(shown[left : left + width]), list(range(width))
-            _refuse_gaps(block, columns, places)
-            return columns, numbers
-        titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
-        if len(titled) + block.titles.count("#") < width:
-            raise EditError("A title stands twice.")
-        columns = [column for column in shown if column.title in titled]
-        missing = [name for name in titled if name not in {column.title for column in columns}]
-        if missing:
-            raise EditError(f"A curve of this family has no {missing[0]}.")
-        if not columns:
-            raise EditError("There is no column of the table in what was copied.")
-        places = [titled[column.title] for column in columns]
-        _refuse_gaps(block, columns, places)
-        return columns, numbers[:, places]
 
     def _paste_row(self) -> int:
         current = self.view.currentIndex()
@@ -387,12 +357,3 @@ class PointTable(FollowsTheme, QWidget):
 
     def _reset_kept(self) -> None:
         self.reset_requested.emit(*self._to_reset)
-
-
-def _refuse_gaps(block: Block, columns: Sequence[Column], places: Sequence[int]) -> None:
-    """Raise EditError if a number is missing, unless its column is computed: there may be none to copy."""
-    needed = [place for column, place in zip(columns, places, strict=True) if column.set is not None]
-    for row, numbers in enumerate(block.rows, start=2 if block.titles else 1):
-        for place in needed:
-            if math.isnan(numbers[place]):
-                raise EditError(f"Row {row}, column {place + 1} is empty.")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...actions.declaration import action, also
-from ...actions.needs import Need
+from ...actions.needs import SOME_CURVE, Need
 from ...actions.sections import (
     CURVE_EDITING,
     CURVE_VELOCITIES,
@@ -51,7 +51,15 @@ class PointCommands:
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
 
-    @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
+    @action(
+        "selectAll",
+        "Select All",
+        EDIT_SELECT,
+        "Ctrl+A",
+        "select-all",
+        full_name="Select All Points",
+        needs=SOME_CURVE,
+    )
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
         """Select all points of the curves that are edited; with none, choose all that is seen and free."""

@@ -101,7 +101,7 @@ class RecoveryCommands:
             snapshot.discard()
         else:
             snapshot.leave()  # rather offered twice than lost
-        session.say(recovery.offers.told_after(origin.path, is_unchanged=path is not None))
+        session.say(recovery.offers.told_after(origin, is_unchanged=path is not None))
 
     def _discard(self, index: int) -> None:
         self._take(index).discard()

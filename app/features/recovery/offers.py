@@ -16,7 +16,7 @@ from ...document.paper import kind_of
 from ...document.shapes import counted_shapes
 from ...document.words import count_of
 from ...storage.reasons import shown
-from ...storage.recovery import Snapshot
+from ...storage.recovery import Origin, Snapshot
 from ...workbench.new_documents import NEW_NAME
 
 _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
@@ -75,18 +75,18 @@ def _contents(snapshot: Snapshot) -> str:
 
 
 def _offer(snapshot: Snapshot) -> Offer:
-    document, path = snapshot.document, snapshot.origin.path
+    document, origin, file = snapshot.document, snapshot.origin, snapshot.origin.file
     words = [age_in_words(time.time() - snapshot.written)]
-    if path is None:
+    if file is None:
         words.append("never saved")
-    elif not path.exists():
+    elif not file.exists():
         words.append("file gone")
-    elif not snapshot.origin.is_unchanged:
+    elif origin.path is not None and not origin.is_unchanged:
         words.append("file changed since")
     first = document.curves[0].name
-    untitled = snapshot.origin.title or (f"Untitled {kind_of(document).noun}" if first == NEW_NAME else first)
-    name = shown(path.name) if path is not None else untitled
-    return Offer(name, " · ".join(words), shown(path) if path is not None else "", document)
+    untitled = origin.title or (f"Untitled {kind_of(document).noun}" if first == NEW_NAME else first)
+    name = shown(file.name) if file is not None else untitled
+    return Offer(name, " · ".join(words), shown(file) if file is not None else "", document)
 
 
 def note_about(damaged: tuple[Path, ...]) -> str:
@@ -99,15 +99,18 @@ def note_about(damaged: tuple[Path, ...]) -> str:
     return f"⚠ {len(damaged)} damaged backups cannot be read; they were set aside in {folder}."
 
 
-def told_after(path: Path | None, *, is_unchanged: bool) -> str:
+def told_after(origin: Origin, *, is_unchanged: bool) -> str:
     """Return what to say of work that was restored, by the file it came from."""
-    if path is None:
+    if origin.file is None:
         return "Restored; it has no file yet."
-    if is_unchanged:
-        return f"Restored; {shown(path.name)} does not hold these changes until you save."
-    if not path.exists():
-        return f"{shown(path.name)} is gone; your work was restored as a new document."
-    return f"{shown(path.name)} has changed since; your work was restored as a new document."
+    name, is_there = shown(origin.file.name), origin.file.exists()
+    # A drawing goes on with its file of another format, which its saving looks at anew.
+    if is_unchanged or (origin.path is None and is_there):
+        return f"Restored; {name} does not hold these changes until you save."
+    if not is_there:
+        as_what = "" if origin.path is None else " as a new document"
+        return f"{name} is gone; your work was restored{as_what}."
+    return f"{name} has changed since; your work was restored as a new document."
 
 
 def age_in_words(seconds: float) -> str:

@@ -160,7 +160,9 @@ class ImageCommands:
         image = ReferenceImage(name, x, y, width, height)
         if self._session.change("Add image", lambda document: set_image(document, image)):
             self._dock.raise_()
-            self._session.say("File › Move Image drags and scales the image; the panel fades it.")
+            self._session.say(
+                "File › Reference Image › Move Image drags and scales the image; the panel fades it."
+            )
 
     def _room(self) -> tuple[float, float, float, float, float]:
         """Return the box that a new picture is put into, and the part of it that is filled."""

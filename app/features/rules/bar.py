@@ -53,8 +53,9 @@ class ParametrizationBar(ToolbarWidget):
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._label = Label("Parameters")
         self.slider = self._make_slider()
-        self._alpha = Label(name="alphaValue")
-        self._alpha.setMinimumWidth(self._alpha.fontMetrics().horizontalAdvance("α 0.00"))
+        self._alpha = Label("α 0.00", name="alphaValue")
+        # Of its words, not of their advance: with none it would be a pixel narrower, and the toolbar with it.
+        self._alpha.setMinimumWidth(self._alpha.sizeHint().width())
         parts = (self._label, self.box, self.slider, self._alpha)
         row_of(*parts, margins=(4, 0, 4, 0), spacing=6, parent=self)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)

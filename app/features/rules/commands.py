@@ -134,6 +134,7 @@ class RuleCommands:
             keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda now: now.view.source.family == family,
             group="family",
+            drawing_key="",
             key_needs=_edited(family),
             key_asks=lambda now: _reshaped(now, family),
         ),

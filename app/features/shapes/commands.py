@@ -57,7 +57,7 @@ class ShapeCommands:
         "combineCurves",
         "Combine",
         CURVE_SHAPES,
-        "Ctrl+Alt+K",
+        "Ctrl+K, Ctrl+Alt+K",
         "combine",
         full_name="Combine Curves",
         needs=Need("two chosen curves or more", _is_several),

@@ -52,6 +52,7 @@ class PathCommands:
             operation.icon,
             tip=operation.tip,
             full_name=f"{operation.title} of Shapes",
+            drawing_key=operation.drawing_key,
             needs=_enough(operation),
             keywords=operation.keywords,
         ),
@@ -72,6 +73,7 @@ class PathCommands:
         "Ctrl+Shift+O",
         "stroke-to-path",
         full_name="Strokes to Paths",
+        drawing_key="Ctrl+Alt+C, Ctrl+Shift+O",
         needs=A_SHAPE,
         keywords="outline stroke expand line to shape object",
     )

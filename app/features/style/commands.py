@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection, Iterable
 from functools import partial
 from typing import TYPE_CHECKING
@@ -14,25 +13,29 @@ from ...actions.declaration import action, also
 from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
+from ...document.content import Picture
+from ...document.contents import has_paints
 from ...document.gradient import Spread, Stop
 from ...document.gradient_edits import (
     PaintedStop,
     PaintKind,
+    with_colour,
     with_gradient,
     with_paint_kind,
     with_stops,
 )
-from ...document.model import Curve, Document, make_curve
+from ...document.group_opacity import opacities_of, with_looks
+from ...document.model import Document, make_curve
 from ...document.several_curves import named
 from ...document.shapes import shape_of, whole_shapes
 from ...document.style import GRADIENTS, Style
-from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped, with_style
+from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...session.next_style import Marked
+from ...state.window_state import WindowState
 from ...tools.drag_machine import CANCELLED
 from ...view_model.boxes.shape_boxes import box_of_shape
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.look.palette import adjustment_of
 from ...widgets.percent_field import STEPS
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
@@ -40,18 +43,16 @@ from ...workbench.slider_gesture import SliderGesture
 from ...workbench.typed_letters import Painter
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
+from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
+from .used_colours import UsedColours
 from .view_commands import StyleViewCommands
 
 if TYPE_CHECKING:
     from .gradient_field import GradientField
     from .panel import StylePanel
 
-_DRAWN_NEXT = "What is drawn next"
-_HOW_TO_CHOOSE = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
 _NO_SHAPE_YET = "A gradient is laid over a shape; draw or choose one first."
 _FLAT_LETTERS = "Letters have one colour while they are typed; Enter ends the text."
-_SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
-_MOST_REMEMBERED = 12
 
 _StopsAt = Callable[[int], tuple[Stop, ...]]
 """Tells the stops for a position of a slider."""
@@ -66,11 +67,11 @@ class StyleCommands:
         self._panel: StylePanel | None = None
         self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
-        self._colours_found: tuple[tuple[Curve, ...], list[str]] = ((), [])
+        self._colours = UsedColours(context.session, context.preferences)
         context.session.selected_curves_changed.connect(self._render)
         context.session.stop_changed.connect(self._render)
         context.session.stop_changed.connect(context.central.canvas.show_marks)
-        context.store.changed.connect(self._render)
+        context.store.changed.connect(self._follow_tool)
         context.letters.changed.connect(self._render)
         context.central.canvas.colour_picked.connect(self._take_picked)
 
@@ -91,7 +92,7 @@ class StyleCommands:
         panel.stops_looked_at.connect(self._look_at_stops)
         panel.stop_picked.connect(self._choose_stop)
         panel.spread_wanted.connect(self._choose_spread)
-        panel.coloured.connect(self._remember)
+        panel.coloured.connect(self._colours.remember)
         panel.given_up.connect(self._give_up)
         panel.shown.connect(self._render)
         panel.refused.connect(self._session.refuse)
@@ -104,6 +105,7 @@ class StyleCommands:
         for name, gradient in panel.gradients.items():
             self._follow_sliders(name, gradient)
             self._session.interrupted.connect(gradient.abandon)
+        self._blur = style.blur_gesture.BlurGesture(self._session, panel.blur, lambda: self._curves)
         for paint in (panel.fill, panel.stroke):
             self._session.interrupted.connect(paint.abandon)
         return panel
@@ -138,12 +140,25 @@ class StyleCommands:
         session, selected = self._session, self._session.selected
         if self._letters is not None:
             return frozenset()
+        is_begun = bool(session.active_curve.points)
+        if selected.next_style.is_own(session.document) and not is_begun:
+            return selected.marked - {session.active_index}
         if selected.next_style.is_of_active(selected.marked):
             return selected.marked
-        return frozenset() if session.active_curve.points else frozenset({session.active_index})
+        return frozenset() if is_begun else frozenset({session.active_index})
+
+    @property
+    def _next(self) -> str:
+        """What is drawn next."""
+        return self._session.selected.next_style.kind_in(self._session.document).subject
 
     def render(self, view: CurveView) -> None:
         """Show how the selected curves look."""
+        self._render()
+
+    def _follow_tool(self, _before: WindowState, after: WindowState) -> None:
+        """Draw in the style of another tool."""
+        self._session.selected.next_style.draws = after.tool.draws
         self._render()
 
     def set_theme(self, theme: Theme) -> None:
@@ -157,53 +172,47 @@ class StyleCommands:
             return
         session = self._session
         curves = sorted(whole_shapes(session.document, self._curves))
+        chosen = [session.document.curves[place] for place in curves]
         # A gradient is laid over a shape, and there is none yet.
-        styles = [session.document.curves[place].style for place in curves] or [session.model.style.flat]
+        pictures = [each.style for each in chosen if isinstance(each.form, Picture)]
+        styles = [each.style for each in (filter(has_paints, chosen) if pictures else chosen)]
+        if not chosen:
+            styles = [session.model.style.flat]
         if self._letters is not None:
             styles = [*self._letters.styles]
-        is_next = not any(session.document.curves[place].points for place in curves)
-        subject = _DRAWN_NEXT if is_next else named(session.document, curves)
-        note = self._note(styles) if curves or self._letters is not None else _HOW_TO_CHOOSE
+        is_next = not any(each.points for each in chosen)
+        subject = self._next if is_next else named(session.document, curves)
+        state, is_next_only = self._context.store.state, not curves and self._letters is None
+        note = HOW_TO_CHOOSE if is_next_only else note_on(styles, state, session.document, self._theme)
         if self._letters is not None:
             subject = self._letters.subject
-        panel.show_paper(self._context.store.state.paper(session.document, self._theme))
-        panel.show_recent(self._recent(), self._colours())
-        panel.render_styles(subject, styles, session.document.unit, note, self._stops(curves))
-
-    def _note(self, styles: list[Style]) -> str:
-        """Return how the canvas shows them, where it is not as they print."""
-        state, paper = self._context.store.state, self._theme.paper.name()
-        if state.thin_lines:
-            return "Thin Lines is on (in View, Display Mode): widths, dashes and fills are not shown."
-        if state.prints(self._session.document):
-            return ""
-        moved = [
-            adjustment_of(paper, each.stroke)
-            for each in styles
-            if each.has_stroke and each.stroke_gradient is None
-        ]
-        if not any(moved):
-            return ""
-        return f"The line is {next(filter(None, moved))}. {_SHOWN_EXACTLY}"
+        panel.show_paper(state.paper(session.document, self._theme))
+        panel.show_recent(self._colours.recent, self._colours.in_document)
+        unit, stops = session.document.unit, self._stops(curves)
+        overall = opacities_of(session.document, curves) if chosen else None
+        panel.render_styles(subject, styles, unit, note, stops, pictures, overall)
+        self._blur.render([*styles, *pictures], is_sharp=is_next or self._letters is not None)
 
     # Changes
 
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
-        self._remember(*(fields[name] for name in GRADIENTS if name in fields))
-        self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
+        self._colours.remember(*(fields[name] for name in GRADIENTS if name in fields))
+        self._edit(fields, lambda document, curves: with_looks(document, curves, fields), is_step=is_step)
         self._note_set(fields)
 
     def _note_set(self, fields: dict[str, object]) -> None:
         """Draw with what was set from now on, also where nobody chose how else the selected curves look."""
-        if self._curves and self._session.selected.next_style.marked is Marked.BROUGHT:
+        next_style = self._session.selected.next_style
+        is_apart = next_style.marked is Marked.BROUGHT or next_style.is_own(self._session.document)
+        if self._curves and is_apart:
             self._set_next(lambda document, curves: with_style(document, curves, **fields))
 
     def _take_picked(self, paint: str, colour: str) -> None:
         """Give what is chosen a colour that was picked from the drawing; of a gradient, the chosen stop."""
-        if self._panel is not None and self._panel.isVisibleTo(self._context.window):
-            self._panel.choose_colour(paint, colour)
-        else:
-            self._change({paint: colour})
+        stop = self._stops(self._curves)[paint]
+        self._colours.remember(colour)
+        self._edit([paint], lambda document, curves: with_colour(document, curves, paint, stop, colour))
+        self._note_set({paint: colour})
 
     def _choose_kind(self, paint: str, kind: PaintKind) -> None:
         if not self._curves and kind not in (PaintKind.NONE, PaintKind.FLAT):
@@ -265,6 +274,8 @@ class StyleCommands:
         change = session.change(self._words(fields, what), lambda document: edit(document, curves), run=run)
         if change.refusal and self._panel is not None:
             self._panel.refuse(change.refusal)
+        elif not change and not any(has_paints(session.document.curves[place]) for place in curves):
+            session.say(NO_PAINTS)
         self._render()
 
     def _set_next(self, edit: Callable[[Document, frozenset[int]], Document]) -> None:
@@ -275,14 +286,14 @@ class StyleCommands:
         before = Document((model,))
         after = edit(before, frozenset({0}))
         if not (refusal := why_not_kept(before, after)):
-            session.selected.next_style.take(session.document, after.curves[0].style)
+            session.selected.next_style.set(session.document, after.curves[0].style)
         elif self._panel is not None:
             self._panel.refuse(refusal)
         self._render()
 
     def _words(self, fields: Iterable[str], what: str = "") -> str:
         what = what or " and ".join(STYLE_WORDS[name] for name in fields)
-        return f"{what} of {named(self._session.committed, self._curves) if self._curves else _DRAWN_NEXT}"
+        return f"{what} of {named(self._session.committed, self._curves) if self._curves else self._next}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
         if self._letters is not None:
@@ -299,7 +310,7 @@ class StyleCommands:
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
-        return with_style(document, self._curves, **{name: position / 100})
+        return with_looks(document, self._curves, {name: position / STEPS})
 
     def _give_share_to_letters(self, name: str, position: int | None) -> bool:
         """Show the letters that are typed as a slider stands; return whether there are any."""
@@ -320,24 +331,6 @@ class StyleCommands:
 
     def _words_of_share(self, name: str, _position: int) -> str:
         return self._words([name])
-
-    # Colours that were used last
-
-    def _recent(self) -> list[str]:
-        return re.findall("#[0-9a-f]{6}", self._context.preferences.recent_colours)
-
-    def _colours(self) -> list[str]:
-        """Return the colours of the document, found anew for another step of its history."""
-        curves = self._session.committed.curves
-        if self._colours_found[0] is not curves:
-            self._colours_found = curves, colours_of(curves)
-        return self._colours_found[1]
-
-    def _remember(self, *paints: object) -> None:
-        codes = [code for code in paints if isinstance(code, str) and code.startswith("#")]
-        if codes:
-            found = list(dict.fromkeys([*codes, *self._recent()]))[:_MOST_REMEMBERED]
-            self._context.preferences.recent_colours = " ".join(found)
 
     # Actions
 

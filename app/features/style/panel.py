@@ -23,6 +23,7 @@ from ...widgets.length_text import read_length
 from ...widgets.paint_field import PaintField
 from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
+from .blur_field import BlurField
 from .dash_field import DashField
 from .gradient_field import GradientField
 from .marker_field import FIELDS, MarkerField
@@ -78,8 +79,8 @@ class StylePanel(FieldForm):
         The fields of shares, by the field of a style that they show.
     gradients
         The fields of gradients, by the field of the paint.
-    markers
-        The field of what stands at the ends of lines.
+    markers, blur
+        The fields of what stands at the ends of lines, and of how soft it is.
     """
 
     wanted = Signal(object)
@@ -115,7 +116,7 @@ class StylePanel(FieldForm):
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
         self._make_numbers()
-        self._dash, self.markers = DashField(), MarkerField()
+        self._dash, self.markers, self.blur = DashField(), MarkerField(), BlurField()
         self.opacities = {
             "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
             "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
@@ -158,6 +159,10 @@ class StylePanel(FieldForm):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         dashes = row_of((self._dash, 1), "from", self._offset, spacing=6)
         self._form = form_of(
+            # In sight in a small window, too.
+            ("Overall", self.opacities["opacity"]),
+            ("Blur", self.blur),
+            ("", _rule_line()),
             ("Fill", column_of(self.gradients["fill"], self.fill, margins=0, spacing=4)),
             ("Inside", self._rule),
             ("Opacity", self.opacities["fill_opacity"]),
@@ -169,8 +174,6 @@ class StylePanel(FieldForm):
             ("Dashes", dashes),
             ("Markers", self.markers),
             ("Opacity", self.opacities["stroke_opacity"]),
-            ("", _rule_line()),
-            ("Overall", self.opacities["opacity"]),
             down=6,
         )
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
@@ -181,7 +184,7 @@ class StylePanel(FieldForm):
         column_of(self._subject, self._form, below, *told, 1, margins=12, spacing=8, parent=self)
 
     def _connect(self) -> None:
-        numbers = (self._width, self._limit, self._offset, self._dash.edit)
+        numbers = (self._width, self._limit, self._offset, self._dash.edit, self.blur.edit)
         shares = [field.edit for field in self.opacities.values()]
         for gradient in self.gradients.values():
             shares += [gradient.offset.edit, gradient.opacity.edit]
@@ -197,6 +200,7 @@ class StylePanel(FieldForm):
         self._dash.dots_chosen.connect(lambda dash: self.wanted.emit({"dash": dash, "cap": LineCap.ROUND}))
         self.markers.chosen.connect(lambda name, kind: self.wanted.emit({name: kind}))
         fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
+        fields[self.blur.edit] = "blur"
         fields |= {field.edit: name for name, field in self.opacities.items()}
         for edit, name in fields.items():
             edit.entered.connect(lambda value, name=name: self.wanted.emit({name: value}))
@@ -251,19 +255,30 @@ class StylePanel(FieldForm):
             gradient.bar.show_paper(paper)
 
     def render_styles(
-        self, subject: str, styles: Sequence[Style], unit: str, note: str, stops: Mapping[str, int]
+        self,
+        subject: str,
+        styles: Sequence[Style],
+        unit: str,
+        note: str,
+        stops: Mapping[str, int],
+        pictures: Sequence[Style] = (),
+        overall: Sequence[float] | None = None,
     ) -> None:
         """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn.
 
-        `stops` are those that are chosen, by the paint.
+        `stops` are those that are chosen, by the paint; of `pictures` only the opacity is one's choice. The
+        `overall` opacities are those of groups as such, and of shapes; without any those of the styles.
         """
-        wanted = (subject, tuple(styles), unit, note, stops)
+        if overall is None:
+            overall = [each.opacity for each in (*styles, *pictures)]
+        wanted = (subject, (tuple(styles), tuple(pictures), tuple(overall)), unit, note, stops)
         if wanted == self._shown:
             return
         if self._shown and wanted[:2] != self._shown[:2]:
             self.clear_refusal()
         self._shown, self._unit = wanted, unit
         values = common_values(styles)
+        values["opacity"] = overall[0] if len(set(overall)) == 1 else None
         self._subject.setText(subject)
         self._subject.setToolTip(tip_of(subject))
         self._values = values
@@ -280,6 +295,7 @@ class StylePanel(FieldForm):
             field.render_value(values.get(name))
         self._render_numbers(values, unit)
         self._enable(styles)
+        self.opacities["opacity"].setEnabled(bool(styles or pictures))
         unseen = _UNSEEN_DOTS if any(map(_has_unseen_dots, styles)) else ""
         self._note.setText(note)
         self._note.setVisible(bool(note))
@@ -311,7 +327,7 @@ class StylePanel(FieldForm):
     def _enable(self, styles: Iterable[Style]) -> None:
         """Enable what makes a difference."""
         styles = list(styles)
-        for always in (self.fill, self.stroke, self.opacities["opacity"]):
+        for always in (self.fill, self.stroke):
             always.setEnabled(bool(styles))
         has_fill = any(style.fill != NO_PAINT for style in styles)
         has_stroke = any(style.stroke != NO_PAINT for style in styles)

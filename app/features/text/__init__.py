@@ -1,10 +1,15 @@
-"""Text as curves: words are typed on the canvas, and the outlines of their letters become shapes.
+"""Texts: words are typed on the canvas; in sketches the outlines of their letters become shapes.
 
-- ``commands``: the field, the preview and the step of the history.  ``field``: what is typed into;
-  ``words_edit``: its letters, each with its look.  ``letter_paint``: colours for them.
+- ``commands``: the preview and the step of the history.  ``field``: what is asked beside the text;
+  ``font_box``: its fonts.  ``words_edit``: the letters, each with its look; ``words_on_page``: keys, clicks
+  and the caret where they are drawn; ``caret``: where it stands in what is typed.
+  ``remarks``: what is said of that.
+- ``letter_paint``: colours for them.  ``weight_box``: weights that their font has.
 - ``setting_row``: alignment, and spaces between letters and lines.
 - ``outline_commands``, ``outlined``: texts of opened drawings made into outlines.
-- ``wording``: texts of drawings, which stay texts, written and edited.
+- ``along_commands``, ``along``: texts of drawings put on paths, and taken off.
+- ``wording``: texts of drawings, which stay texts, written and edited.  ``flowing``, ``flow_commands``:
+  those whose words fill a frame.
 - ``letters``: outlines as curves of the document.  ``rewriting``: those of a text that is edited again.
 """
 

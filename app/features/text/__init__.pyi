@@ -1,7 +1,11 @@
 # Modules that are imported when they are first used.
+from . import along as along
+from . import caret as caret
 from . import field as field
+from . import flowing as flowing
 from . import letter_paint as letter_paint
 from . import letters as letters
 from . import outlined as outlined
+from . import remarks as remarks
 from . import rewriting as rewriting
 from . import wording as wording

@@ -2,37 +2,41 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import chain, repeat
 
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QTransform
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
-from ...actions.sections import CURVE_NAME
+from ...actions.sections import TEXT_WORDS
 from ...actions.strips import CHOSEN_MENU
-from ...document.contents import is_content
+from ...document.content import Lettering
+from ...document.contents import corners_of, is_content
 from ...document.curve_edits import locked_sentence
 from ...document.edits import EditError
-from ...document.model import Document, Vector
+from ...document.model import Curve, Document, Vector
 from ...document.paper import DocumentKind, kind_of
+from ...document.several_curves import remove_curves
 from ...document.style import Style
 from ...document.text import LONGEST_TEXT, Setting, Text
 from ...document.texts import text_around, with_text_known
-from ...document.transforms import clean_step_within
-from ...document.words import enumerated
+from ...document.transforms import IDENTITY, clean_step_within
 from ...exchange.errors import ExchangeError
+from ...plotting.printed import to_pixels
 from ...qt import glyphs
-from ...qt.glyphs import Face, Outlines
+from ...qt.glyphs import Face
 from ...session.session import Session
 from ...workbench.context import WindowContext
 from .. import text
+from .along_commands import AlongCommands
+from .flow_commands import FlowCommands
 from .outline_commands import OutlineCommands
 
-_SHARE = 1 / 8
-"""Of the height of the view, for the size of the first text."""
-_ASCENT, _DESCENT, _LINE = 0.8, 0.3, 1.2
-"""About what a line takes of an em above and below its baseline, and how far the next one is."""
+_SHARE, _SHARE_OF_PAGE = 1 / 8, 1 / 30
+"""Of the height of the view, and of the page, for the size of the first text: the smaller one."""
 
 
 class TextCommands:
@@ -43,6 +47,8 @@ class TextCommands:
         self._canvas = context.central.canvas
         self._made: text.field.TextField | None = None
         self._place: Vector = (0.0, 0.0)
+        # Width and height of the frame that a new text fills, below and to the right of the place.
+        self._room: Vector | None = None
         # The text that is edited; None for one that is new.
         self._edited: text.rewriting.Written | text.wording.Worded | None = None
         # What the field said of it when it was opened.
@@ -52,8 +58,6 @@ class TextCommands:
         self._painter: text.letter_paint.LetterPainter | None = None
         self._before = self._session.selected.choice
         self._model = self._session.model
-        # Left, bottom and top of its letters.
-        self._box = (0.0, 0.0, 0.0)
         # The size that was used last in this document, None before; and how its letters stood.
         self._size: float | None = None
         self._setting = Setting()
@@ -78,29 +82,34 @@ class TextCommands:
             field.left.connect(self._make)
             field.given_up.connect(self._give_up)
             self._session.interrupted.connect(self._break_off)
-            self._canvas.camera.changed.connect(self._follow_view)
+            self._canvas.camera.changed.connect(field.place)
+            field.words.keyed.connect(self._reveal_caret)
         return self._made
+
+    @property
+    def _is_drawing(self) -> bool:
+        return kind_of(self._session.committed) is DocumentKind.DRAWING
 
     @property
     def _is_open(self) -> bool:
         return self._made is not None and not self._made.isHidden()
 
-    def _begin(self, place: Vector) -> None:
-        """Ask for the words of a text at a place."""
+    def _begin(self, place: Vector, opposite: Vector | None = None) -> None:
+        """Ask for the words of a text at a place, or in a frame from there to the opposite corner."""
         if self._has_fonts():
             self._edited = self._painter = None
+            self._room = None if opposite is None else (opposite[0] - place[0], place[1] - opposite[1])
             self.field.set_setting(self._setting)
-            size = self._size or clean_step_within(self._view_height * _SHARE)
-            is_drawing = kind_of(self._session.committed) is DocumentKind.DRAWING
-            self.field.begin_new(size, has_parts=is_drawing)
-            if is_drawing:
-                self._paint_in(text.letters.filled(self._session.model.style), 1.0)
+            size = self._size or clean_step_within(self._usual_size)
+            self.field.begin_new(size, has_parts=self._is_drawing)
+            if self._is_drawing:
+                self._paint_in(self._session.model.style, 1.0)
             self._open(place, size)
 
     @action(
         "editText",
         "Edit Text",
-        CURVE_NAME,
+        TEXT_WORDS,
         needs=Need("a text, or letters of one", lambda now: _letter_meant(now.session) >= 0),
         keywords="words letters font size type typo",
     )
@@ -109,8 +118,8 @@ class TextCommands:
         """Change words, font or size of the text that the chosen letters are of."""
         self._begin_again(_letter_meant(self._session))
 
-    def _begin_again(self, curve: int) -> None:
-        """Ask for other words of the text that a curve is a letter of."""
+    def _begin_again(self, curve: int, clicked: Vector | None = None) -> None:
+        """Ask for other words of the text that a curve is a letter of, typed where it was clicked."""
         session = self._session
         if not self._has_fonts():
             return
@@ -126,7 +135,7 @@ class TextCommands:
         if locked := [each.name for each in session.committed.curves[_slice(written.places)] if each.locked]:
             session.refuse(locked_sentence(locked))
             return
-        self._edited, self._begun = written, None
+        self._edited, self._begun, self._room = written, None, None
         if isinstance(written, text.wording.Worded):
             self.field.begin_again(written.typed, written.scale, written.face)
             self._paint_in(session.committed.curves[curve].style, written.scale)
@@ -135,6 +144,8 @@ class TextCommands:
             self.field.begin_with(written.text.words, written.face)
         self.field.set_setting(written.text.setting)
         self._open((written.text.x, written.text.y), written.text.size)
+        if clicked is not None:
+            self.field.words.stand_at_place(clicked)
 
     def _paint_in(self, style: Style, scale: float) -> None:
         """Let colours be chosen for letters of a text in a style, a unit of which is so long."""
@@ -148,86 +159,120 @@ class TextCommands:
 
     def _open(self, place: Vector, size: float) -> None:
         self._place = place
+        self.field.setting_row.set_in_frame(self._fills_frame)
         self._before, self._model = self._session.selected.choice, self._session.model
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
-        self.field.open_beside(self._area, size, self._session.document.unit)
+        self.field.open_beside(self._way_to_pixels, size, self._session.document.unit)
         self._begun, self._begun_typed = self._text, self._typed
         if self._painter is not None:
             self._context.letters.begin(self._painter)
         self._show()
 
     @property
-    def _view_height(self) -> float:
-        _, bottom, _, top = self._canvas.pixel_map.box
-        return top - bottom
+    def _usual_size(self) -> float:
+        """About the size that the first text has: one that is read here, and on paper."""
+        (_, bottom, _, top), page = self._canvas.pixel_map.box, self._session.committed.page
+        seen = (top - bottom) * _SHARE
+        return seen if page is None else min(seen, page.height * _SHARE_OF_PAGE)
 
-    def _area(self) -> QRect:
-        """Return what the text takes of the canvas, about."""
-        (x, y), size = self._place, self.field.text_size
-        lines = self.field.text.count("\n") * _LINE * self.field.setting.line_spacing
-        low, high = y - (_DESCENT + lines) * size, y + _ASCENT * size
-        if self._edited is not None:
-            # It may be turned.
-            x, low, high = self._box
-        top, bottom = self._canvas.to_pixel(x, high), self._canvas.to_pixel(x, low)
-        return QRect(top, QPoint(top.x() + 1, bottom.y()))
+    def _way_to_pixels(self) -> QTransform:
+        origin = self._canvas.camera.origin
+        return to_pixels(self._canvas.pixel_map) * QTransform.fromTranslate(origin.x(), origin.y())
 
-    def _follow_view(self) -> None:
+    def _reveal_caret(self) -> None:
         if self._is_open:
-            self.field.place()
+            place = self.field.words.caret.center() - self._canvas.camera.origin
+            self._canvas.framing.reveal(place.x(), place.y())
 
     # Preview
 
     def _show(self) -> None:
         """Show the text as it is typed."""
+        if not self._is_open:
+            return
         field, session = self.field, self._session
-        self._outlines = glyphs.outlines_of(field.text[:LONGEST_TEXT], field.face, field.setting)
+        self._outlines = glyphs.outlines_of(field.text[: self._most], field.face, field.setting)
         if self._edited is None:
-            self._size, self._setting = field.text_size, field.setting
-        field.remark(_remark(field, self._outlines) or _remark_of(self._edited))
+            self._size, self._setting = field.text_size, field.setting_row.setting
+        field.remark(
+            text.remarks.of_typed(field, self._outlines, self._most) or text.remarks.of_edited(self._edited)
+        )
         try:
             # Under one name all the while, so that the letters before the one that is typed stay the same.
-            has_any = self._outlines.glyphs and not self._is_as_it_was
-            shown, places = self._written("Text") if has_any else (None, range(0))
+            shown, places = self._written("Text") if self._is_another else (None, range(0))
         except (ExchangeError, EditError) as reason:
             self._outlines, shown, places = glyphs.NO_OUTLINES, None, range(0)
             field.remark(str(reason))
-        if self._edited is not None:
-            self._note_box(shown or session.committed, places or self._edited.places)
+        if self._edited is not None and shown is None:
+            places = self._edited.places
         if shown is None:
             session.cancel()
         else:
             session.preview(_with_curves_of(shown, session.document))
-            session.selected.show_choice(())
+        # With its sides, to see what is filled.
+        session.selected.show_choice(places if self._fills_frame else ())
+        self._lay_words((shown or session.committed).curves[_slice(places)])
 
-    def _note_box(self, document: Document, places: range) -> None:
-        points = [point for curve in document.curves[_slice(places)] for point in curve.points]
-        if points:
-            heights = [point.y for point in points]
-            self._box = (min(point.x for point in points), min(heights), max(heights))
-            self.field.place()
+    def _lay_words(self, curves: Sequence[Curve]) -> None:
+        """Have the words typed where they are drawn, as curves; where the first will be, as none."""
+        edited, now, typed = self._edited, self._text, self._typed
+        if not self._is_text:
+            places = text.caret.in_outlines(
+                now, edited.by if isinstance(edited, text.rewriting.Written) else IDENTITY
+            )
+        elif edited is not None and self._begun is not None:
+            before = self._session.committed.curves[edited.places.start]
+            curves = curves or (before,)
+            places = text.caret.in_shown(curves[0], before, self._begun, now, typed)
+        elif self._room is None:
+            places = text.caret.in_new(now, typed)
+        elif curves:
+            places = text.caret.in_frame(curves[0])
+        else:
+            places = text.caret.in_new_frame(now, typed, self._room)
+        self.field.lie_at(places, corners_of(curves[0]) if curves and self._fills_frame else ())
+
+    @property
+    def _fills_frame(self) -> bool:
+        if not isinstance(self._edited, text.wording.Worded):
+            return self._edited is None and self._room is not None
+        form = self._session.committed.curves[self._edited.places.start].form
+        return isinstance(form, Lettering) and form.flow is not None
+
+    @property
+    def _most(self) -> int:
+        """Letters that a text may have."""
+        return text.wording.LONGEST_WORDS if self._is_text else LONGEST_TEXT
+
+    @property
+    def _is_text(self) -> bool:
+        """Whether it stays one."""
+        edited = self._edited
+        return self._is_drawing if edited is None else isinstance(edited, text.wording.Worded)
 
     @property
     def _text(self) -> Text:
         """What is typed, and where."""
         field, face, (x, y) = self.field, self.field.face, self._place
-        words = field.text[:LONGEST_TEXT]
+        words = field.text[: self._most]
         text = Text(words, face.family, x, y, field.text_size, face.bold, face.italic)
         return replace(text, **field.setting._asdict())
 
     @property
     def _typed(self) -> text.wording.Typed:
         """The letters, each as it looks."""
-        return text.wording.cut(self.field.typed, LONGEST_TEXT)
+        return text.wording.cut(self.field.typed, self._most)
 
     def _looks(self, style: Style) -> tuple[Style, text.wording.Typed]:
         """Return the style of the text, and its letters with what they have for themselves."""
         return (style, self._typed) if self._painter is None else self._painter.looks(self._typed)
 
     def _written(self, name: str) -> tuple[Document, range]:
-        """Return the document with the text, and the places of its curves."""
+        """Return the document with the text, and the places of its curves; without one that is emptied."""
         session = self._session
+        if self._edited is not None and self._is_emptied:
+            return remove_curves(session.committed, self._edited.places), range(0)
         if isinstance(self._edited, text.wording.Worded) and self._begun is not None:
             style, typed = self._looks(session.committed.curves[self._edited.places.start].style)
             return text.wording.reworded(
@@ -236,9 +281,9 @@ class TextCommands:
         if isinstance(self._edited, text.rewriting.Written):
             return text.rewriting.rewritten(session.committed, self._edited, self._text, self._outlines)
         if kind_of(session.committed) is DocumentKind.DRAWING:
-            style, typed = self._looks(text.letters.filled(self._model.style))
+            style, typed = self._looks(self._model.style)
             return text.wording.with_worded(
-                session.committed, style, self._text, typed, session.selected.layer
+                session.committed, style, self._text, typed, session.selected.layer, self._room
             )
         return text.letters.with_text(
             session.committed, self._model, name, self._outlines, self._text, session.selected.layer
@@ -256,13 +301,17 @@ class TextCommands:
         name, face, edited, known = (
             text.letters.name_of_text(self.field.text), self.field.face, self._edited, self._text
         )  # fmt: skip
-        made = self._written(name) if self._outlines.glyphs and not self._is_as_it_was else None
+        made = self._written(name) if self._is_another else None
         self._close()
         if made is None:
             self._session.cancel()
             self._session.selected.restore(self._before)
             return
         document, places = made
+        if edited is not None and not places:
+            name = text.letters.name_of_text(edited.text.words)
+            self._session.change(f"Delete Text “{name}”", lambda _: document)
+            return
         is_text = is_content(document.curves[places.start])
         document = document if is_text else with_text_known(document, places, known)
         verb = "Add" if edited is None else "Edit"
@@ -278,6 +327,15 @@ class TextCommands:
             else f"The letters are chosen, and curves now; {again}."
         )
         self._remember(face)
+
+    @property
+    def _is_emptied(self) -> bool:
+        return self._edited is not None and not self.field.text.strip()
+
+    @property
+    def _is_another(self) -> bool:
+        """Whether there is anything to show that is not there."""
+        return bool(self._outlines.glyphs or self._is_emptied) and not self._is_as_it_was
 
     @property
     def _is_as_it_was(self) -> bool:
@@ -297,8 +355,8 @@ class TextCommands:
         preferences.text_bold, preferences.text_italic = face.bold, face.italic
 
     def _give_up(self) -> None:
-        """Go back to what was, by Escape; what is new in a drawing stays, and undo takes it away."""
-        if self._edited is None and kind_of(self._session.committed) is DocumentKind.DRAWING:
+        """Go back to what was, by Escape; in a drawing a text stays as it is, and undo takes that back."""
+        if not isinstance(self._edited, text.rewriting.Written) and self._is_drawing:
             self._finish()
             return
         self._close()
@@ -324,23 +382,6 @@ def _letter_meant(session: Session) -> int:
     return first if first >= 0 and meant <= {*text_around(session.document, first)} else -1
 
 
-def _remark(field: text.field.TextField, outlines: Outlines) -> str:
-    if len(field.text) > LONGEST_TEXT:
-        return f"A text has at most {LONGEST_TEXT} letters; the rest is left out."
-    if outlines.missing:
-        return f"No font here has {enumerated([f'“{each}”' for each in outlines.missing[:5]])}."
-    return f"“{field.face.family}” has no bold letters." if outlines.lacks_bold else ""
-
-
-def _remark_of(edited: text.rewriting.Written | text.wording.Worded | None) -> str:
-    """Say what of a text that is edited is not as it was written."""
-    if edited is None or not edited.is_changed:
-        return ""
-    if not glyphs.has_family(edited.text.font):
-        return f"“{edited.text.font}” is not on this computer; Enter writes the text in another font."
-    return "The letters were changed by hand; Enter writes them anew at this place."
-
-
 def _slice(places: range) -> slice:
     return slice(places.start, places.stop)
 
@@ -354,4 +395,4 @@ def _with_curves_of(document: Document, shown: Document) -> Document:
     )
 
 
-COMMAND_SETS = (TextCommands, OutlineCommands)
+COMMAND_SETS = (TextCommands, OutlineCommands, AlongCommands, FlowCommands)

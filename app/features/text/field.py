@@ -1,128 +1,57 @@
-"""The field on the canvas into which a text is typed, with its font and its size."""
+"""What is asked of a text beside it while it is typed on the canvas: its font, its size, how it is set."""
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Sequence
+from operator import methodcaller
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject, QRect, QSignalBlocker, QStringListModel, Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent
-from PySide6.QtWidgets import QApplication, QFontComboBox, QToolButton, QWidget
+from PySide6.QtCore import QRect, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QTransform
+from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 
 from ...appearance.theme import Theme
 from ...document.content import TextRun
 from ...document.text import Setting
 from ...document.transforms import decimal_sum
+from ...document.value import Vector
+from ...qt.caret_places import CaretPlaces
 from ...qt.glyphs import Face
 from ...qt.keys import ENTER, ClaimsKeys
 from ...qt.labels import Label
-from ...qt.overrides import Guarded
 from ...widgets.boxes import column_of, row_of
 from ...widgets.choice_style import choice_style
-from ...widgets.controls import named
 from ...widgets.field_edit import NumberEdit
-from ...widgets.length_text import read_length
+from ...widgets.length_text import points_text, read_length
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
 from ...workbench.typed_letters import TypedLetters
+from .font_box import FontBox
 from .setting_row import SettingRow
+from .weight_box import WeightBox
 from .wording import BOLD, WEIGHTS, Typed
-from .words_edit import WordsEdit, grown
+from .words_on_page import WordsOnPage
 
 _WIDTH, _FONT_WIDTH = 360, 140
-_MAKER = re.compile(r"\s*\[[^\[\]]*\]$")
+_SIZE_TIP = (
+    "Size of the text, the length of an em: a number or an expression, with a unit if you like, “12 pt”"
+)
 _LONGEST_SIZE = "00000.000"
 _LEAST = 1e-9
 _GAP = 10
 """Pixels between the field and the text."""
 
 
-def plain_family(family: str) -> str:
-    """Return the name of a family without that of its maker, which Qt adds where there are several."""
-    return _MAKER.sub("", family)
-
-
-class FontBox(Guarded, QFontComboBox):
-    """Fonts with outlines: of the list, while it is open, the one pointed at counts.
-
-    Signals
-    -------
-    pointed_at
-        Another one is to be seen; none any more where that is empty.
-    picked
-        One is chosen.
-    """
-
-    pointed_at = Signal(str)
-    picked = Signal(str)
-
-    def __init__(self, family: str) -> None:
-        super().__init__()
-        tip = "Font of the text; point at one in the list to see the text in it"
-        named(self, "textFont", "Font", tip)
-        # Those made of pixels have none.
-        self.setFontFilters(QFontComboBox.FontFilter.ScalableFonts)
-        self._pointed_at = ""
-        self.take(family)
-        QGuiApplication.instance().fontDatabaseChanged.connect(self._name_each_once)  # type: ignore[union-attr]
-        self.textHighlighted.connect(self._point_at)
-        self.activated.connect(self._pick)
-        # Not told of in other ways: Escape puts the list away.
-        self.view().installEventFilter(self)
-
-    @property
-    def family(self) -> str:
-        """Family of the font that counts."""
-        return self._pointed_at or plain_family(self.currentFont().family())
-
-    def take(self, family: str) -> None:
-        """Have another one count."""
-        self.setCurrentFont(QFont(plain_family(family)))
-        self._name_each_once()
-        self._pointed_at = ""
-        if (line := self.lineEdit()) is not None:
-            # Of a long name the beginning is seen.
-            line.home(False)
-
-    def _name_each_once(self) -> None:
-        """List a family that several makers have once, by its plain name."""
-        fonts, shown = self.model(), self.currentText()
-        assert isinstance(fonts, QStringListModel)
-        names = fonts.stringList()
-        plain = list(dict.fromkeys(map(plain_family, names)))
-        if plain != names:
-            with QSignalBlocker(self):
-                fonts.setStringList(plain)
-                self.setCurrentIndex(self.findText(plain_family(shown)))
-
-    def _point_at(self, family: str) -> None:
-        family = plain_family(family)
-        if family != self._pointed_at:
-            self._pointed_at = family
-            self.pointed_at.emit(family)
-
-    def _pick(self) -> None:
-        self._point_at("")
-        self.picked.emit(plain_family(self.currentFont().family()))
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Hide:
-            self._point_at("")
-        return super().eventFilter(watched, event)
-
-
 class TextField(ClaimsKeys, OverlayFrame):
-    """A small frame beside a text on the canvas, in which the text is typed.
+    """A small frame beside a text that is typed on the canvas.
 
     Attributes
     ----------
     words
-        The lines that are typed into.
-    font_box, bold, italic, size_edit, setting_row
-        The widgets of font and size, and of how letters stand to each other.
+        The text, typed where it is seen.
+    font_box, weight_box, bold, italic, underline, strike, size_edit, setting_row
+        The widgets of font, lines and size, and of how letters stand to each other.
     text_size
         What an em is long.
 
@@ -148,11 +77,10 @@ class TextField(ClaimsKeys, OverlayFrame):
         self._letters = letters
         self.setAccessibleName("Text")
         self.text_size, self._unit = 1.0, ""
-        self._area: Callable[[], QRect] = QRect
         # How long a unit of the text is, and whether its letters may differ.
         self._scale, self._has_parts = 1.0, False
         self._is_trying = False
-        self.words = WordsEdit()
+        self.words = WordsOnPage(below, self)
         self.words.textChanged.connect(self._follow_words)
         self.words.chosen_changed.connect(self._show_chosen)
         self.words.chosen_changed.connect(letters.changed)
@@ -165,21 +93,27 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.italic = self._letter("textItalic", "I", "Italic", face.italic)
         self.bold.clicked.connect(lambda is_on: self._set(weight=WEIGHTS[is_on]))
         self.italic.clicked.connect(lambda is_on: self._set(italic=is_on))
+        self.underline = self._letter("textUnderline", "U", "Underlined", is_on=False)
+        self.strike = self._letter("textStrike", "S", "Struck-through", is_on=False)
+        self.underline.clicked.connect(lambda is_on: self._set(underline=is_on))
+        self.strike.clicked.connect(lambda is_on: self._set(strike=is_on))
+        self.weight_box = WeightBox()
+        self.weight_box.picked.connect(self._take_weight)
         self._make_size_edit()
         self.setting_row = SettingRow()
         self.setting_row.changed.connect(self.changed)
+        self.setting_row.spaced.connect(self._space)
         self.setting_row.refused.connect(self.remark)
         self._suffix, self._remark = Label(), Label(name="textRemark", wordWrap=True)
-        row = row_of(self.font_box, self.bold, self.italic, self.size_edit, self._suffix, spacing=6)
-        column_of(
-            self.words, row, self.setting_row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self
-        )
+        letters_row = (self.bold, self.italic, self.underline, self.strike)
+        row = row_of(self.font_box, self.weight_box, *letters_row, self.size_edit, self._suffix, spacing=6)
+        column_of(row, self.setting_row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self)
+        QWidget.setTabOrder(self.words, self.font_box)
         self.hide()
         self.follow_theme()
 
     def _make_size_edit(self) -> None:
-        tip = "Size of the text, the length of an em: a number or an expression, with a unit if you like"
-        self.size_edit = NumberEdit("textSize", "Size", tip, self._read_size, _stepped)
+        self.size_edit = NumberEdit("textSize", "Size", _SIZE_TIP, self._read_size, _stepped)
         self.size_edit.setFixedWidth(self.fontMetrics().horizontalAdvance(_LONGEST_SIZE))
         self.size_edit.entered.connect(self._take_size)
         self.size_edit.stepped.connect(self._take_size)
@@ -187,11 +121,14 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.size_edit.left.connect(lambda: self.remark(""))
 
     def _letter(self, name: str, letter: str, title: str, is_on: bool) -> QToolButton:
-        tip = f"{title} letters (Ctrl+{letter}): those that are chosen, else all"
+        key = "" if letter == "S" else f" (Ctrl+{letter})"
+        tip = f"{title} letters{key}: those that are chosen, else all"
         button = tool_button(name, title, tip, text=letter)
         font = button.font()
         font.setBold(letter == "B")
         font.setItalic(letter == "I")
+        font.setUnderline(letter == "U")
+        font.setStrikeOut(letter == "S")
         button.setFont(font)
         button.setCheckable(True)
         button.setChecked(is_on)
@@ -204,7 +141,7 @@ class TextField(ClaimsKeys, OverlayFrame):
     @property
     def text(self) -> str:
         """The text."""
-        return self.words.toPlainText()
+        return self.words.text
 
     @property
     def typed(self) -> Typed:
@@ -218,8 +155,9 @@ class TextField(ClaimsKeys, OverlayFrame):
 
     @property
     def setting(self) -> Setting:
-        """How the letters stand to each other."""
-        return self.setting_row.setting
+        """How the letters stand to each other; those that may differ know for themselves how far apart."""
+        setting = self.setting_row.setting
+        return setting._replace(letter_spacing=0.0) if self._has_parts else setting
 
     def set_setting(self, setting: Setting) -> None:
         """Have a setting to begin with."""
@@ -238,36 +176,55 @@ class TextField(ClaimsKeys, OverlayFrame):
         self._has_parts = False
         self.words.setPlainText(text)
         self._show_face(face)
+        self._show_letters()
 
     def begin_new(self, size: float, *, has_parts: bool) -> None:
         """Have a text of a size to begin with, in the font of the last one, or words that are there."""
         self._scale, self._has_parts = 1.0, has_parts
         face = self.face
-        run = TextRun("", (face.family,), size, WEIGHTS[face.bold], face.italic)
+        apart = self.setting_row.setting.letter_spacing * size
+        run = TextRun("", (face.family,), size, WEIGHTS[face.bold], face.italic, apart)
         if has_parts and self.text:
-            self.words.restyle(partial(grown, by=size / self.words.first.size), chosen=False)
+            self.words.restyle(methodcaller("resized", size / self.words.first.size), chosen=False)
         else:
             self.words.begin_in(run)
+        self._show_letters()
 
     def begin_again(self, typed: Typed, scale: float, face: Face) -> None:
         """Have the letters of a text to begin with, a unit of which is so long."""
         self._scale, self._has_parts = scale, True
         self.words.begin_with(typed)
         self._show_face(face)
+        self._show_letters()
 
     def _show_face(self, face: Face) -> None:
         self.font_box.take(face.family)
         self.bold.setChecked(face.bold)
         self.italic.setChecked(face.italic)
 
-    def open_beside(self, area: Callable[[], QRect], size: float, unit: str) -> None:
-        """Ask for a text of a size, beside the area on the canvas that it takes."""
-        self._area, self._unit = area, unit
+    def _show_letters(self) -> None:
+        """Show lines and spaces of the letters that are chosen; letters that become curves have none."""
+        run = self.words.run
+        self.setting_row.set_has_parts(has_parts=self._has_parts)
+        if self._has_parts:
+            self.setting_row.show_spaces(run.spacing / run.size, run.word_spacing / run.size)
+            self.weight_box.show_weight(self.font_box.family, run.weight)
+        else:
+            self.weight_box.hide()
+        for button, is_on in ((self.underline, run.underline), (self.strike, run.strike)):
+            button.setChecked(is_on)
+            button.setVisible(self._has_parts)
+
+    def open_beside(self, way: Callable[[], QTransform], size: float, unit: str) -> None:
+        """Ask for a text of a size, beside where it lies: a way leads from the plane to the pixels there."""
+        self.words.way, self._unit = way, unit
         self._show_size(size)
         self._suffix.setText(unit)
         self._suffix.setVisible(bool(unit))
         self.remark("")
+        self.words.show()
         self.show()
+        self.words.raise_()
         self.raise_()
         self.words.setFocus(Qt.FocusReason.OtherFocusReason)
         self.words.selectAll()
@@ -277,6 +234,7 @@ class TextField(ClaimsKeys, OverlayFrame):
         """Put it away; words that are kept are there when it is opened again."""
         _application().focusChanged.disconnect(self._follow_focus)
         self.hide()
+        self.words.hide()
         # What was only looked at is not there when it is opened again.
         self._end_trial()
         if not keeps_words:
@@ -286,40 +244,58 @@ class TextField(ClaimsKeys, OverlayFrame):
         # Without any another window has it; a menu, or the list of fonts, only borrows it.
         if now is None or now.window().windowType() is Qt.WindowType.Popup:
             return
-        if now is not self and not self.isAncestorOf(now) and not self._letters.has_tool(now):
+        if not any(each is now or each.isAncestorOf(now) for each in (self, self.words)) and not (
+            self._letters.has_tool(now)
+        ):
             self.left.emit()
 
     def claims(self, event: QKeyEvent) -> bool:
         return event.key() in (*ENTER, Qt.Key.Key_Escape) or self._button_of(event) is not None
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if (button := self._button_of(event)) is not None:
-            button.click()
-        elif event.key() == Qt.Key.Key_Escape:
-            self.given_up.emit()
-        elif event.key() not in ENTER:
-            super().keyPressEvent(event)
-        elif self.words.hasFocus():
-            self.entered.emit()
+        if event.key() not in ENTER:
+            if self.claims(event):
+                self.take_key(event)
+            else:
+                super().keyPressEvent(event)
         elif not any(edit.isModified() for edit in (self.size_edit, *self.setting_row.edits.values())):
             # What was typed beside them was taken; one that cannot be used is mended first.
             self.words.setFocus(Qt.FocusReason.OtherFocusReason)
 
+    def take_key(self, event: QKeyEvent) -> None:
+        """Do what a key is for that is pressed among the words."""
+        if (button := self._button_of(event)) is not None:
+            button.click()
+        elif event.key() == Qt.Key.Key_Escape:
+            self.given_up.emit()
+        elif event.modifiers() & (Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier):
+            self.words.insertPlainText("\n")
+        else:
+            self.entered.emit()
+
     def _button_of(self, event: QKeyEvent) -> QToolButton | None:
         is_control = event.modifiers() == Qt.KeyboardModifier.ControlModifier
         buttons = {Qt.Key.Key_B: self.bold, Qt.Key.Key_I: self.italic}
+        if self._has_parts:
+            buttons[Qt.Key.Key_U] = self.underline
         return buttons.get(Qt.Key(event.key())) if is_control else None
 
     # Changes
 
     def _set(self, **fields: object) -> None:
         self.restyle(lambda run: replace(run, **fields))
+        if "weight" in fields:
+            self._show_letters()
 
     def restyle(self, change: Callable[[TextRun], TextRun]) -> None:
         """Have the chosen letters, or all where none are, look otherwise."""
         self._end_trial()
         self.words.restyle(change, chosen=self._has_parts)
         self.changed.emit()
+
+    def _space(self, name: str, share: float) -> None:
+        field = {"letter_spacing": "spacing"}.get(name, name)
+        self.restyle(lambda run: replace(run, **{field: share * run.size}))
 
     def _look_at_font(self, family: str) -> None:
         self.look_at((lambda run: replace(run, font=(family,))) if family else None)
@@ -340,6 +316,12 @@ class TextField(ClaimsKeys, OverlayFrame):
 
     def _take_font(self, family: str) -> None:
         self._set(font=(family,))
+        self._show_letters()
+        self.place()
+
+    def _take_weight(self, weight: float) -> None:
+        self._set(weight=weight)
+        self.bold.setChecked(weight >= BOLD)
 
     def _show_chosen(self) -> None:
         """Show font and size of the letters that are chosen."""
@@ -348,16 +330,17 @@ class TextField(ClaimsKeys, OverlayFrame):
         run = self.words.run
         family = run.font[0] if run.font else ""
         self._show_face(Face(family, run.weight >= BOLD, run.italic))
+        self._show_letters()
         self._show_size(run.size * self._scale)
 
     def _show_size(self, size: float) -> None:
         self.text_size = size
         self.size_edit.show_number(size, 6)
+        points = points_text(size, self._unit)
+        self.size_edit.setToolTip(f"{_SIZE_TIP}. Now {points}" if points else _SIZE_TIP)
 
     def _follow_words(self) -> None:
-        self.words.fit_height()
         if not self.isHidden():
-            self.place()
             self.changed.emit()
 
     def _read_size(self, text: str) -> float:
@@ -370,16 +353,27 @@ class TextField(ClaimsKeys, OverlayFrame):
             return
         by = size / self.text_size
         self._show_size(size)
-        self.restyle(partial(grown, by=by))
+        self.restyle(methodcaller("resized", by))
 
     # Look
 
+    def lie_at(self, places: CaretPlaces, corners: Sequence[Vector]) -> None:
+        """Have the words where they are in the plane, and in the frame with some corners that they fill."""
+        self.words.lie_at(places, corners)
+        self.place()
+
     def place(self) -> None:
+        if self.isHidden():
+            return
+        self.words.follow_view()
+        self._place_beside(self.words.area)
+
+    def _place_beside(self, area: QRect) -> None:
         if (layout := self.layout()) is not None:
             layout.activate()
         # Large type takes more.
         width = max(_WIDTH, self.minimumSizeHint().width())
-        height, below, area = self.heightForWidth(width), self.below.size(), self._area()
+        height, below = self.heightForWidth(width), self.below.size()
         height = height if height > 0 else self.sizeHint().height()
         y = area.bottom() + _GAP
         if y + height > below.height():

@@ -103,4 +103,4 @@ class LetterPainter:
 
 
 def _paints(typed: Typed) -> set[RunPaint | None]:
-    return {look.run.paint for line in typed for _, look in line}
+    return {look.run.paint for line in typed for words, look in line if words}

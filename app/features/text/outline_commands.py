@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
-from ...actions.sections import CURVE_NAME
+from ...actions.sections import TEXT_OUTLINES
 from ...actions.situation import Situation
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU
 from ...document.content import Lettering
@@ -30,8 +30,9 @@ class OutlineCommands:
     @action(
         "objectToPath",
         "Object to Path",
-        CURVE_NAME,
+        TEXT_OUTLINES,
         icon="type",
+        drawing_key="Ctrl+Shift+C",
         needs=Need("a text, or a shape such as a rectangle", _has_form),
         keywords="text outlines letters convert curves expand create",
     )

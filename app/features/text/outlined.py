@@ -47,7 +47,13 @@ def _letters(curve: Curve, text: Lettering, names: Names) -> list[Curve]:
     made = list[Curve]()
     for glyph, style in letters:
         shape = names.different(glyph.letters) if len(glyph.contours) > 1 else ""
-        look = Look(replace(style, fill_rule=FillRule.NONZERO), shape, groups, curve.visible)
+        look = Look(
+            replace(style, fill_rule=FillRule.NONZERO),
+            shape,
+            groups,
+            curve.visible,
+            group_looks=curve.group_looks,
+        )
         titles = numbered([shape or glyph.letters] * len(glyph.contours))
         paths = [
             ImportedPath(title, look, pieces, closed=True)

@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.curve_tree import group_around
+from ...document.group_look import with_names
 from ...document.model import Curve, Document
 from ...document.shape_edits import names_of
 from ...document.text import Text
@@ -145,7 +146,10 @@ def rewritten(document: Document, written: Written, text: Text, outlines: Outlin
     first = curves[places.start]
     names = Names({*names_of((*before, *behind)), *document.layers})
     groups = _groups(document, places, text, outlines, names)
-    made = Document(lettered(outlines, text, first.style, groups, names))
+    # A group of its own is another one by name, and is seen as much as it was.
+    looks = with_names(first.group_looks, dict(zip(first.groups, groups, strict=False)))
+    letters = lettered(outlines, text, first.style, groups, names)
+    made = Document(tuple(replace(each, group_looks=looks) for each in letters) if looks else letters)
     if written.by is not IDENTITY:
         for place, curve in enumerate(made.curves):
             made = transform_points(made, place, range(len(curve.points)), written.by)

@@ -5,18 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple, cast
 
-from msgspec.structs import replace
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent, QTextBlock, QTextCharFormat, QTextCursor, QTextFormat
-from PySide6.QtWidgets import QPlainTextEdit
+from PySide6.QtCore import Signal
+from PySide6.QtGui import (
+    QFont,
+    QInputMethodEvent,
+    QTextBlock,
+    QTextCharFormat,
+    QTextCursor,
+    QTextFormat,
+)
+from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from ...document.content import TextRun
-from ...qt.keys import ENTER
 from ...qt.overrides import Guarded
 from ...widgets.controls import named
 from .wording import BOLD, Letters, Look, Typed
 
-_MOST_LINES = 4
 _LOOK = QTextFormat.Property.UserProperty.value
 """Property of letters that tells their look: its place among those there are."""
 
@@ -31,7 +35,7 @@ class _Part(NamedTuple):
 
 
 class WordsEdit(Guarded, QPlainTextEdit):
-    """Lines to type into, as high as they are many; Shift+Enter or Ctrl+Enter begins another.
+    """Lines to type into, whose letters are seen elsewhere.
 
     What is typed between letters looks as the one before. Undo takes looks back, too.
 
@@ -39,40 +43,56 @@ class WordsEdit(Guarded, QPlainTextEdit):
     -------
     chosen_changed
         Other letters are chosen.
+
+    Attributes
+    ----------
+    preedit
+        What is composed at the caret and not yet taken: an accent that waits for its letter, a word in kana.
     """
 
     chosen_changed = Signal()
 
-    def __init__(self) -> None:
-        super().__init__()
-        named(self, "textWords", "Words", "Enter ends the text, Shift+Enter begins another line")
-        self.setPlaceholderText("Type; Enter ends the text")
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        named(self, "textWords", "Words", "Type; Escape ends the text")
         self.setTabChangesFocus(True)
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._looks = [Look(TextRun(""), 0)]
+        self.preedit, self._behind = "", 0
         self.selectionChanged.connect(self.chosen_changed)
-        self.fit_height()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() not in ENTER:
-            super().keyPressEvent(event)
-        elif event.modifiers() & (Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier):
-            self.insertPlainText("\n")
-        else:
-            # It belongs to the frame.
-            event.ignore()
+    # What is composed
 
-    def fit_height(self) -> None:
-        """Be as high as the lines are many, up to some."""
-        lines, policy = self.blockCount(), Qt.ScrollBarPolicy
-        # One with little room for a single line would show its bar there.
-        self.setVerticalScrollBarPolicy(
-            policy.ScrollBarAlwaysOff if lines <= _MOST_LINES else policy.ScrollBarAsNeeded
-        )
-        lines = min(lines, _MOST_LINES)
-        around = 2 * (self.frameWidth() + round(self.document().documentMargin()))
-        self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + around)
+    @property
+    def caret_place(self) -> int:
+        """The place of the caret among the letters, what is composed among them."""
+        return self.textCursor().position() + self._behind
+
+    def inputMethodEvent(self, event: QInputMethodEvent) -> None:
+        before, kinds = self.preedit, QInputMethodEvent.AttributeType
+        self.preedit = event.preeditString()
+        marks = [each.start for each in event.attributes() if each.type == kinds.Cursor]
+        self._behind = marks[0] if marks else _count(self.preedit)
+        super().inputMethodEvent(event)
+        if self.preedit != before:
+            self.textChanged.emit()
+
+    @property
+    def text(self) -> str:
+        """All letters, what is composed among them."""
+        return "\n".join("".join(words for words, _ in line) for line in self.typed)
+
+    def _composed(self, line: tuple[Letters, ...], column: int) -> tuple[Letters, ...]:
+        """Return a line with what is composed behind so many letters, looking as the one before."""
+        found, is_in = list[Letters](), False
+        for letters in line:
+            words, many = letters.words, _count(letters.words)
+            if not is_in and column <= many:
+                head, tail = _cut(words, column)
+                words, is_in = head + self.preedit + tail, True
+            column -= many
+            found.append(letters._replace(words=words))
+        return tuple(found)
 
     # Looks
 
@@ -98,10 +118,16 @@ class WordsEdit(Guarded, QPlainTextEdit):
     @property
     def typed(self) -> Typed:
         """The lines of letters."""
-        return tuple(
+        lines = [
             tuple(Letters(each.words, self._look_at(each.look)) for each in _parts_of(block))
+            or (Letters("", self._look_at(_look_in(block.charFormat()))),)
             for block in self._blocks()
-        )
+        ]
+        if self.preedit:
+            cursor = self.textCursor()
+            number = cursor.blockNumber()
+            lines[number] = self._composed(lines[number], cursor.positionInBlock())
+        return tuple(lines)
 
     @property
     def first(self) -> TextRun:
@@ -147,6 +173,8 @@ class WordsEdit(Guarded, QPlainTextEdit):
         if look.run.weight >= BOLD:
             made.setFontWeight(QFont.Weight.Bold)
         made.setFontItalic(look.run.italic)
+        made.setFontUnderline(look.run.underline)
+        made.setFontStrikeOut(look.run.strike)
         return made
 
     def _look_at(self, place: int) -> Look:
@@ -172,16 +200,26 @@ class WordsEdit(Guarded, QPlainTextEdit):
                     yield part._replace(start=start, end=end)
 
 
+def _count(words: str) -> int:
+    """Return how many letters there are as Qt counts, in words of 16 bits."""
+    return len(words.encode("utf-16-le", "surrogatepass")) // 2
+
+
+def _cut(words: str, at: int) -> tuple[str, str]:
+    """Return words before and behind so many letters."""
+    found = words.encode("utf-16-le", "surrogatepass")
+    head, tail = (each.decode("utf-16-le", "surrogatepass") for each in (found[: 2 * at], found[2 * at :]))
+    return head, tail
+
+
 def _parts_of(block: QTextBlock) -> Iterator[_Part]:
     for each in cast(Iterable[QTextBlock.iterator], block):
         fragment = each.fragment()
-        start, look = fragment.position(), fragment.charFormat().property(_LOOK)
-        # Letters that came with none, into an empty line, look as the first of all.
-        yield _Part(start, start + fragment.length(), fragment.text(), look if look is not None else 0)
+        start, look = fragment.position(), _look_in(fragment.charFormat())
+        yield _Part(start, start + fragment.length(), fragment.text(), look)
 
 
-def grown(run: TextRun, by: float) -> TextRun:
-    """Return a run of another size, with its ways and spaces."""
-    return replace(
-        run, size=run.size * by, right=run.right * by, down=run.down * by, spacing=run.spacing * by
-    )
+def _look_in(found: QTextCharFormat) -> int:
+    look = found.property(_LOOK)
+    # Letters that came with none, into an empty line, look as the first of all.
+    return look if isinstance(look, int) else 0

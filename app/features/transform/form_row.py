@@ -67,6 +67,7 @@ class FormRow(QWidget):
         for kind, row in self._rows.items():
             is_seen = bool(forms) and type(forms[0]) is kind
             row.setVisible(is_seen)
+            row.show_fields(forms if is_seen else ())
             for field, edit in row.edits if is_seen else ():
                 first, *others = (float(getattr(form, field.name)) for form in forms)
                 if any(other != first for other in others):
@@ -99,12 +100,20 @@ class _Row(QWidget):
     def __init__(self, kind: type[Form], make: Callable[[type[Form], FormField], NumberEdit]) -> None:
         super().__init__()
         self.edits = [(field, make(kind, field)) for field in kind.fields]
+        self._labels = list[Label]()
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(6)
         grid.addWidget(Label(kind.noun.title()), 0, 0)
         for at, (field, edit) in enumerate(self.edits):
             row, place = divmod(at, _BESIDE)
-            for column, part in enumerate((Label(field.label), edit), 1 + 2 * place):
+            self._labels.append(label := Label(field.label))
+            for column, part in enumerate((label, edit), 1 + 2 * place):
                 grid.addWidget(part, row, column)
                 grid.setColumnStretch(column, int(part is edit))
+
+    def show_fields(self, forms: Sequence[AnyForm]) -> None:
+        """Show the fields of the numbers that all of some forms have."""
+        for label, (field, edit) in zip(self._labels, self.edits, strict=True):
+            for part in (label, edit):
+                part.setVisible(all(form.has_number(field.name) for form in forms))

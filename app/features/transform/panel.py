@@ -203,6 +203,7 @@ class TransformPanel(FieldForm):
         self.angle_edit.entered.connect(self.turned_to.emit)
         self.turn_edit.entered.connect(self._keep_turn)
         # Enter turns also where the same angle is still there: five leaves are four times Enter.
+        self.turn_edit.is_pressed_again = self.skew_edit.is_pressed_again = True
         self.turn_edit.returnPressed.connect(self._turn)
         self.turn_button.clicked.connect(self._turn)
         self.skew_edit.entered.connect(self._keep_skew)

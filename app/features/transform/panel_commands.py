@@ -31,7 +31,7 @@ from .. import transform
 if TYPE_CHECKING:
     from .panel import Situated, TransformPanel
 
-_HEIGHT = 330
+_HEIGHT = 360
 
 _MOST_FORMS = 200
 """Forms whose numbers are shown together: to find more of them is felt."""

@@ -8,6 +8,7 @@ from functools import partial
 from msgspec.structs import replace
 
 from ...document.curve_edits import fresh_curve, reverse_curve, without_last_point
+from ...document.drawn_kinds import LINES
 from ...document.edits import EditError
 from ...document.layers import begun, layer_of
 from ...document.model import Curve, Document, Parametrization, Vector
@@ -220,6 +221,9 @@ class AddTool(Tool):
         host = context.host
         is_free = _makes_corners(context) and not context.pointer.alt and self._pen.has_bare_end(host)
         document = with_free_end(host.document, host.active_index) if is_free else host.document
+        if not context.view.source.points:
+            place, layer = host.active_index, layer_of(document, host.active_index)
+            document = begun(document, place, layer, lambda: _fresh(context)).document
         if document is host.document:
             return document, context.view
         return document, view_of(document.curves[host.active_index], context.view)
@@ -304,7 +308,7 @@ class AddTool(Tool):
 
 def _begins_anew(host: EditingHost) -> bool:
     """Whether no curve is edited that a press could go on with: the one that was is gone."""
-    return not host.selected.is_editing and bool(host.active_view.source.points)
+    return not host.selected.is_editing and bool(host.document.curves[host.active_index].points)
 
 
 def _insert(context: ToolContext, hit: Hit) -> None:
@@ -376,4 +380,5 @@ ADD = ToolRecord(
     icon="add",
     tip="Click to add points; drag to pull out their handles",
     in_menu=True,
+    draws=LINES,
 )

@@ -10,6 +10,7 @@ from time import thread_time
 from msgspec.structs import replace
 
 from ...document.curve_edits import fresh_curve, replace_curve
+from ...document.drawn_kinds import LINES
 from ...document.edits import EditError
 from ...document.layers import Begun, begun
 from ...document.model import Curve, Parametrization, Vector
@@ -129,7 +130,7 @@ def _take(host: EditingHost, model: Curve, press: Pointer, tolerance: float, mad
         host.refuse(str(reason))
         return
     now = begin.document.curves[begin.place]
-    curve = replace(made.curve, name=now.name, style=now.style, shape=now.shape, groups=now.groups)
+    curve = replace(made.curve, name=now.name, style=model.style, shape=now.shape, groups=now.groups)
     if host.change(
         "Draw with the pencil",
         lambda _: replace_curve(begin.document, begin.place, curve),
@@ -193,4 +194,5 @@ PENCIL = ToolRecord(
     icon="pencil",
     tip="Draw freehand: a curve of few points near the line",
     in_menu=True,
+    draws=LINES,
 )

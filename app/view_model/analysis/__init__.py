@@ -2,6 +2,7 @@
 
 - ``settings``: the overlays, plots and ghosts that are switched on; no part of the document.
 - ``overlay``, ``overlays``: the record of an overlay; one file for each or two.
+  ``overlay_settings``: the numbers that they are drawn with.
   ``picture``: the figures of those that are switched on, live or once things have settled.
 - ``figures``: lines, arrows, marks and areas of the plane, each in a style that has a meaning.
 - ``scene``: the curve with all that overlays share, such as samples of its derivatives.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..curve.curve_view import CurveView
 from ..geometry.plane import size_of
 from .figures import number
-from .settings import AnalysisSettings, ErrorSize
+from .overlay_settings import ErrorSize, SettingValues
 
 
 def usual_error(view: CurveView) -> float:
@@ -31,7 +31,7 @@ PARAMETER_ERROR = ErrorSize(
 )
 
 
-def errors_text(settings: AnalysisSettings) -> str:
+def errors_text(settings: SettingValues) -> str:
     """Return the errors as the legend has them: ε = 0.01, δ = 0.001."""
     delta = settings.value(PARAMETER_ERROR)
     text = f"ε = {number(settings.value(POINT_ERROR))}"

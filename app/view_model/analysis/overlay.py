@@ -15,7 +15,7 @@ import msgspec
 from ..look.line_styles import LineStyle
 from ..records import Records
 from .figures import Figure
-from .settings import AnalysisSettings, OverlaySetting
+from .overlay_settings import OverlaySetting, SettingValues
 
 if TYPE_CHECKING:
     from ..curve.curve_view import CurveView
@@ -80,7 +80,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     settings: tuple[OverlaySetting, ...] = ()
     follows_scrub: bool = False
     brings_scrub: bool = False
-    legend: Callable[[CurveView, AnalysisSettings], Sequence[Entry]] = lambda _view, _settings: ()
+    legend: Callable[[CurveView, SettingValues], Sequence[Entry]] = lambda _view, _settings: ()
     finds: Sequence[Entry] = ()
 
     @property

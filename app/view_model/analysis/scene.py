@@ -13,7 +13,7 @@ from ...tasks.progress import Report, silent
 from ..curve.curve_view import CurveView
 from ..geometry.plane import size_of
 from ..geometry.sampling import Samples, one_sided
-from .settings import AnalysisSettings, OverlaySetting
+from .overlay_settings import OverlaySetting, SettingValues
 
 _QUICK = 64
 """Points of the longest polynomial whose derivatives are found within a frame."""
@@ -39,7 +39,7 @@ class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
     """
 
     view: CurveView
-    settings: AnalysisSettings
+    settings: SettingValues
     scrub: float | None = None
     report: Report = silent
 

@@ -57,21 +57,28 @@ def align_curves(
         raise EditError("What is chosen has no points to align.")
     if reference is Reference.PAGE:
         bounds = _page_of(document)
-    elif reference in (Reference.FIRST, Reference.LAST):
-        place, other = (first, items[0]) if reference is Reference.FIRST else (last, items[-1])
-        bounds = next((item for item in items if place in item.group.curves), other).bounds
-    elif reference in (Reference.LARGEST, Reference.SMALLEST):
-        choose = max if reference is Reference.LARGEST else min
-        bounds = choose((item.bounds for item in items), key=lambda each: each.size[0] * each.size[1])
+    elif reference is Reference.DRAWING:
+        everything = _items(document, views, range(len(document.curves)), strokes)
+        bounds = _joined([item.bounds for item in everything])
     else:
-        is_drawing = reference is Reference.DRAWING
-        of = _items(document, views, range(len(document.curves)), strokes) if is_drawing else items
-        bounds = _joined([item.bounds for item in of])
+        bounds = _bounds_among(items, reference, first, last)
     target = _place(bounds, edge)
     free = changeable(document, chosen)
     for item in (item for item in items if item.group.curves <= free):
         document = _moved(document, item, edge.axis, target - _place(item.bounds, edge))
     return document
+
+
+def _bounds_among(items: Sequence[_Item], reference: Reference, first: int, last: int) -> Bounds:
+    """Return the bounds of the item that others are aligned to, or those of all."""
+    if reference in (Reference.FIRST, Reference.LAST):
+        place, other = (first, items[0]) if reference is Reference.FIRST else (last, items[-1])
+        return next((item for item in items if place in item.group.curves), other).bounds
+    all_bounds = [item.bounds for item in items]
+    if reference in (Reference.LARGEST, Reference.SMALLEST):
+        choose = max if reference is Reference.LARGEST else min
+        return choose(all_bounds, key=lambda each: each.size[0] * each.size[1])
+    return _joined(all_bounds)
 
 
 def distribute_curves(

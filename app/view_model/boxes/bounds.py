@@ -233,9 +233,11 @@ def _farthest_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
 def _reaches(views: Sequence[CurveView], strokes: Strokes, reach: Callable[[Style], float]) -> FloatArray:
     """Return how far the strokes of curves reach; many share a style."""
     styles = [view.source.line_style for view in views]
-    found = {id(style): style for style in styles}
+    # Found by identity, with no call of Python's own for each.
+    keys = [*map(id, styles)]
+    found = dict(zip(keys, styles, strict=True))
     reaches = {key: reach(strokes.printed(style)) for key, style in found.items()}
-    return np.array([reaches[id(style)] for style in styles])
+    return np.array([*map(reaches.__getitem__, keys)])
 
 
 def _stroke_box(view: CurveView, strokes: Strokes, *, as_drawn: bool) -> FloatArray:

@@ -39,7 +39,7 @@ def box_found(view: CurveView) -> FloatArray:
     return found
 
 
-def _is_along(carry: Carry) -> bool:
+def _is_along(carry: Carry[CurveView]) -> bool:
     (a, b), (c, d) = carry.matrix.tolist()
     return bool(max(abs(b), abs(c)) <= _ALONG * min(abs(a), abs(d)))
 
@@ -55,7 +55,7 @@ def _compute(views: Iterable[CurveView]) -> None:
         view.__dict__["bounds"] = np.array([box.minimum, box.maximum])
 
 
-def _carry_along(carried: Sequence[tuple[CurveView, Carry]]) -> None:
+def _carry_along(carried: Sequence[tuple[CurveView, Carry[CurveView]]]) -> None:
     """Keep the boxes of views that were carried here, by those of their roots."""
     scale = np.array([carry.matrix.diagonal() for _, carry in carried])[:, None]
     shift = np.array([carry.shift for _, carry in carried])[:, None]

@@ -8,6 +8,7 @@
   ``point_moves``: points that move together while all else rests, as under a drag.
 - ``carried_views``: many curves that were moved, turned or mapped whole.  ``carry``: the map of one.
 - ``jets``, ``handles``: derivatives set and estimated; the Bézier control points by which they are dragged.
+  ``handle_arms``: these as values.
 - ``cardinals``: cardinal functions, estimates included.
 - ``refusals``: the reasons for having no curve, in the program's words.
 - ``nearest``: the point nearest to a place.  ``measure``: the distance of two curves.

@@ -16,7 +16,9 @@ import numpy as np
 from curvecore import ParametricCurve
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
-from ...document.model import Curve
+from ...document.derivatives import DERIVATIVES, EstimateRule
+from ...document.model import Curve, Vector
+from ...document.steps import changed_besides_points
 from ...families import Family
 from .carry import Carry
 from .curve_view import LINE, CurveView, view_of
@@ -33,55 +35,73 @@ distances that parameters are made of. What is rounded is 1e-16 of where a curve
 _FINEST = 1e-3
 """Largest tolerance of a polyline, as a share of the diagonal of the box of the points."""
 
-_SAME = np.eye(2)
+_SAME, _NO_WAY = np.eye(2), np.zeros(2)
+
+_ROUNDED = 1e-6
+"""Share of a common way by which that of a curve may differ: what was rounded on the way."""
 
 _besides_points = attrgetter(*(name for name in LINE if name != "points"))
+_functions = attrgetter("family", "family.curve_class", *(each.rule_field for each in DERIVATIVES))
 
 
-def views_after(curves: Sequence[Curve], before: Sequence[CurveView | None]) -> list[CurveView]:
-    """Return the views of curves, which the views before them lend what did not change; see `view_of`."""
+def views_after(
+    curves: Sequence[Curve], before: Sequence[CurveView | None], *, are_moved: bool = False
+) -> list[CurveView]:
+    """Return the views of curves, which the views before them lend what did not change; see `view_of`.
+
+    `are_moved` where it is known that nothing but places of points is another.
+    """
     pairs = [
         (place, curve, old)
         for place, (curve, old) in enumerate(zip(curves, before, strict=True))
-        if old is not None and _may_be_carried(curve, old)
+        if old is not None
+        and (are_moved or _has_other_points_alone(curve, old))
+        and _may_be_carried(curve, old)
     ]
     found: dict[int, CurveView] = {}
     if len(pairs) >= _FEWEST:
         places, changed, olds = zip(*pairs, strict=True)
-        found = {places[row]: view for row, view in _carried(changed, olds)}
+        found = {places[row]: view for row, view in _carried(changed, olds, are_moved=are_moved)}
     return [
         found.get(place) or view_of(curve, old)
         for place, (curve, old) in enumerate(zip(curves, before, strict=True))
     ]
 
 
+def _has_other_points_alone(curve: Curve, old: CurveView) -> bool:
+    """Whether only points are others, as many as before."""
+    return len(curve.points) == len(old.points) and all(
+        map(is_, _besides_points(curve), _besides_points(old.source))
+    )
+
+
 def _may_be_carried(curve: Curve, old: CurveView) -> bool:
-    """Whether only points are others, as many as before, and a map of them is one of the curve."""
+    """Whether a map of the points is one of the curve, whose line is known."""
     return (
-        len(curve.points) == len(old.points) > 1
-        and all(map(is_, _besides_points(curve), _besides_points(old.source)))
+        len(curve.points) > 1
         and old.whole_line is not None
-        and _is_affine(curve)
+        and _is_affine(*_functions(curve))
         and old.is_current
     )
 
 
-def _is_affine(curve: Curve) -> bool:
-    """Whether an affine map of the points is one of the curve, at the same parameters, but for roundings."""
-    return _multiplies_no_errors(curve.family, curve.family.curve_class) and all(
-        rule.is_linear for rule in curve.rules
-    )
-
-
 @cache
-def _multiplies_no_errors(family: Family, curve_class: type[ParametricCurve]) -> bool:
-    """Whether functions are small and add up to 1: those of a file need not, one polynomial's are large."""
-    return family.is_built_in and (curve_class.is_local or not curve_class.interpolates)
+def _is_affine(family: Family, curve_class: type[ParametricCurve], *rules: EstimateRule) -> bool:
+    """Whether an affine map of the points is one of the curve, at the same parameters, but for roundings.
+
+    Functions are to be small and add up to 1: those of a file need not, and one polynomial's are large.
+    """
+    is_small = family.is_built_in and (curve_class.is_local or not curve_class.interpolates)
+    return is_small and all(rule.is_linear for rule in rules[: family.derivatives])
 
 
-def _carried(curves: Sequence[Curve], olds: Sequence[CurveView]) -> Iterator[tuple[int, CurveView]]:
+def _carried(
+    curves: Sequence[Curve], olds: Sequence[CurveView], *, are_moved: bool
+) -> Iterator[tuple[int, CurveView]]:
     """Yield views of those curves that were mapped, each with its place among these."""
-    arrays = arrays_of_all([curve.points for curve in curves], [old.arrays for old in olds])
+    arrays = arrays_of_all(
+        [curve.points for curve in curves], [old.arrays for old in olds], are_moved=are_moved
+    )
     roots = [old.carry.root if old.carry else old for old in olds]
     moves = _Moves(curves, olds, roots, arrays)
     moved = moves.found()
@@ -113,6 +133,27 @@ def _carried(curves: Sequence[Curve], olds: Sequence[CurveView]) -> Iterator[tup
         whole = Polyline(polyline.parameters, at, deviation)
         view.take_over(whole, tolerance * by, boxes[place], extents[place])
         yield row, view
+
+
+def common_way(before: Sequence[CurveView], after: Sequence[CurveView]) -> Vector | None:
+    """Return the one way that as many curves as before have gone; None where anything else is another."""
+    came, went = ([view.carry for view in views] for views in (before, after))
+    matrices, shifts = list[tuple[FloatArray, FloatArray]](), list[tuple[FloatArray, FloatArray]]()
+    for view, old, new in zip(before, came, went, strict=True):
+        if new is None or new.root is not (old.root if old else view):
+            return None
+        matrices.append((old.matrix if old else _SAME, new.matrix))
+        shifts.append((old.shift if old else _NO_WAY, new.shift))
+    starts, ends = np.array(shifts).swapaxes(0, 1)
+    ways, linear = ends - starts, np.array(matrices)
+    if not np.array_equal(linear[:, 0], linear[:, 1]):
+        return None
+    if np.ptp(ways, axis=0).max() > _ROUNDED * np.abs(ways).max():
+        return None
+    if changed_besides_points([view.source for view in before], [view.source for view in after]):
+        return None
+    x, y = ways[0].tolist()
+    return x, y
 
 
 class _Spans:
@@ -180,8 +221,11 @@ class _Moves:
     @property
     def stretch(self) -> FloatArray:
         """By how much each makes ways longer at most, (k,)."""
-        found: FloatArray = np.linalg.norm(self.linear, 2, axis=(1, 2))
-        return found
+        linear = self.linear
+        # Of most there is one, and each takes a while.
+        own = linear[:1] if (linear == linear[0]).all() else linear
+        found: FloatArray = np.linalg.norm(own, 2, axis=(1, 2))
+        return np.broadcast_to(found, len(linear))
 
     def found(self) -> BoolArray:
         """Find the maps; return of which curves they are."""

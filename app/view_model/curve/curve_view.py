@@ -18,6 +18,7 @@ from ...families.family import OverdueCallError
 from ..geometry.markers import Ends, ends_of_pieces
 from ..geometry.plane import at_knots, size_of
 from .cardinals import Cardinal, Cardinals
+from .carry import Carry
 from .core_curve import Core, checked_parameters, core_curve
 from .flattener import Box, Flattener, FlatteningKey, Polyline
 from .made_curve import MadeCurve
@@ -37,7 +38,10 @@ __all__ = [
 
 TOO_FEW = "A curve needs at least two points."
 
-_LOOKS = ("stroke_bounds",)
+_MOST_TOLERANCES = 2e4
+"""Size of a curve in tolerances up to which the whole of it is flattened to be carried along."""
+
+_LOOKS = ("stroke_bounds", "analysed")
 """What is kept with a view, and is another when the curve looks otherwise."""
 
 LINE = tuple(
@@ -45,7 +49,7 @@ LINE = tuple(
     for name in Curve.__struct_fields__
     if name
     not in (
-        *("name", "style", "shape", "groups", "visible", "locked", "other_settings", "text"),
+        *("name", "style", "shape", "groups", "group_looks", "visible", "locked", "other_settings", "text"),
         *("identity", "clone"),
     )
 )
@@ -95,6 +99,16 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
     def _cardinal(self) -> Cardinal:
         assert self.basis_curve is not None
         return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays)
+
+    @cached_property
+    def analysed(self) -> CurveView:
+        """What there is to analyse: this; of a text or picture nothing, for its frame is nobody's curve."""
+        form = self.source.form
+        if form is None or not form.is_content:
+            return self
+        arrays = arrays_of((), None)
+        empty = msgspec.structs.replace(self.source, points=())
+        return CurveView(empty, arrays.positions, arrays, Core(None, f"A {form.noun} has no curve."))
 
     @property
     def linearised(self) -> str:
@@ -158,7 +172,7 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
             self._flattened.clear()
             moved = None if self.motion is None else self.motion.polyline(key)
             if self.carry is not None:
-                moved = self.carry.polyline(tolerance)
+                moved = _carried(self.carry, tolerance)
             self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
         return self._flattened[key]
 
@@ -185,6 +199,15 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
             return None
         x, y = self.sides[ahead][index, order]
         return (float(x), float(y))
+
+
+def _carried(carry: Carry[CurveView], tolerance: float) -> Polyline | None:
+    """Return a carried curve as a polyline; None where it is better flattened as far as it is seen."""
+    own = tolerance / carry.stretch if carry.stretch > 0.0 else 0.0
+    low, high = carry.root.drawn_box
+    if not float((high - low).max()) <= _MOST_TOLERANCES * own:
+        return None
+    return carry.mapped(carry.root.flattened(own))
 
 
 def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:

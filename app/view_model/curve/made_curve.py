@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Self
 
 import msgspec
 import numpy as np
@@ -44,7 +45,7 @@ class MadeCurve(msgspec.Struct, frozen=True, eq=False, dict=True):
     arrays: PointArrays
     _made: Core | None = None
     motion: Motion | None = None
-    carry: Carry | None = None
+    carry: Carry[Self] | None = None
 
     @cached_property
     def _core(self) -> Core:

@@ -72,10 +72,20 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
     return PointArrays(points, *(_with_rows(*columns, places) for columns in zip(old, fresh, strict=True)))
 
 
-def arrays_of_all(points: Sequence[tuple[Point, ...]], previous: Sequence[PointArrays]) -> list[PointArrays]:
-    """Return the arrays of points of many curves, each of as many as before, made all at once."""
-    kept = [have_only_moved(old.points, new) for new, old in zip(points, previous, strict=True)]
-    places = _positions([*chain.from_iterable(points)])
+def arrays_of_all(
+    points: Sequence[tuple[Point, ...]], previous: Sequence[PointArrays], *, are_moved: bool = False
+) -> list[PointArrays]:
+    """Return the arrays of points of many curves, each of as many as before, made all at once.
+
+    `are_moved` where all but their places is known to be the same.
+    """
+    all_points = [*chain.from_iterable(points)]
+    if are_moved or have_only_moved(chain.from_iterable(old.points for old in previous), all_points):
+        # As under nearly every drag.
+        kept = [True] * len(points)
+    else:
+        kept = [have_only_moved(old.points, new) for new, old in zip(points, previous, strict=True)]
+    places = _positions(all_points)
     places.setflags(write=False)
     positions = _parts(places, points)
     others = [each for each, is_kept in zip(points, kept, strict=True) if not is_kept]

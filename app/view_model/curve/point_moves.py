@@ -7,7 +7,6 @@ polyline and its derivatives. The core's curve is made of the points as they are
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
@@ -20,11 +19,9 @@ from ...document.model import Curve, Vector
 from ...document.steps import differ_in_points
 from ..geometry.plane import at_knots
 from .flattener import FlatteningKey, Polyline
+from .handle_arms import Handles, PointSides
 from .jets import Sides, moved_with_points
 from .point_arrays import PointArrays, rows_changed
-
-if TYPE_CHECKING:
-    from .handles import Handles, PointSides
 
 _LARGEST = 1e150
 """Size of data up to which no sum or product of two overflows."""

@@ -154,12 +154,33 @@ def fitted(
         If there is no such curve.
     """
     data = np.asarray(points, dtype=np.float64)
+    if model.family.is_missing:
+        raise EditError(model.family.problem)
+    is_closed = model.closed and model.family.curve_class.can_close
+    found = _fit(model, data, count, tolerance, times, report, is_closed=is_closed)
+    rule = model.parametrization
+    span = (rule.start, rule.end) if times is None else found.curve.domain
+    own = _points(found.curve, span, is_closed=is_closed)
+    parametrization = Parametrization(ParametrizationKind.MANUAL, rule.alpha, *span)
+    curve = replace(model, points=own, parametrization=parametrization, closed=is_closed)
+    x, y = data[found.worst].tolist()
+    return Fitted(curve, found.curve, found.deviation, found.root_mean_square, (x, y), found.is_scattered)
+
+
+def _fit(
+    model: Curve,
+    data: FloatArray,
+    count: int | None,
+    tolerance: float | None,
+    times: FloatArray | None,
+    report: Report,
+    *,
+    is_closed: bool,
+) -> curvecore.Fit:
+    """Return the core's fit; raise `EditError` with its reason where there is none."""
     family = model.family
-    if family.is_missing:
-        raise EditError(family.problem)
-    is_closed = model.closed and family.curve_class.can_close
     try:
-        found = curvecore.fit(
+        return curvecore.fit(
             data,
             family.curve_class,
             count,
@@ -172,13 +193,6 @@ def fitted(
     except CurveError as problem:
         text = str(problem)
         raise EditError(f"{text[:1].upper()}{text[1:]}.") from None
-    rule = model.parametrization
-    span = (rule.start, rule.end) if times is None else found.curve.domain
-    own = _points(found.curve, span, is_closed=is_closed)
-    parametrization = Parametrization(ParametrizationKind.MANUAL, rule.alpha, *span)
-    curve = replace(model, points=own, parametrization=parametrization, closed=is_closed)
-    x, y = data[found.worst].tolist()
-    return Fitted(curve, found.curve, found.deviation, found.root_mean_square, (x, y), found.is_scattered)
 
 
 def _points(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Point, ...]:

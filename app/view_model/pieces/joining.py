@@ -68,11 +68,7 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
     for pair in pairwise((*views, views[0])):
         _refuse_to_join(*pair)
     waits = [_wait_between(*pair) for pair in pairwise((*views, *views[: int(is_closed)]))]
-    steps = (
-        float(before.parameters[-1]) + wait - float(after.parameters[0])
-        for (before, after), wait in zip(pairwise(views), waits, strict=False)
-    )
-    shifts = list(accumulate(steps, initial=0.0))
+    shifts = _shifts(views, waits)
     parts = [baked(view) for view in views]
     points, seams = _one_after_the_other(parts, shifts, waits)
     last = points[-1].t or 0.0
@@ -90,6 +86,15 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
     residual = _residual_of(views, view_of(curve), shifts)
     _refuse_another_shape(views, residual)
     return Joined(curve, residual, seams=frozenset(seams))
+
+
+def _shifts(views: Sequence[CurveView], waits: Sequence[float]) -> list[float]:
+    """Return by how much the parameters of each curve are shifted to come after those of the one before."""
+    steps = (
+        float(before.parameters[-1]) + wait - float(after.parameters[0])
+        for (before, after), wait in zip(pairwise(views), waits, strict=False)
+    )
+    return list(accumulate(steps, initial=0.0))
 
 
 def _wait_between(first: CurveView, second: CurveView) -> float:

@@ -2,6 +2,7 @@
 
 - ``regions``: boolean operations on shapes.  ``stroke_shapes``: larger and smaller ones, strokes as shapes.
 - ``cubics``, ``cubic_joints``: curves as cubic pieces, and back.
+- ``courses``: how curves run, for texts along them.
 - ``clipping``: shapes cut by the outline of the one in front of them, and made whole again.
 - ``formed``: what curves are still of the rectangle, the ellipse that they were drawn as.
 """

@@ -80,10 +80,19 @@ class Joints:
         self.moved = 0.0
         self.smooth = [False] * count
         self.steps = lengths.copy()
-        after = np.roll(leaving, -1, axis=0)
         self._letters = np.array([*(letters[1:] + letters[:1])[:count]] if letters else [""] * count)
-        apart = self._apart(arriving, after)
-        candidates = (apart <= tolerance) & (self._letters != CORNER)
+        after = np.roll(leaving, -1, axis=0)
+        self._smoothen(arriving, after, lengths, closed)
+        self.tied = self._tied(arriving, after, tolerance / SMOOTH)
+        if not closed:
+            self.tied[-1] = False
+        alike = are_alike(np.hypot(*arriving.T), np.hypot(*after.T))
+        self.even = list(self.tied & alike & (self._letters == EVEN))
+
+    def _smoothen(self, arriving: FloatArray, after: FloatArray, lengths: FloatArray, closed: bool) -> None:
+        """Make the joints smooth that can be, one after the other, by the lengths in t of their pieces."""
+        count, apart = len(lengths), self._apart(arriving, after)
+        candidates = (apart <= self._tolerance) & (self._letters != CORNER)
         if not closed:
             candidates[-1] = False
         # A closed path is followed from one of its corners, so that no corner is made where it begins.
@@ -100,11 +109,6 @@ class Joints:
             self.moved = max(self.moved, float(apart[here]))
             if not last:
                 self.steps[following] = step
-        self.tied = self._tied(arriving, after, tolerance / SMOOTH)
-        if not closed:
-            self.tied[-1] = False
-        alike = are_alike(np.hypot(*arriving.T), np.hypot(*after.T))
-        self.even = list(self.tied & alike & (self._letters == EVEN))
 
     def _tied(self, arriving: FloatArray, leaving: FloatArray, size: float) -> list[bool]:
         """Return which joints have handles on one line, of different lengths or beside a straight piece."""

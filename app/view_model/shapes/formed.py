@@ -100,7 +100,8 @@ def settled(form: AnyForm, linear: FloatArray, place: FloatArray, largest: float
 
 def _cleaned(form: AnyForm, largest: float) -> AnyForm:
     """Return a form whose lengths are without the digits that are rounding."""
-    lengths = {each.name: getattr(form, each.name) for each in form.fields if each.is_length}
+    names = [each.name for each in form.fields if each.is_length and each.name in form.__struct_fields__]
+    lengths = {name: getattr(form, name) for name in names}
     return msgspec.structs.replace(
         form, **{name: _clean(length, largest) or length for name, length in lengths.items()}
     )

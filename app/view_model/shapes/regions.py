@@ -9,6 +9,7 @@ its style. Pieces that are not cut keep their handles.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from itertools import chain, islice
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
@@ -53,6 +54,8 @@ class PathOperation(msgspec.Struct, frozen=True, kw_only=True):
         What people call it.
     key
         The keys of that, comma separated.
+    drawing_key
+        The same in drawings, where it differs.
     icon
         A file of resources/icons, without suffix.
     tip
@@ -68,6 +71,7 @@ class PathOperation(msgspec.Struct, frozen=True, kw_only=True):
     name: str
     title: str
     key: str
+    drawing_key: str | None = None
     icon: str
     tip: str
     keywords: str = ""
@@ -75,12 +79,13 @@ class PathOperation(msgspec.Struct, frozen=True, kw_only=True):
     combine: Combine
 
 
-# Keys are Inkscape's where they are free, and those of Figma: Ctrl++ and Ctrl+- zoom.
+# Keys are Inkscape's where they are free, and those of Figma. In a sketch Ctrl++ and Ctrl+- zoom.
 PATH_OPERATIONS = (
     PathOperation(
         name="pathUnion",
         title="Union",
         key="Alt+Shift+U",
+        drawing_key="Ctrl++, Ctrl+=, Alt+Shift+U",
         icon="path-union",
         tip="Make one outline around all chosen shapes; of a single one without its own crossings",
         keywords="boolean add unite merge weld remove overlap path",
@@ -91,6 +96,7 @@ PATH_OPERATIONS = (
         name="pathDifference",
         title="Difference",
         key="Alt+Shift+S",
+        drawing_key="Ctrl+-, Alt+Shift+S",
         icon="path-difference",
         tip="Take the shapes in front away from the hindmost one",
         keywords="boolean subtract minus front punch cut out path",
@@ -185,17 +191,7 @@ def combined_by(
         raise EditError(f"Choose two shapes or more for {operation.title.lower()}.")
     parts = [chosen_shapes(document, node.places) for node in chosen]
     regions, deviation = regions_of(document, views, list(chain.from_iterable(parts)))
-    united, told = part(report, 0.1, 0.3), part(report, 0.3, 0.9)
-
-    def combine() -> Sequence[Region]:
-        rest = iter(regions)
-        each = [
-            _united(list(islice(rest, len(own))), part(united, k / len(parts), (k + 1) / len(parts)))
-            for k, own in enumerate(parts)
-        ]
-        return operation.combine(each, lambda share: told(share, operation.title))
-
-    found = computed(combine)
+    found = computed(partial(_combined, operation, regions, list(map(len, parts)), report))
     left = [region for region in found if region.contours]
     if not left:
         what = names_of([f"“{node.name}”" for node in chosen])
@@ -209,6 +205,18 @@ def combined_by(
     new = [curve for region in left for curve in curves_of(region, model, names.next(), speck)]
     made = {places: new if places.start == first else [] for own in parts for places in own}
     return Combined(*replaced(document, made), len(left), deviation)
+
+
+def _combined(
+    operation: PathOperation, regions: Sequence[Region], counts: Sequence[int], report: Report
+) -> Sequence[Region]:
+    """Return operands combined, each of so many of the regions."""
+    united, told, rest = part(report, 0.1, 0.3), part(report, 0.3, 0.9), iter(regions)
+    each = [
+        _united(list(islice(rest, count)), part(united, k / len(counts), (k + 1) / len(counts)))
+        for k, count in enumerate(counts)
+    ]
+    return operation.combine(each, lambda share: told(share, operation.title))
 
 
 def computed(compute: Callable[[], Computed]) -> Computed:
@@ -330,6 +338,7 @@ def curves_of(region: Region, model: Curve, name: str, speck: float) -> list[Cur
             style=model.style,
             shape=name if several else "",
             groups=model.groups,
+            group_looks=model.group_looks,
             visible=model.visible,
         )
         for number, contour in enumerate(region.contours, start=1)

@@ -104,26 +104,30 @@ def strokes_as_shapes(
     for number, places in enumerate(chosen):
         told = part(report, number / len(chosen), (number + 1) / len(chosen))
         own, name = document.curves[places.start : places.stop], name_of_shape(document, places)
-        style = own[0].style
-        refuse_contents(own)
-        if not style.has_stroke:
-            raise EditError(f"“{name}” has no line.")
-        width = usual if style.width is None else style.width
-        if not width:
-            raise EditError(f"The line of “{name}” has no width.")
+        width = _width_of_line(own, name, usual)
         outlines, deviation = outlines_of([views[place] for place in places])
         tolerance = min(_tolerance([views[place] for place in places]), width / 100.0)
         found = computed(partial(_stroked, own, outlines, width, tolerance, _heard(told, "Stroke")))
-        names, filled = Names(name, taken), list[Curve]()
+        names, filled, style = Names(name, taken), list[Curve](), own[0].style
         if style.has_fill:
             filled = [replace(curve, style=replace(style, stroke=NO_PAINT)) for curve in own]
             names.next()
-        made[places] = [
-            *filled,
-            *curves_of(found, replace(own[0], style=_as_fill(style)), names.next(), tolerance),
-        ]
+        lines = curves_of(found, replace(own[0], style=_as_fill(style)), names.next(), tolerance)
+        made[places] = [*filled, *lines]
         off = max(off, deviation + tolerance)
     return Combined(*replaced(document, made), len(chosen), off)
+
+
+def _width_of_line(curves: Sequence[Curve], name: str, usual: float) -> float:
+    """Return the width of the line of a shape; raise `EditError` where nothing of it is seen."""
+    refuse_contents(curves)
+    style = curves[0].style
+    if not style.has_stroke:
+        raise EditError(f"“{name}” has no line.")
+    width = usual if style.width is None else style.width
+    if not width:
+        raise EditError(f"The line of “{name}” has no width.")
+    return width
 
 
 def _corners(style: Style) -> LineJoin:
@@ -140,6 +144,7 @@ def _as_fill(style: Style) -> Style:
         fill_opacity=style.stroke_opacity,
         opacity=style.opacity,
         clips=style.clips,
+        blur=style.blur,
     )
 
 

@@ -16,7 +16,7 @@ from msgspec.structs import astuple, replace
 from curvecore import cubic_path
 from curvecore.arrays import FloatArray
 
-from ....document.content import Content, Lettering, Picture, rough_box
+from ....document.content import Content, Lettering, Picture, rough_box_of
 from ....document.contents import plane_of, shortened
 from ....document.empty_layer import EmptyLayer
 from ....document.marker import MarkerKind
@@ -28,11 +28,12 @@ from ...drawing.outlines import Outline
 from ...errors import ExchangeError
 from ...node_types import guessed
 from ..content_elements import uncut
-from ..groups import Drawn, Group, Settled, is_seen, settled, with_line
+from ..groups import Drawn, Settled, is_seen, settled, with_line
 from ..guides import guides_of
 from ..reader import SvgReader
-from ..state import State
+from ..state import Group, State
 from ..xml_tree import parsed
+from .letter_sizes import in_one_size, same_on_path
 from .source import Node, Source, SourceError
 
 _ROUNDING = 1e-9
@@ -73,11 +74,16 @@ class Wanted:
         return self.outlines[0].groups
 
     @property
+    def opacities(self) -> tuple[float, ...]:
+        """Those of the groups around it that are seen through."""
+        return tuple(each.opacity for each in self.outlines[0].group_looks)
+
+    @property
     def style(self) -> Style:
         """Its style; of a text and of a picture what is drawn of it."""
         style = self.outlines[0].style
         if isinstance(self.content, Picture):
-            return Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips)
+            return Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips, blur=style.blur)
         if self.content is not None:
             none = MarkerKind.NONE
             return replace(style, fill_rule=FillRule.NONZERO, start_marker=none, end_marker=none)
@@ -134,6 +140,8 @@ class Found:
         The groups around that, the outermost first.
     name, groups
         As the document calls it, and the groups around it.
+    opacities
+        Those of the groups around it that are seen through.
     """
 
     drawn: tuple[Drawn, ...]
@@ -141,6 +149,7 @@ class Found:
     around: tuple[Node, ...]
     name: str
     groups: tuple[str, ...]
+    opacities: tuple[float, ...] = ()
 
     @property
     def content(self) -> Content | None:
@@ -168,15 +177,21 @@ class Found:
         """Whether it is locked."""
         return self.drawn[0].path.look.locked
 
+    def is_clear_as(self, other: Wanted) -> bool:
+        """Whether the groups around it are seen as much as those around a shape of the document."""
+        return _are_near(self.opacities, other.opacities)
+
     @property
     def is_used(self) -> bool:
         """Whether a `use` shows it."""
         return self.drawn[0].state.anchor is not None
 
     @property
-    def clones(self) -> int:
-        """How many `use` elements show it, each by way of the next."""
-        return len(self.drawn[0].state.inside)
+    def depth(self) -> int:
+        """How many others it hangs on, each by way of the next: shown by a `use`, or along a path."""
+        content = self.content
+        is_along = isinstance(content, Lettering) and content.along is not None
+        return len(self.drawn[0].state.inside) + is_along
 
     @property
     def closed(self) -> list[bool]:
@@ -219,8 +234,8 @@ class Reading:
         Those of them that come in.
     groups
         The names of the groups around those, by their elements.
-    states
-        The states around these groups.
+    states, opacities
+        The states around these groups, and how much is seen of them.
     layers, empty_layers
         The elements that are layers, and those of them in which there is no shape.
     nodes, root
@@ -254,6 +269,7 @@ class Reading:
                 tuple(of_element[each.anchor.element] for each in around if each.anchor is not None),
                 (look.shape if look else "") or first.path.name,
                 look.groups if look else (),
+                tuple(each.opacity for each in look.group_looks) if look else (),
             )
 
         self.shapes = [found(list(each)) for _, each in groupby(drawn, attrgetter("element"))]
@@ -264,6 +280,7 @@ class Reading:
     ) -> None:
         """Take note of the groups that a document has of the file."""
         self.states: dict[Node, State] = {}
+        self.opacities: dict[Node, float] = {}
         self.groups: dict[Node, str] = {}
         self.layers: set[Node] = set()
         self.empty_layers: dict[Node, EmptyLayer] = {}
@@ -271,6 +288,7 @@ class Reading:
         for group in groups:
             if group.anchor is not None and group in told.names:
                 node = of_element[group.anchor.element]
+                self.opacities[node] = group.opacity
                 self.states[node], self.groups[node] = group.anchor.around, told.names[group]
                 if told.names[group] in empty:
                     self.empty_layers[node] = empty[told.names[group]]
@@ -288,18 +306,26 @@ def by_node(reading: Reading) -> dict[Node, list[Found]]:
 
 def _roughly_framed(frame: Outline, text: Lettering) -> Outline:
     """Return a text in the frame that a reader without fonts gives it; the letters stay where they are."""
-    plane, box = plane_of(text, frame.corners), rough_box(text.lines)
+    plane, box = plane_of(text, frame.corners), rough_box_of(text)
     left, top, right, bottom = box
     places = np.array([(left, top), (right, top), (right, bottom), (left, bottom), (left, top)])
     sides = lines(places @ (plane.across, plane.down) + (plane.x, plane.y))
     return replace(frame, control_points=sides, content=replace(text, box=box))
 
 
-def same_content(found: Found, wanted: Wanted) -> bool:
-    """Whether a shape of the file is the frame of the same as one of the document, or neither is any."""
+def same_content(found: Found, wanted: Wanted, *, with_course: bool = True) -> bool:
+    """Whether a shape of the file is the frame of the same as one of the document, or neither is any.
+
+    Of texts along paths these may count or not.
+    """
     one, other = found.content, wanted.content
     if isinstance(one, Lettering) and isinstance(other, Lettering):
-        return _are_near(one.lines, other.lines)
+        if one.along is not None or other.along is not None:
+            is_along = same_on_path(one, other, with_course=with_course)
+            return is_along and _are_near(in_one_size(one), in_one_size(other))
+        # Words that wrap do so in their frame.
+        boxes = (one.box, other.box) if one.flow is not None else ((), ())
+        return _are_near((one.lines, one.flow, boxes[0]), (other.lines, other.flow, boxes[1]))
     if isinstance(one, Picture) and isinstance(other, Picture):
         return one.link == other.link if one.link or other.link else one.data == other.data
     return one is other

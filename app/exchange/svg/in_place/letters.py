@@ -7,15 +7,21 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from ....document.content import Lettering, TextLine
-from ..content_elements import lines_of
+from ....document.content import Lettering, TextLine, TextRun
+from ..content_elements import common_lines, decoration, lines_of
 from ..escapes import escaped
+from ..flowed import place_of
+from ..line_roles import line_height, place_and_height
 from ..properties import Properties
 from ..texts import font_of
 from .found import Found, Wanted, same_content
+from .letter_sizes import in_size_of
+from .looks import declare, declares
+from .on_paths import set_start
+from .rooms import flow_anew
 from .source import Node, Source, unescaped
 
-_SPANS = ("text", "tspan", "a")
+_SPANS = ("text", "textPath", "tspan", "a")
 _TOLD = ("title", "desc", "metadata")
 _PLACED = ("dx", "dy", "rotate", "textLength", "lengthAdjust")
 """Attributes that place the letters of a text one by one."""
@@ -66,11 +72,17 @@ def reword_texts(
 def _reword(source: Source, node: Node, found: Found, wanted: Wanted, *, as_written: bool) -> bool:
     before, after = found.content, wanted.content
     is_text = isinstance(before, Lettering) and isinstance(after, Lettering) and node.tag == "text"
-    if not is_text or found.is_used or same_content(found, wanted):
+    if not is_text or found.is_used or same_content(found, wanted, with_course=False):
         return False
     assert isinstance(before, Lettering)
     assert isinstance(after, Lettering)
-    if not (as_written and _say(node, before.lines, after.lines)):
+    if before.along is not None or after.along is not None:
+        can_be_said = as_written and before.along is not None and after.along is not None
+        is_said = can_be_said and _say(node, before.lines, in_size_of(after, before))
+        return is_said and set_start(node, before, after)
+    is_wrapped = before.flow is not None or after.flow is not None
+    if is_wrapped or not (as_written and _say(node, before.lines, after.lines)):
+        flow_anew(source, node, before, after)
         _say_anew(source, node, found.drawn[0].state.properties, after)
     return True
 
@@ -128,15 +140,37 @@ def _between(raw: str, was: str, now: str) -> str:
 def _say_anew(source: Source, node: Node, around: Properties, text: Lettering) -> None:
     """Put other lines into a text, in spans of their own; what it says of itself stays."""
     first = text.lines[0]
+    if text.flow is not None and text.flow.grows:
+        places = [(name, float(place)) for name, place in place_of(text).items()]
+    else:
+        places = [("x", first.x), ("y", first.y)]
     for name in _PLACED:
         node.drop(name)
-    for name, place in (("x", first.x), ("y", first.y)):
+    for name, place in places:
         if node.get(name) is not None:
             node.set(name, f"{place:.10g}")
     node.set("xml:space", "preserve")
     told = [each for each in node.elements if each.tag in _TOLD]
-    new = source.adopted(lines_of(text, font_of(around)))
+    # Where a program of its own knows no lines, they are told by their places alone.
+    knows_lines = any(name.endswith(":role") for each in node.walk() for name in each.names)
+    height = line_height(text) if knows_lines else None
+    if height is not None and len(text.lines) > 1:
+        for name, value in place_and_height(text, height)[1].items():
+            declare(node, name, value)
+    new = source.adopted(lines_of(text, _decorate(node, font_of(around), text), height))
     node.children = [*told, *new]
     for each in new:
         each.parent = node
     node.fill()
+
+
+def _decorate(node: Node, around: TextRun, text: Lettering) -> TextRun:
+    """Take the lines from an element that not all letters of a text have; return its font without these."""
+    common = replace(around, **common_lines(text))
+    own = replace(
+        around, underline=around.underline and common.underline, strike=around.strike and common.strike
+    )
+    for name in ("text-decoration", "text-decoration-line"):
+        if own != around and declares(node, name):
+            declare(node, name, decoration(own))
+    return own

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,13 +15,17 @@ from ....document.gradient import Gradient, GradientKind
 from ....document.model import Vector
 from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, Style
 from ....document.value import Value
+from ....view_model.geometry.extents import extent_of
+from ....view_model.geometry.stroked import farthest_reach
 from ...drawing.styles import INK, PictureStyle
 from ...naming import Names
 from ..clip_elements import ClipElements
+from ..filter_elements import FilterElements
 from ..gradient_elements import GradientElements
 from ..marker_elements import MarkerElements
-from ..matrices import moved
+from ..matrices import mean_scale, moved
 from ..numbers import number
+from ..state import State
 from .source import Node
 
 _ROUNDING = 1e-6
@@ -36,6 +40,7 @@ class Part(NamedTuple):
 
 
 _CLIP = Part(("clips",), ("clip-path",), "")
+_BLUR = Part(("blur",), ("filter",), "")
 _START = Part(("start_marker",), ("marker-start",), "")
 _END = Part(("end_marker",), ("marker-end",), "")
 
@@ -50,6 +55,7 @@ _PARTS = (
     _START,
     _END,
     _CLIP,
+    _BLUR,
 )
 
 
@@ -58,17 +64,18 @@ class Definitions:
 
     Attributes
     ----------
-    gradients, clips, markers
+    gradients, clips, markers, filters
         Those that were asked for so far.
     """
 
     def __init__(self, ids: Names) -> None:
         self.gradients, self.clips = GradientElements(INK, ids), ClipElements(ids)
-        self.markers = MarkerElements(ids)
+        self.markers, self.filters = MarkerElements(ids), FilterElements(ids)
 
     def taken(self) -> str:
         """Return as elements those that were asked for since it was asked last."""
-        return "\n".join([*self.gradients.taken(), *self.clips.taken(), *self.markers.taken()])
+        kinds = (self.gradients, self.clips, self.markers, self.filters)
+        return "\n".join(line for each in kinds for line in each.taken())
 
 
 class Looks:
@@ -93,7 +100,7 @@ class Looks:
             if style.join is not LineJoin.MITER:
                 style = replace(style, miter_limit=4.0)
         else:
-            of_fill = ("fill", "fill_rule", "fill_opacity", "opacity", "fill_gradient", "clips")
+            of_fill = ("fill", "fill_rule", "fill_opacity", "opacity", "fill_gradient", "clips", "blur")
             style = Style(stroke=NO_PAINT, **{name: getattr(style, name) for name in of_fill})
         if style.has_fill:
             style = replace(style, fill=self._picture.fill_of(style))
@@ -130,6 +137,7 @@ class Looks:
             if part.paint in new
             or (with_gradients and not other.gradients.keys().isdisjoint(part.fields))
             or (with_gradients and part is _CLIP and bool(other.clips))
+            or (with_gradients and part is _BLUR and bool(other.blur))
             or not all(self._is_same(getattr(one, name), getattr(other, name)) for name in part.fields)
         )
 
@@ -148,8 +156,9 @@ class Looks:
         parts: tuple[Part, ...],
         inverse: FloatArray,
         scale: float,
-        around: float,
+        around: State,
         made: Definitions,
+        pieces: Sequence[FloatArray],
     ) -> Mapping[str, str]:
         """Return the properties of a style.
 
@@ -164,11 +173,16 @@ class Looks:
         scale
             By how much the stroke of the element is enlarged.
         around
-            The opacity of all around it.
+            What is around it: the opacity of that and its blur are its own already.
         made
-            Where its gradients and clips are put.
+            Where its gradients, clips and blurs are put.
+        pieces
+            Those of its shape in the plane of the file, each (k, 4, 2).
         """
         style, there = self.shown(style), _upside_down(inverse)
+        opacity = around.properties.opacity
+        corners = extent_of(np.concatenate([moved(each, inverse) for each in pieces]))
+        blur = math.sqrt(max(style.blur**2 - around.blur**2, 0.0)) * mean_scale(inverse)
         paints = {"fill": style.fill, "stroke": style.stroke}
         for name, field in GRADIENTS.items():
             if (gradient := getattr(style, field)) is not None:
@@ -187,7 +201,10 @@ class Looks:
             "stroke": paints["stroke"],
             **_stroke_properties(style, scale),
             **markers,
-            "opacity": number(style.opacity / around if around else style.opacity),
+            "opacity": number(style.opacity / opacity if opacity else style.opacity),
+            "filter": made.filters.reference(blur, corners, farthest_reach(style) / scale)
+            if _BLUR in parts
+            else "none",
             "clip-path": made.clips.reference(tuple(each.mapped(there) for each in style.clips)),
         }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect
 from collections import defaultdict
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -61,14 +62,7 @@ def matched(
     its course, and one that runs otherwise by its name: the likelier of both comes first. A text or a picture
     is known by what it shows, and a text that says something else by its font.
     """
-
-    def course(shape: _Shape) -> Hashable:
-        grain = _COARSE * reach
-        return tuple(
-            (len(each), *np.round(each[[0, len(each) // 2, -1], 0] / grain).ravel().tolist())
-            for each in shape.pieces
-        )
-
+    course = partial(_course, _COARSE * reach)
     of_course: tuple[_Key, ...] = (lambda shape: (shape.groups, course(shape)), course)
     of_name: tuple[_Key, ...] = (lambda shape: (shape.name, shape.groups), lambda shape: shape.name)
     keys: tuple[_Key, ...] = (
@@ -93,6 +87,14 @@ def matched(
         if not left:
             break
     return pairs
+
+
+def _course(grain: float, shape: _Shape) -> Hashable:
+    """Return how a shape runs: the number of its pieces and some of their points, in steps of a grain."""
+    return tuple(
+        (len(each), *np.round(each[[0, len(each) // 2, -1], 0] / grain).ravel().tolist())
+        for each in shape.pieces
+    )
 
 
 def _shown(shape: _Shape) -> Hashable:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from ...naming import Names
+from ..numbers import number
 from ..tree import stem
 from .courses import NEW_COURSE
 from .looks import declare, declares
@@ -35,6 +36,8 @@ class GroupWanted:
         Whether the file says something else.
     hides, locks
         Whether it is to be hidden, or locked, as a whole; None where it stays as it is.
+    opacity
+        The opacity that its element is to declare; None where it stays as it is.
     """
 
     name: str
@@ -44,6 +47,7 @@ class GroupWanted:
     layer_changed: bool = False
     hides: bool | None = None
     locks: bool | None = None
+    opacity: float | None = None
 
 
 @dataclass(frozen=True)
@@ -132,6 +136,10 @@ class Placing:
             show(node, not wanted.hides)
         if wanted.locks is not None:
             lock(source, node, wanted.locks)
+        if wanted.opacity is not None:
+            # It may have been a rule that said it.
+            has_rules = wanted.number is not None and not declares(node, "opacity")
+            declare(node, "opacity", number(wanted.opacity), has_rules=has_rules)
         return node
 
     def _shape(self, entry: Entry) -> Node:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter, defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from ....document.group_look import opacity_of
+from ..paint import share_of
 from .found import Found, Reading, Wanted
 from .looks import value_of
 from .placing import Entry, GroupWanted
@@ -179,9 +182,18 @@ class Planner:
 
     def _group(self, name: str, places: Iterable[int], node: Node | None) -> GroupWanted:
         is_layer = name in self._layers
-        if node is None:
-            return GroupWanted(name, is_layer=is_layer)
         shapes = [self._wanted[each] for each in places]
+        opacity = opacity_of(shapes[0].outlines[0].group_looks, name)
+        if node is None:
+            return GroupWanted(name, is_layer=is_layer, opacity=opacity if opacity < 1 else None)
+        was = self._base.opacities[node]
+        if math.isclose(opacity, was, rel_tol=1e-6):
+            new_opacity = None
+        else:
+            # What is around it, and none of the document's groups, may let something through, too.
+            new_opacity = (
+                min(opacity * share_of(value_of(node, "opacity") or "1") / was, 1.0) if was else opacity
+            )
         before = [shape for shape in self._base.seen if node in shape.around]
         hidden = value_of(node, "display") == "none"
         locked = any(name.endswith(":insensitive") and node.get(name) == "true" for name in node.names)
@@ -197,6 +209,7 @@ class Planner:
             is_layer != (node in self._base.layers),
             hides,
             locks,
+            new_opacity,
         )
 
 

@@ -49,6 +49,7 @@ from .letters import reword_texts
 from .looks import Definitions, Looks, declare_style
 from .lost_clones import lost_clones
 from .matching import origins
+from .on_paths import carriers
 from .placing import Placing, definitions, lock, show
 from .plan import Plan, Planner
 from .sheets import set_guides, set_page
@@ -209,6 +210,7 @@ class _Round:
         self._job, self._source, self._plan = job, source, plan
         self._all = list(source.root.walk())
         self._placing = Placing(source, plan.entries, plan.groups, plan.removed, plan.dissolved)
+        self._entries = list(zip(plan.entries, self._placing.nodes, strict=True))
         set_page(source, job.base.sheet, job.document.page, job.document.unit)
         placed = Reading(source)
         if self._move_groups(placed):
@@ -231,8 +233,9 @@ class _Round:
 
     def _adapt_all(self, reading: Reading, ways: dict[int, Way]) -> None:
         """Make all elements show what they should; a clone once that which it shows does."""
-        entries, shapes = list(zip(self._plan.entries, self._placing.nodes, strict=True)), by_node(reading)
-        depths = {node: found[0].clones for node, found in shapes.items()}
+        entries, shapes = self._entries, by_node(reading)
+        self._carriers = carriers(entries, self._job.wanted, shapes)
+        depths = {node: found[0].depth for node, found in shapes.items()}
         for depth in sorted({depths.get(node, 0) for _, node in entries}):
             if depth:
                 # Where a clone is now, and how it looks, its original says.
@@ -249,11 +252,7 @@ class _Round:
 
     def _reword_texts(self, reading: Reading, ways: dict[int, Way]) -> bool:
         """Make texts say what they should where they are; return whether some said something else."""
-        known = {
-            node: entry
-            for entry, node in zip(self._plan.entries, self._placing.nodes, strict=True)
-            if entry.number is not None
-        }
+        known = {node: entry for entry, node in self._entries if entry.number is not None}
         wanted = {node: [self._job.wanted[each] for each in entry.shapes] for node, entry in known.items()}
         anew = {node for node, entry in known.items() if ways.get(entry.number or 0) is Way.REDRAWN}
         return reword_texts(self._source, by_node(reading), wanted, anew)
@@ -261,7 +260,7 @@ class _Round:
     def _move_groups(self, reading: Reading) -> bool:
         """Move groups of which everything moved alike, with what else is in them; return whether some did."""
         shapes, done = by_node(reading), set[str]()
-        entries = list(zip(self._plan.entries, self._placing.nodes, strict=True))
+        entries = self._entries
         for name, group in self._plan.groups.items():
             inside = [(entry, node) for entry, node in entries if name in entry.groups]
             if group.number is None or group.is_layer or done & set(inside[0][0].groups):
@@ -285,7 +284,7 @@ class _Round:
         if not all(same_content(*pair) for pair in zip(found, wanted, strict=True)):
             if not is_unwritten(node):
                 return False
-            matrix = write_content(self._source, node, found[0], wanted[0])
+            matrix = write_content(self._source, node, found[0], wanted[0], self._carriers)
             return self._show_as(node, found[0], wanted[0], by, way, is_alone=True, matrix=matrix)
         if all(runs_as(*pair, self._job.room) for pair in zip(found, wanted, strict=True)):
             if is_own and node.tag == "path" and found[0].letters != wanted[0].letters:
@@ -348,11 +347,11 @@ class _Round:
             return False
         if parts:
             inverse = inverse_of(combined(by, matrix))
-            around = drawn.anchor.around.properties
+            around = drawn.anchor.around
             values = self._job.looks.properties(
-                wanted.style, parts, inverse, scale * stretch, around.opacity, self._definitions
+                wanted.style, parts, inverse, scale * stretch, around, self._definitions, wanted.pieces
             )
-            declare_style(node, parts, values, around.values, has_rules=self._job.has_rules)
+            declare_style(node, parts, values, around.properties.values, has_rules=self._job.has_rules)
         if found.visible != wanted.visible:
             show(node, wanted.visible)
         if found.locked != wanted.locked:
@@ -366,7 +365,7 @@ class _Round:
         shapes, nodes = by_node(reading), self._placing.nodes
         wrong: list[int | None] = [
             entry.key
-            for entry, node in zip(self._plan.entries, nodes, strict=True)
+            for entry, node in self._entries
             if not self._is_right(
                 node, shapes.get(node, []), [self._job.wanted[each] for each in entry.shapes]
             )
@@ -378,7 +377,7 @@ class _Round:
         if list(dict.fromkeys(order)) != nodes:
             return [None]
         groups, owners = self._placing.groups, self._placing.owners
-        for entry, node in zip(self._plan.entries, nodes, strict=True):
+        for entry, node in self._entries:
             around = [each for each in shapes[node][0].around if each in owners]
             if around != [groups[name] for name in entry.groups]:
                 return [None]
@@ -392,6 +391,7 @@ class _Round:
             and same_content(shape, other)
             and not job.looks.differing_of(node, shape.style, other.style)
             and (shape.visible, shape.locked) == (other.visible, other.locked)
+            and shape.is_clear_as(other)
             for shape, other in zip(found, wanted, strict=True)
         )
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ..escapes import quoted
+from ..line_roles import ROLE
 from ..names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 
 _LINK = "xlink:href"
@@ -250,7 +251,7 @@ class Source:
         return Node(self.root.name.removesuffix(self.root.tag) + tag)
 
     def adopted(self, text: str) -> list[Node]:
-        """Return elements of SVG that were written without a prefix, and with the usual one of XLink."""
+        """Return elements of SVG that were written without a prefix, their attributes with the usual ones."""
         around = Node("", is_empty=False)
         _fill(around, text)
         prefix = self.root.name.removesuffix(self.root.tag)
@@ -261,6 +262,9 @@ class Source:
                 if (link := node.get(_LINK)) is not None:
                     node.drop(_LINK)
                     node.set(self.xlink("href"), link)
+                if (role := node.get(ROLE)) is not None:
+                    node.drop(ROLE)
+                    node.set(self.sodipodi("role"), role)
         return around.elements
 
     @property

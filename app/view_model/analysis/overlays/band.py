@@ -24,8 +24,8 @@ from ...look.line_styles import LineStyle, Sign
 from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Entry, Group, Overlay
+from ..overlay_settings import SettingValues
 from ..scene import Scene
-from ..settings import AnalysisSettings
 
 AREA = LineStyle("accent", 0.16, sign=Sign.AREA)
 
@@ -162,7 +162,7 @@ def _largest(t: FloatArray, radii: FloatArray) -> tuple[float, float]:
     return best, best_t
 
 
-def _legend(view: CurveView, settings: AnalysisSettings) -> list[Entry]:
+def _legend(view: CurveView, settings: SettingValues) -> list[Entry]:
     # Errors of the parameters are added up as first changes; of the points nothing is left out, unless a
     # rule is not linear in them.
     is_first_order = settings.value(PARAMETER_ERROR) or view.linearised

@@ -16,8 +16,8 @@ from ...geometry.sampling import Samples
 from ...look.line_styles import LineStyle
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
+from ..overlay_settings import Factor
 from ..scene import Scene
-from ..settings import Factor
 
 TEETH = LineStyle("accent", 0.35)
 EDGE = LineStyle("accent", 0.9)

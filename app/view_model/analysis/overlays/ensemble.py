@@ -15,8 +15,8 @@ from ...look.line_styles import LineStyle
 from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
+from ..overlay_settings import Count, OverlaySetting
 from ..scene import Scene
-from ..settings import Count, OverlaySetting
 
 LINES = LineStyle("muted", 0.3)
 

@@ -8,8 +8,8 @@ from ...geometry.plane import to_the_left, unit_tangents
 from ...look.line_styles import LineStyle
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
+from ..overlay_settings import Count
 from ..scene import Scene
-from ..settings import Count
 
 TICK = LineStyle("accent", width=1.4)
 

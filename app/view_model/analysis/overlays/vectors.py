@@ -12,8 +12,8 @@ from ...geometry.plane import usual_length
 from ...look.line_styles import GREEN, VERMILLION, LineStyle
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Group, Overlay
+from ..overlay_settings import Factor
 from ..scene import Scene
-from ..settings import Factor
 
 VELOCITY = LineStyle(GREEN, width=1.6)
 ACCELERATION = LineStyle(VERMILLION, width=1.6)

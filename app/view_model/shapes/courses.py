@@ -1,0 +1,35 @@
+"""How curves run, as cubic pieces: what a text can lie along."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from curvecore import CurveError, cubic_path
+
+from ...document.form import Piece
+from ...document.model import Curve, Document
+from ...document.shapes import shape_of
+from ..curve.curve_view import view_of
+from .cubics import RELATIVE_TOLERANCE
+
+
+def course_at(document: Document, place: int) -> tuple[Piece, ...]:
+    """Return the pieces of the shape that a curve is a part of, in the plane; none where it has none."""
+    return tuple(piece for at in shape_of(document, place) for piece in _course(document.curves[at]))
+
+
+@lru_cache(maxsize=64)
+def _course(curve: Curve) -> tuple[Piece, ...]:
+    core = view_of(curve).curve
+    if core is None:
+        return ()
+    size = float(np.ptp(core.points, axis=0).max())
+    try:
+        path = cubic_path(core, RELATIVE_TOLERANCE * size) if size else None
+    except CurveError:
+        path = None
+    if path is None:
+        return ()
+    return tuple(tuple((x, y) for x, y in piece) for piece in path.control_points.tolist())  # type: ignore[misc]

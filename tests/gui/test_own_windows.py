@@ -1,0 +1,153 @@
+"""New and Open: in this window where nothing was done yet, else in a window of their own."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QDialog, QFileDialog
+
+from app.cli.lifecycle import Lifecycle
+from app.document.paper import DocumentKind
+from app.session import Session
+from app.storage.files import load
+from app.testing import Editor
+from app.workbench.document_files import DocumentFiles
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+WHOLE = '<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm"><path id="a" d="M0 0L4 0"/></svg>'
+
+
+@pytest.fixture
+def windows(new_editor, qapp, monkeypatch):
+    """Return what lists the windows that are kept beside the first; nobody is asked about changes."""
+    monkeypatch.setattr(DocumentFiles, "_ask_about_changes", lambda _: pytest.fail("asked about changes"))
+    lifecycle = Lifecycle(qapp, [new_editor.window])
+    lifecycle.start()
+    yield lambda: [each for each in lifecycle._autosaves if each is not new_editor.window]
+    for window in list(lifecycle._autosaves):
+        window.asks_before_closing = False
+        if window is not new_editor.window:
+            window.close()
+    lifecycle.stop()
+
+
+def change(editor):
+    editor.drag_point(1, to=(0.5, 0.2))
+    assert editor.session.files.is_modified
+
+
+def open_by_dialog(editor, path, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    # Keys are for the window in front.
+    editor.window.activateWindow()
+    editor.settle()
+    editor.key(Qt.Key.Key_O, CTRL)
+    editor.wait_for_work()
+
+
+def test_new_replaces_what_nobody_touched_and_leaves_all_else_in_its_window(new_editor, windows):
+    editor = new_editor
+    editor.window.resize(700, 600)
+    editor.key(Qt.Key.Key_N, CTRL)
+    assert windows() == []
+    assert editor.session.active_curve.points == ()
+    editor.add_point(0.2, 0.2)
+    before = editor.session.document
+    for name, is_drawing in (("newDocument", False), ("newDrawing", True), ("newSketch", False)):
+        editor.trigger(name)
+        other = windows()[-1]
+        assert other.isVisible()
+        assert other.pos() != editor.window.pos()
+        assert other.size() == editor.window.size()
+        assert (other.session.document.page is not None) is is_drawing
+        assert other.session.active_curve.points == ()
+        assert other.actions_by_name["addTool"].isChecked()
+    assert len(windows()) == 3
+    assert editor.session.document is before
+    assert editor.session.files.is_modified
+
+
+def test_a_further_window_does_not_stick_out_of_the_screen_beside_a_large_one(new_editor, windows):
+    """Its right and lower edges were out of sight beside one that filled the screen."""
+    window, screen = new_editor.window, new_editor.window.screen().availableGeometry()
+    margins = window.frameGeometry().size() - window.size()
+    window.resize(screen.size() - margins)
+    new_editor.settle()
+    new_editor.add_point(0.2, 0.2)
+    new_editor.trigger("newSketch")
+    (other,) = windows()
+    frame = other.frameGeometry()
+    assert screen.contains(frame)
+    assert frame.bottomRight() == screen.bottomRight()
+    assert other.pos().toTuple() > window.pos().toTuple()
+
+
+def test_open_leaves_the_document_that_somebody_works_in(new_editor, windows, tmp_path, monkeypatch):
+    editor = new_editor
+    own, second = tmp_path / "own.curve.json", tmp_path / "second.curve.json"
+    for path in (own, second):
+        Session().save(path)
+    open_by_dialog(editor, own, monkeypatch)
+    # The first sketch gives way, as before.
+    assert windows() == []
+    assert editor.session.files.path == own
+    change(editor)
+    open_by_dialog(editor, second, monkeypatch)
+    (other,) = windows()
+    assert other.session.files.path == second
+    assert other.windowTitle().startswith("second.curve.json")
+    assert other.preferences.recent_files[0] == second
+    assert (editor.session.files.path, editor.session.files.is_modified) == (own, True)
+    # What is open already is not opened twice.
+    open_by_dialog(editor, second, monkeypatch)
+    assert windows() == [other]
+    # What cannot be opened is told here, with no window for it.
+    second.with_name("bad.curve.json").write_text("{", encoding="utf-8")
+    open_by_dialog(editor, second.with_name("bad.curve.json"), monkeypatch)
+    assert editor.message.startswith("bad.curve.json was not opened")
+    assert windows() == [other]
+    # Each saves to its own file.
+    Editor.on(other).trigger("saveDocument")
+    assert load(second) == other.session.document
+
+
+@pytest.mark.usefixtures("drawings_read_here")
+def test_a_drawing_of_another_program_gets_its_own_window(new_editor, windows, tmp_path, monkeypatch):
+    editor, path = new_editor, tmp_path / "badge.svg"
+    path.write_text(WHOLE, encoding="utf-8")
+    change(editor)
+    before = editor.session.document
+    open_by_dialog(editor, path, monkeypatch)
+    (other,) = windows()
+    assert (other.session.files.foreign.path, other.session.document.curves[0].name) == (path, "a")
+    assert Editor.on(other).status == "Opened badge.svg: 1 curve, 2 points, exact."
+    assert not other.session.files.is_modified
+    # One with something to be told is asked about here; left alone it opens no window.
+    path = tmp_path / "lossy.svg"
+    path.write_text(WHOLE.replace("</svg>", "<foreignObject/></svg>"), encoding="utf-8")
+    for answer, count in (("cancelImport", 1), ("importDrawing", 2)):
+        open_by_dialog(editor, path, monkeypatch)
+        dialog = editor.window.findChildren(QDialog, "importDrawingDialog")[-1]
+        button = dialog.foot.ok if answer == "importDrawing" else dialog.foot._cancel
+        button.click()
+        editor.settle()
+        assert len(windows()) == count
+    assert windows()[-1].session.files.foreign.path == path
+    assert editor.session.document is before
+
+
+def test_the_editor_begins_with_a_drawing_where_that_is_chosen(new_editor, qtbot):
+    editor = new_editor
+    editor.trigger("preferences")
+    box = editor.window.findChild(QComboBox, "beginsWithBox")
+    assert box.currentText() == "A sketch"
+    QTest.keyClick(box, Qt.Key.Key_Down)
+    try:
+        assert editor.window.preferences.begins_with is DocumentKind.DRAWING
+        second = Editor(qtbot)
+        page = second.session.document.page
+        assert (page.width, page.height, second.session.document.unit) == (210, 297, "mm")
+        assert second.session.files.is_untouched
+    finally:
+        editor.window.preferences.begins_with = DocumentKind.SKETCH
