@@ -22,6 +22,7 @@ import pytest
 from fingerprint import Fingerprint, differences, forget, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QTabWidget, QWidget
+from shiboken6 import isValid
 
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.features.motion.commands import MotionCommands
@@ -269,9 +270,11 @@ class KeptEditor:
     def drop(self) -> None:
         if self._editor is not None:
             window, self._editor = self._editor.window, None
-            window.asks_before_closing = False
-            window.close()
-            window.deleteLater()
+            # One that a test has closed may be gone.
+            if isValid(window):
+                window.asks_before_closing = False
+                window.close()
+                window.deleteLater()
             forget()
 
 
