@@ -1,8 +1,4 @@
-"""Documents of many curves: opened beside the window, which shows how far that is, and painted in steps.
-
-Calls are counted in new windows: in one that is used again some of them would be those of panels that an
-earlier test has opened. The bounds are an eighth above what it takes.
-"""
+"""Documents of many curves: opened beside the window, which shows how far that is, and painted in steps."""
 
 from __future__ import annotations
 
@@ -43,85 +39,83 @@ def large(tmp_path_factory):
     return path
 
 
-def test_a_large_document_is_opened_beside_the_window(new_editor, large):
+def test_a_large_document_is_opened_beside_the_window(editor, large):
     """The window's thread made each view and flattened it: frozen for 3.9 s with 5,000 curves."""
     told = []
-    before = new_editor.session.document
-    new_editor.window.context.work.jobs.progressed.connect(lambda share, word: told.append((share, word)))
-    new_editor.window.open_file(large)
-    assert new_editor.window.context.work.jobs.is_busy
-    assert new_editor.session.document is before
-    assert new_editor.action("cancelWork").isEnabled()
-    new_editor.trigger("cancelWork")
-    assert not new_editor.window.context.work.jobs.is_busy
-    assert new_editor.session.document is before
-    assert "Opening many.curve.json was stopped; nothing has changed." in new_editor.status
+    before = editor.session.document
+    editor.window.context.work.jobs.progressed.connect(lambda share, word: told.append((share, word)))
+    editor.window.open_file(large)
+    assert editor.window.context.work.jobs.is_busy
+    assert editor.session.document is before
+    assert editor.action("cancelWork").isEnabled()
+    editor.trigger("cancelWork")
+    assert not editor.window.context.work.jobs.is_busy
+    assert editor.session.document is before
+    assert "Opening many.curve.json was stopped; nothing has changed." in editor.status
 
     told.clear()
 
     def opened() -> None:
-        new_editor.window.open_file(large)
-        new_editor.wait_for_work()
+        editor.window.open_file(large)
+        editor.wait_for_work()
 
     # Of this thread alone; 1,450 for each curve when all was done in it.
     calls = calls_of(opened)
-    assert new_editor.session.files.path == large
-    assert len(new_editor.session.document.curves) == COUNT
-    assert calls < 505 * COUNT
+    assert editor.session.files.path == large
+    assert len(editor.session.document.curves) == COUNT
+    assert calls < 480 * COUNT
     assert [share for share, _ in told] == sorted(share for share, _ in told)
     assert {word for _, word in told} <= {"Reading", "Computing curves"}
 
 
-def test_many_curves_are_imported_beside_the_window(new_editor, large):
+def test_many_curves_are_imported_beside_the_window(editor, large):
     """It stood still for 11 s, with 1,900 paths on a busy machine, from the click on Import on."""
 
     def asked() -> ImportDrawingDialog:
-        new_editor.window.commands[ImportCommands].import_files([large])
-        new_editor.wait_for_work()
-        (dialog,) = filter(QDialog.isVisible, new_editor.window.findChildren(ImportDrawingDialog))
+        editor.window.commands[ImportCommands].import_files([large])
+        editor.wait_for_work()
+        (dialog,) = filter(QDialog.isVisible, editor.window.findChildren(ImportDrawingDialog))
         return dialog
 
-    # Curves would replace a sketch that is as new.
-    new_editor.drag_point(0, to=(0.5, 0.5))
-    before, jobs = new_editor.session.document, new_editor.window.context.work.jobs
+    before, jobs = editor.session.document, editor.window.context.work.jobs
     asked().ok.click()
     assert jobs.is_busy
-    assert new_editor.action("cancelWork").isEnabled()
-    new_editor.trigger("cancelWork")
-    assert new_editor.session.document is before
+    assert editor.action("cancelWork").isEnabled()
+    editor.trigger("cancelWork")
+    assert editor.session.document is before
     dialog = asked()
 
     def imported() -> None:
         dialog.ok.click()
-        new_editor.wait_for_work()
+        editor.wait_for_work()
 
     # 1,760 for each curve when their views were made in this thread, 1,060 when all were measured.
     calls = calls_of(imported)
-    assert len(new_editor.session.document.curves) == COUNT + 1
-    assert calls < 840 * COUNT
+    assert len(editor.session.document.curves) == COUNT + 1
+    assert calls < 900 * COUNT
     dialog = asked()
     dialog.ok.click()
-    new_editor.drag_point(0, to=(1.0, 1.0))
-    new_editor.wait_for_work()
-    assert len(new_editor.session.document.curves) == 2 * COUNT + 1, "with what was changed meanwhile"
-    assert new_editor.session.undo_stack.count() == 4
+    editor.drag_point(0, to=(1.0, 1.0))
+    editor.wait_for_work()
+    assert len(editor.session.document.curves) == 2 * COUNT + 1, "with what was changed meanwhile"
+    assert editor.session.undo_stack.count() == 3
 
 
-def test_a_window_that_is_as_new_takes_the_curves_that_were_worked_out_beside_it(new_editor, large):
+def test_a_window_that_is_as_new_takes_the_curves_that_were_worked_out_beside_it(editor, large):
     """It worked them all out a second time, frozen for 4 s with 2,000 paths."""
-    new_editor.session.new()
-    new_editor.window.commands[ImportCommands].import_files([large])
-    new_editor.wait_for_work()
-    (dialog,) = filter(QDialog.isVisible, new_editor.window.findChildren(ImportDrawingDialog))
+    editor.session.new()
+    editor.window.commands[ImportCommands].import_files([large])
+    editor.wait_for_work()
+    (dialog,) = filter(QDialog.isVisible, editor.window.findChildren(ImportDrawingDialog))
 
     def imported() -> None:
         dialog.ok.click()
-        new_editor.wait_for_work()
+        editor.wait_for_work()
 
     calls = calls_of(imported)
-    assert len(new_editor.session.document.curves) == COUNT
+    assert len(editor.session.document.curves) == COUNT
     # 1,790 for each curve before.
-    assert calls < 840 * COUNT
+    assert calls < 930 * COUNT
 
 
 def test_a_large_document_named_at_the_start_is_read_beside_its_window(large, tmp_path, qtbot):
@@ -187,61 +181,63 @@ def test_many_curves_are_painted_in_steps(editor, large, qtbot):
     assert min(around) < 200
 
 
-def test_what_was_done_to_many_curves_is_undone_and_hidden_without_computing_them_anew(new_editor, large):
+def test_what_was_done_to_many_curves_is_undone_and_hidden_without_computing_them_anew(editor, large):
     """Undo made all views anew, the list asked every row for those above it, Combine each for all others."""
-    new_editor.window.open_file(large)
-    new_editor.wait_for_work()
-    new_editor.show_dock("curvesDock")
-    new_editor.session.selected.choose(range(COUNT))
-    new_editor.settle()
-    views = new_editor.session.views
-    moved = calls_of(lambda: new_editor.key(Qt.Key.Key_Right))
-    assert all(new is not old for new, old in zip(new_editor.session.views, views, strict=True))
-    undone = calls_of(lambda: new_editor.trigger("undo"))
-    assert all(new is old for new, old in zip(new_editor.session.views, views, strict=True))
-    hidden = calls_of(lambda: new_editor.trigger("curveVisible"))
-    assert not any(curve.visible for curve in new_editor.session.document.curves)
-    assert all(new.polyline is old.polyline for new, old in zip(new_editor.session.views, views, strict=True))
-    combined = calls_of(lambda: new_editor.trigger("combineCurves"))
+    editor.window.open_file(large)
+    editor.wait_for_work()
+    editor.show_dock("curvesDock")
+    editor.session.selected.choose(range(COUNT))
+    editor.settle()
+    views = editor.session.views
+    moved = calls_of(lambda: editor.key(Qt.Key.Key_Right))
+    assert all(new is not old for new, old in zip(editor.session.views, views, strict=True))
+    undone = calls_of(lambda: editor.trigger("undo"))
+    assert all(new is old for new, old in zip(editor.session.views, views, strict=True))
+    hidden = calls_of(lambda: editor.trigger("curveVisible"))
+    assert not any(curve.visible for curve in editor.session.document.curves)
+    assert all(new.polyline is old.polyline for new, old in zip(editor.session.views, views, strict=True))
+    combined = calls_of(lambda: editor.trigger("combineCurves"))
     # 580, 360, 360 and 440 for each curve when each was compared, checked and listed for itself;
     # 2,200, 2,130, 1,760 and 9,690 at first.
-    # 266, 300, 300 and 375 now.
-    assert moved < 300 * COUNT
-    assert undone < 338 * COUNT
-    assert hidden < 338 * COUNT
-    assert combined < 422 * COUNT
+    # With all panels built 299, 333 to 351, 323 and 453 now.
+    assert moved < 345 * COUNT
+    assert undone < 365 * COUNT
+    assert hidden < 335 * COUNT
+    assert combined < 480 * COUNT
 
 
-def test_many_curves_are_moved_and_mapped_without_computing_one(new_editor, large, monkeypatch):
+def test_many_curves_are_moved_and_mapped_without_computing_one(editor, large, monkeypatch):
     """A step of a drag of 2,000 curves took 0.8 s, a flip 1.6 s: each was made and flattened anew."""
-    new_editor.window.open_file(large)
-    new_editor.wait_for_work()
-    new_editor.session.selected.choose(range(COUNT))
-    new_editor.settle()
-    session = new_editor.session
+    editor.window.open_file(large)
+    editor.wait_for_work()
+    editor.session.selected.choose(range(COUNT))
+    editor.settle()
+    session = editor.session
     x, y = session.views[0].polyline[1].tolist()
-    new_editor.press((x, y))
-    new_editor.move((x + 1.0, y + 0.5))
+    editor.press((x, y))
+    editor.move((x + 1.0, y + 0.5))
     groups = noted_calls(monkeypatch, target, "changed_whole")
-    dragged = calls_of(lambda: new_editor.move((x + 2.0, y + 1.0)))
-    released = calls_of(lambda: new_editor.release((x + 2.0, y + 1.0)))
+    dragged = calls_of(lambda: editor.move((x + 2.0, y + 1.0)))
+    released = calls_of(lambda: editor.release((x + 2.0, y + 1.0)))
     assert not groups, "the same curves are moved: they are not gathered anew at every move"
     assert session.document.curves[-1].points[0].x > COUNT % 40 + 0.9
-    nudged = calls_of(lambda: new_editor.key(Qt.Key.Key_Right))
-    flipped = calls_of(lambda: new_editor.trigger("flipHorizontally"))
+    nudged = calls_of(lambda: editor.key(Qt.Key.Key_Right))
+    flipped = calls_of(lambda: editor.trigger("flipHorizontally"))
     # The last 440 for each curve when each of its points was mapped for itself; 350, 630, 580 and 650 when
     # each was compared and checked for itself, and a release did the last step again; 800, 970, 1,110 and
     # 1,160 at first.
-    # 188, 96, 251 and 322 now that whole curves are put elsewhere in one pass and their group is kept.
-    assert dragged < 212 * COUNT
-    assert released < 108 * COUNT
-    assert nudged < 282 * COUNT
-    assert flipped < 362 * COUNT
+    # 194, 119, 271 and 343 now that whole curves are put elsewhere in one pass; up to 240, 150, 285 and 357
+    # with all panels built. A release 89 now that the group of what is moved is kept, and 139 in
+    # a window in which everything was opened.
+    assert dragged < 270 * COUNT
+    assert released < 160 * COUNT
+    assert nudged < 320 * COUNT
+    assert flipped < 400 * COUNT
     # One is the active curve; the exact box of all came along with those that reach farthest.
     assert sum(not view.is_followed for view in session.views) == 1
-    aligned = calls_of(lambda: new_editor.trigger("alignLeft"))
+    aligned = calls_of(lambda: editor.trigger("alignLeft"))
     # 2,030 for each curve when each was measured for itself, before and anew behind the step.
-    assert aligned < 680 * COUNT
+    assert aligned < 690 * COUNT
     assert sum(not view.is_followed for view in session.views) == 1
     assert session.undo_stack.count() == 4
 
@@ -279,18 +275,18 @@ def test_the_picture_of_many_curves_goes_along_and_is_painted_anew_where_they_re
     assert any(painted)
 
 
-def test_many_curves_that_were_copied_here_are_pasted_without_computing_one(new_editor, large):
+def test_many_curves_that_were_copied_here_are_pasted_without_computing_one(editor, large):
     """They were written, read, checked and computed anew, twice where they came to the pointer: for 15 s."""
-    new_editor.window.open_file(large)
-    new_editor.wait_for_work()
-    session = new_editor.session
+    editor.window.open_file(large)
+    editor.wait_for_work()
+    session = editor.session
     session.selected.choose(range(COUNT))
-    new_editor.trigger("copyPoints")
-    new_editor.settle()
+    editor.trigger("copyPoints")
+    editor.settle()
 
     def pasted() -> None:
-        new_editor.trigger("pastePoints")
-        new_editor.wait_for_work()
+        editor.trigger("pastePoints")
+        editor.wait_for_work()
 
     calls = calls_of(pasted)
     assert len(session.document.curves) == 2 * COUNT
@@ -298,23 +294,23 @@ def test_many_curves_that_were_copied_here_are_pasted_without_computing_one(new_
     assert all(map(is_, lines[COUNT:], lines[:COUNT]))
     moved = session.views[-1].points - session.views[COUNT - 1].points
     assert moved == pytest.approx(np.broadcast_to(moved[0], moved.shape))
-    # 1,053 now.
-    assert calls < 1185 * COUNT
+    # 1,170 to 1,210 with all panels built; the bound is an eighth above that.
+    assert calls < 1360 * COUNT
 
 
-def test_many_curves_are_duplicated_and_drawn_once(new_editor, large, monkeypatch):
+def test_many_curves_are_duplicated_and_drawn_once(editor, large, monkeypatch):
     """The step drew them, then what it chose did, and each was compared with all that were copied."""
-    new_editor.window.open_file(large)
-    new_editor.wait_for_work()
-    session = new_editor.session
+    editor.window.open_file(large)
+    editor.wait_for_work()
+    session = editor.session
     session.selected.choose(range(COUNT))
-    new_editor.settle()
-    drawn = noted_calls(monkeypatch, type(new_editor.window.canvas.drawing), "render_others")
-    calls = calls_of(lambda: new_editor.trigger("duplicateCurve"))
+    editor.settle()
+    drawn = noted_calls(monkeypatch, type(editor.window.canvas.drawing), "render_others")
+    calls = calls_of(lambda: editor.trigger("duplicateCurve"))
     assert session.selected.chosen == frozenset(range(COUNT, 2 * COUNT))
     assert len(drawn) == 1
-    # 933 now.
-    assert calls < 1050 * COUNT
+    # 1,029 to 1,063 with all panels built; the bound is an eighth above that.
+    assert calls < 1190 * COUNT
 
 
 def test_the_groups_of_a_drawing_are_counted_once_each(qtbot, monkeypatch):
