@@ -229,10 +229,10 @@ def test_many_curves_are_moved_and_mapped_without_computing_one(editor, large, m
     # 194, 119, 271 and 343 now that whole curves are put elsewhere in one pass; up to 240, 150, 285 and 357
     # with all panels built. A release 89 now that the group of what is moved is kept, and 139 in
     # a window in which everything was opened.
-    assert dragged < 270 * COUNT
+    assert dragged < 255 * COUNT
     assert released < 160 * COUNT
-    assert nudged < 320 * COUNT
-    assert flipped < 400 * COUNT
+    assert nudged < 295 * COUNT
+    assert flipped < 370 * COUNT
     # One is the active curve; the exact box of all came along with those that reach farthest.
     assert sum(not view.is_followed for view in session.views) == 1
     aligned = calls_of(lambda: editor.trigger("alignLeft"))
