@@ -54,6 +54,15 @@ def test_a_gradient_takes_what_it_does_not_say_from_another_and_lies_in_the_plan
     assert np.dot(*found.axes) == pytest.approx(0.0, abs=1e-9)
 
 
+def test_a_gradient_that_refers_to_none_takes_nothing_from_one_without_a_name():
+    """The last element without an id was found where nothing is referred to."""
+    stopped = '<linearGradient id="a" gradientUnits="userSpaceOnUse" x2="9">' + STOPS + "</linearGradient>"
+    rect = '<rect width="9" height="9" fill="url(#a)"/>'
+    (alone,), _ = paints(stopped + rect)
+    (beside,), _ = paints(stopped + rect + '<linearGradient spreadMethod="reflect" y2="7"/>')
+    assert beside == alone
+
+
 def test_a_box_stretches_a_radial_gradient_and_percentages_are_parts_of_the_drawing():
     boxed, measured = paints(
         f'<radialGradient id="a" cx=".25" fx=".5">{STOPS}</radialGradient>'

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -14,12 +14,13 @@ from ...document.model import MAX_MAGNITUDE
 from ...document.style import Style
 from ...view_model.geometry.extents import extent_of
 from ..errors import ExchangeError
+from .elements import Elements
 from .lengths import Viewport
 from .matrices import Box, combined, moved, transform_of
 from .path_data import Subpath
 from .shapes import SHAPES, subpaths_of
 from .state import State
-from .xml_tree import reference_of, referred, tag_of
+from .xml_tree import tag_of
 
 _DEEPEST = 8
 """Clips of clips."""
@@ -28,33 +29,25 @@ _DRAWS = (*SHAPES, "use", "g", "text", "image")
 
 
 class Clips:
-    """The clip paths of one file.
+    """The clip paths of one file."""
 
-    Parameters
-    ----------
-    by_id
-        Its elements.
-    declared
-        Returns what an element declares.
-    """
-
-    def __init__(
-        self, by_id: Mapping[str, ET.Element], declared: Callable[[ET.Element], Mapping[str, str]]
-    ) -> None:
-        self._by_id, self._declared = by_id, declared
+    def __init__(self, elements: Elements) -> None:
+        self._elements = elements
         self._known: dict[tuple[object, ...], tuple[Clip, ...] | None] = {}
 
     def box(self, declared: Mapping[str, str], viewport: Viewport) -> Box | None:
         """Return the upright rectangle that a `clip-path` is, in the units of what has it; else None."""
         clip = self._referred(declared)
-        if clip is None or _hangs_on_box(clip) or "clip-path" in self._declared(clip):
+        if clip is None or _hangs_on_box(clip) or "clip-path" in self._elements.declared(clip):
             return None
         parts = [each for each in clip if tag_of(each) in _DRAWS]
         if len(parts) != 1:
             return None
         part = parts[0]
         if tag_of(part) == "use" and not (part.get("x") or part.get("y")):
-            part = self._by_id.get(reference_of(part).removeprefix("#"), part)
+            # An element without others in it counts as false.
+            target = self._elements.used(part)
+            part = part if target is None else target
         if tag_of(part) not in SHAPES or any(each.get("transform") for each in (clip, parts[0], part)):
             return None
         try:
@@ -126,7 +119,7 @@ class Clips:
         clip = self._referred(declared)
         if clip is None or depth > _DEEPEST:
             return None
-        declared = self._declared(clip)
+        declared = self._elements.declared(clip)
         around = self._outer(declared, matrix, viewport, box, depth)
         if around is None:
             return None
@@ -140,11 +133,12 @@ class Clips:
         rule = declared.get("clip-rule", "nonzero")
         parts = [each for each in clip if tag_of(each) in _DRAWS]
         if len(parts) == 1:
-            own = self._outer(self._declared(parts[0]), _placed(matrix, parts[0]), viewport, None, depth)
+            outer = self._elements.declared(parts[0])
+            own = self._outer(outer, _placed(matrix, parts[0]), viewport, None, depth)
             if own is None:
                 return None
             around = (*around, *own)
-        elif any(self._declared(each).get("clip-path", "none") != "none" for each in parts):
+        elif any(self._elements.declared(each).get("clip-path", "none") != "none" for each in parts):
             return None
         found = self._together([self._rings(each, matrix, viewport, rule) for each in parts])
         return (*around, found) if found is not None and len(around) < MOST_CLIPS else None
@@ -157,25 +151,25 @@ class Clips:
         return self._read(declared, matrix, viewport, box, depth + 1) if is_cut else ()
 
     def _referred(self, declared: Mapping[str, str]) -> ET.Element | None:
-        clip = referred(self._by_id, declared.get("clip-path", "none"))
+        clip = self._elements.referred(declared.get("clip-path", "none"))
         return clip if clip is not None and tag_of(clip) == "clipPath" else None
 
     def _rings(
         self, part: ET.Element, matrix: FloatArray, viewport: Viewport, rule: str
     ) -> tuple[list[FloatArray], bool] | None:
         """Return the rings of a part in the plane, each (k, 4, 2), and whether two of them make a hole."""
-        declared = self._declared(part)
+        declared = self._elements.declared(part)
         if declared.get("display") == "none" or declared.get("visibility") in ("hidden", "collapse"):
             return [], False
         matrix, rule = _placed(matrix, part, declared), declared.get("clip-rule", rule)
         if tag_of(part) == "use":
-            target = self._by_id.get(reference_of(part).removeprefix("#"))
+            target = self._elements.used(part)
             if target is None or tag_of(target) not in SHAPES:
                 return None
             x, y = (float(part.get(name) or 0.0) for name in ("x", "y")) if _is_plain(part) else (None, None)
             if x is None or y is None:
                 return None
-            declared = self._declared(target)
+            declared = self._elements.declared(target)
             matrix = _placed(combined(matrix, np.array([[1.0, 0.0, x], [0.0, 1.0, y]])), target, declared)
             part, rule = target, declared.get("clip-rule", rule)
         if tag_of(part) not in SHAPES:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from curvecore.arrays import FloatArray
 
 from ...document.model import MAX_MAGNITUDE
+from .elements import Elements
 from .flaw import Flaw
 from .matrices import is_uneven, mean_scale
-from .xml_tree import referred, tag_of
+from .xml_tree import tag_of
 
 _CHANGED = Flaw("a filter changes it", "it comes in without")
 _UNEVEN = Flaw("its transform makes the blur uneven", "it is as blurred all around")
@@ -28,20 +29,10 @@ def without_noise(deviation: float) -> float:
 
 
 class Filters:
-    """The filters of one file.
+    """The filters of one file."""
 
-    Parameters
-    ----------
-    by_id
-        Its elements.
-    declared
-        Returns what an element declares.
-    """
-
-    def __init__(
-        self, by_id: Mapping[str, ET.Element], declared: Callable[[ET.Element], Mapping[str, str]]
-    ) -> None:
-        self._by_id, self._declared = by_id, declared
+    def __init__(self, elements: Elements) -> None:
+        self._elements = elements
 
     def blur(self, declared: Mapping[str, str]) -> float | None:
         """Return the deviation of the blur that a `filter` is, 0 of none; None of any other filter."""
@@ -78,13 +69,13 @@ class Filters:
         primitive = self._primitive(declared.get("filter", "none"))
         if primitive is None:
             return False
-        around = self._declared(referred(self._by_id, declared["filter"]) or primitive)
+        around = self._elements.declared(self._elements.referred(declared["filter"]) or primitive)
         name = "color-interpolation-filters"
-        return {**around, **self._declared(primitive)}.get(name, "linearRGB") != "sRGB"
+        return {**around, **self._elements.declared(primitive)}.get(name, "linearRGB") != "sRGB"
 
     def _primitive(self, value: str) -> ET.Element | None:
         """Return the one primitive of a filter that is a blur; None of any other."""
-        element = referred(self._by_id, value)
+        element = self._elements.referred(value)
         if element is None or element.get("primitiveUnits", "userSpaceOnUse") != "userSpaceOnUse":
             return None
         parts = [each for each in element if tag_of(each).startswith("fe")]

@@ -19,9 +19,10 @@ from ...document.gradient import MOST_STOPS, Gradient, GradientKind, Spread, Sto
 from ...document.model import MAX_MAGNITUDE, Vector
 from ...view_model.geometry.extents import extent_of
 from ..errors import ExchangeError
+from .elements import Elements
 from .lengths import Viewport, length
 from .matrices import combined, moved, transform_of
-from .xml_tree import reference_of, tag_of
+from .xml_tree import tag_of
 
 KINDS = {"linearGradient": GradientKind.LINEAR, "radialGradient": GradientKind.RADIAL}
 """The kinds of gradients by their elements."""
@@ -65,8 +66,8 @@ class UnplacedError(Exception):
 class Gradients:
     """The gradients of one file; `stop` reads a stop of them where `currentColor` is some colour."""
 
-    def __init__(self, by_id: Mapping[str, ET.Element], stop: Callable[[ET.Element, str], Stop]) -> None:
-        self._by_id, self._stop = by_id, stop
+    def __init__(self, elements: Elements, stop: Callable[[ET.Element, str], Stop]) -> None:
+        self._elements, self._stop = elements, stop
 
     def stops(self, element: ET.Element, current: str) -> tuple[Stop, ...]:
         """Return the stops of a gradient: its own, or else of that which it refers to."""
@@ -112,7 +113,7 @@ class Gradients:
         """Return a gradient and those that it refers to, one by the other."""
         chain = [element]
         while len(chain) < _LONGEST_CHAIN:
-            target = self._by_id.get(reference_of(chain[-1]).removeprefix("#"))
+            target = self._elements.used(chain[-1])
             if target is None or tag_of(target) not in KINDS or target in chain:
                 break
             chain.append(target)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
 from ...document.marker import MarkerKind
+from .elements import Elements
 from .flaw import Flaw
 from .marker_elements import own_kind
 from .names import INKSCAPE_SPACE
-from .xml_tree import referred, tag_of
+from .xml_tree import tag_of
 
 _STOCK = {
     r"Arrow[134]": MarkerKind.OPEN,
@@ -31,8 +31,8 @@ _NEAR = Flaw("it has markers of another program", "it comes in with the nearest 
 class Markers:
     """The markers of one file."""
 
-    def __init__(self, by_id: Mapping[str, ET.Element]) -> None:
-        self._by_id = by_id
+    def __init__(self, elements: Elements) -> None:
+        self._elements = elements
 
     def of(self, values: Mapping[str, str]) -> tuple[MarkerKind, MarkerKind, list[Flaw]]:
         """Return the markers at start and end of what has these properties, and what of them is lost."""
@@ -53,7 +53,7 @@ class Markers:
 
     def _kinds(self, text: str, place: str) -> tuple[MarkerKind, MarkerKind]:
         """Return of what kind of our own a marker is, and the nearest to it of another program."""
-        element = referred(self._by_id, text)
+        element = self._elements.referred(text)
         if element is None or tag_of(element) != "marker":
             return MarkerKind.NONE, MarkerKind.NONE
         name = element.get("id", "")

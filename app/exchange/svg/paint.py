@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
 from tinycss2.color4 import parse_color
 
 from ...document.gradient import Gradient, Stop
+from .elements import Elements
 from .gradients import KINDS, Gradients, Ground, UnplacedError
 from .xml_tree import tag_of
 
@@ -69,13 +69,11 @@ def is_paint(text: str) -> bool:
 
 
 class Paints:
-    """The paints of one file; `declared` returns what an element declares."""
+    """The paints of one file."""
 
-    def __init__(
-        self, by_id: dict[str, ET.Element], declared: Callable[[ET.Element], dict[str, str]]
-    ) -> None:
-        self._by_id, self._declared = by_id, declared
-        self._gradients = Gradients(by_id, self._stop)
+    def __init__(self, elements: Elements) -> None:
+        self._elements = elements
+        self._gradients = Gradients(elements, self._stop)
 
     def paint(self, text: str, current: str, ground: Ground) -> Paint:
         """Return the paint of a value on a ground, where `currentColor` is this."""
@@ -90,7 +88,7 @@ class Paints:
 
     def _served(self, name: str, fallback: str, current: str, ground: Ground) -> Paint:
         """Return a gradient, or what stands for it or for a pattern."""
-        server = self._by_id.get(name)
+        server = self._elements.by_id.get(name)
         if server is not None and tag_of(server) in KINDS:
             return self._gradient(server, current, ground)
         kind = "a pattern" if server is not None else f"“{name}”, which is not in the file,"
@@ -114,7 +112,7 @@ class Paints:
         return Paint(found.mean, 1.0, *said, gradient=found)
 
     def _stop(self, stop: ET.Element, current: str) -> Stop:
-        declared = self._declared(stop)
+        declared = self._elements.declared(stop)
         text = declared.get("stop-color", "#000000")
         plain = colour_of(current if text.lower() == "currentcolor" else text) or Paint("#000000")
         opacity = plain.opacity * share_of(declared.get("stop-opacity", "1"))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
@@ -15,6 +14,7 @@ from ...document.model import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
+from .elements import Elements
 from .flaw import Flaw
 from .gradients import Ground
 from .lengths import Viewport, length
@@ -131,8 +131,8 @@ def font_size(word: str, around: str) -> str:
 class StyleReader:
     """Reads styles of one file."""
 
-    def __init__(self, paints: Paints, by_id: Mapping[str, ET.Element]) -> None:
-        self._paints, self._markers = paints, Markers(by_id)
+    def __init__(self, paints: Paints, elements: Elements) -> None:
+        self._paints, self._markers = paints, Markers(elements)
 
     def style(self, properties: Properties, ground: Ground, scale: float) -> tuple[Style, tuple[Flaw, ...]]:
         """Return the style of a shape on its ground, whose lengths are scaled so, and what of it is lost.

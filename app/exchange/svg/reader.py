@@ -26,6 +26,7 @@ from . import own_data
 from .cascade import Cascade
 from .clips import Clips
 from .clones import linked
+from .elements import Elements
 from .filters import Filters, without_noise
 from .flaw import Flaw
 from .gradients import Ground
@@ -125,17 +126,17 @@ class SvgReader:
         self, root: ET.Element, tolerance: float | None = None, *, is_in_groups: bool = False
     ) -> None:
         self._root, self._tolerance, self._is_in_groups = root, tolerance, is_in_groups
-        self._by_id = {element.get("id", ""): element for element in root.iter()}
         self._ours = OurOwn(root)
         sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
         self.sheet, self._place = sheet if self._ours.has_page else replace(sheet, page=None), sheet
         self._cascade = Cascade(root)
         self._missing = Missing(root, self._cascade.missed)
-        paints = Paints(self._by_id, self._cascade.of)
-        self._styles = StyleReader(paints, self._by_id)
-        self._shown = Shown(paints, self._cascade.of, self._by_id)
-        self._clips = Clips(self._by_id, self._cascade.of)
-        self._filters = Filters(self._by_id, self._cascade.of)
+        by_id = {name: element for element in root.iter() if (name := element.get("id"))}
+        self._elements = elements = Elements(by_id, self._cascade.of)
+        paints = Paints(elements)
+        self._styles = StyleReader(paints, elements)
+        self._shown = Shown(paints, elements)
+        self._clips, self._filters = Clips(elements), Filters(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
@@ -271,8 +272,8 @@ class SvgReader:
 
     def _used(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
         reference = reference_of(element)
-        target = self._by_id.get(reference.removeprefix("#"))
-        if not reference.startswith("#") or target is None:
+        target = self._elements.used(element)
+        if target is None:
             self._missing.note(element, Flaw("what it uses is not in the file", "left out"))
             return
         if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -21,13 +20,13 @@ from ...document.model import MAX_MAGNITUDE
 from ...document.style import NO_LINE, FillRule
 from ..cubics_in import ImportedPath, Look
 from .clips import clip_of_box
+from .elements import Elements
 from .flaw import Flaw
 from .matrices import moved
 from .paint import Paints
 from .pictures import Pictures
 from .properties import Properties
 from .state import State
-from .text_paths import TextPaths
 from .texts import Texts
 from .xml_tree import reference_of
 
@@ -115,13 +114,8 @@ class Found(NamedTuple):
 class Shown:
     """The texts and pictures of one file, as they are met."""
 
-    def __init__(
-        self,
-        paints: Paints,
-        declared: Callable[[ET.Element], Mapping[str, str]],
-        by_id: Mapping[str, ET.Element],
-    ) -> None:
-        self._texts = Texts(paints, declared, TextPaths(by_id, declared), by_id)
+    def __init__(self, paints: Paints, elements: Elements) -> None:
+        self._texts = Texts(paints, elements)
         self._pictures = Pictures()
 
     def found(self, tag: str, element: ET.Element, state: State) -> Found | None:

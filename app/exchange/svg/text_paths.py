@@ -6,7 +6,7 @@ Reference: Scalable Vector Graphics 2, section 11.8.
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -18,6 +18,7 @@ from ...document.content import Lettering
 from ...document.model import MAX_MAGNITUDE
 from ..cubics_in import ImportedPath
 from ..errors import ExchangeError
+from .elements import Elements
 from .groups import Drawn
 from .matrices import moved, transform_of
 from .properties import Properties
@@ -37,22 +38,10 @@ class OnPath(NamedTuple):
 
 
 class TextPaths:
-    """The paths that texts of one file lie along.
+    """The paths that texts of one file lie along."""
 
-    Parameters
-    ----------
-    by_id
-        The elements of the file.
-    declared
-        Returns what an element declares.
-    """
-
-    def __init__(
-        self,
-        by_id: Mapping[str, ET.Element],
-        declared: Callable[[ET.Element], Mapping[str, str]],
-    ) -> None:
-        self._by_id, self._declared = by_id, declared
+    def __init__(self, elements: Elements) -> None:
+        self._elements = elements
 
     def found(self, text: ET.Element, state: State, length: Callable[[str, float], float]) -> OnPath | None:
         """Return what of a text lies along a path; None where not all of it does.
@@ -64,9 +53,8 @@ class TextPaths:
         if len(inside) != 1 or tag_of(inside[0]) != "textPath" or any((each or "").strip() for each in words):
             return None
         element = inside[0]
-        reference = reference_of(element)
-        target = self._by_id.get(reference.removeprefix("#"))
-        if not reference.startswith("#") or target is None or tag_of(target) not in SHAPES:
+        target = self._elements.used(element)
+        if target is None or tag_of(target) not in SHAPES:
             return None
         try:
             course = self._course(target, state)
@@ -77,7 +65,7 @@ class TextPaths:
         said = element.get("startOffset", "").strip()
         along = Along(
             tuple(tuple((x, y) for x, y in piece) for piece in course.tolist()),  # type: ignore[misc]
-            reference[:_LONGEST_REFERENCE],
+            reference_of(element)[:_LONGEST_REFERENCE],
             start=_share(said) if said.endswith("%") else length(said, _size(state.properties)),
             is_share=said.endswith("%"),
             is_flipped=element.get("side", "").strip().lower() == "right",
@@ -87,7 +75,7 @@ class TextPaths:
     def _course(self, target: ET.Element, state: State) -> np.ndarray | None:
         """Return the pieces of a path in the units of a text, (k, 4, 2)."""
         subpaths = [each.controls for each in subpaths_of(target, state.viewport, None) if len(each.controls)]
-        said = self._declared(target).get("transform", "none")
+        said = self._elements.declared(target).get("transform", "none")
         transform = target.get("transform", "") if said == "none" else said
         return moved(np.concatenate(subpaths), transform_of(transform)) if subpaths else None
 

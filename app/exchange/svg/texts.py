@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import NamedTuple
@@ -31,6 +31,7 @@ from ...document.content import (
 )
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
+from .elements import Elements
 from .flowed import FLOW_ROOT, PARAGRAPHS, SPANS, Room, anchor_of, frame_of, width_of
 from .gradients import Ground
 from .lengths import length
@@ -99,23 +100,13 @@ class Texts:
     ----------
     paints
         Those of the file.
-    declared
-        Returns what an element declares.
-    paths
-        Those that texts may lie along.
-    by_id
-        The elements by their ids.
+    elements
+        Those of the file.
     """
 
-    def __init__(
-        self,
-        paints: Paints,
-        declared: Callable[[ET.Element], Mapping[str, str]],
-        paths: TextPaths,
-        by_id: Mapping[str, ET.Element],
-    ) -> None:
-        self._paints, self._declared, self._paths, self._left = paints, declared, paths, MOST_LETTERS
-        self._by_id = by_id
+    def __init__(self, paints: Paints, elements: Elements) -> None:
+        self._paints, self._elements, self._left = paints, elements, MOST_LETTERS
+        self._paths = TextPaths(elements)
 
     @property
     def is_full(self) -> bool:
@@ -133,7 +124,7 @@ class Texts:
             ends = room is not None
             all_of_it = _collapsed(self._letters(element, state.properties, (element,), 0.0), keeps_ends=ends)
         else:
-            inner = state.properties.entered(self._declared(on.element))
+            inner = state.properties.entered(self._elements.declared(on.element))
             all_of_it = _collapsed(self._letters(on.element, inner, (element, on.element), 0.0))
         letters = list(islice(all_of_it, max(self._left, 0) + 1))
         self._left -= len(letters)
@@ -179,7 +170,7 @@ class Texts:
                 yield _Letter("\n", properties, around, is_spaced=True, raised=raised)
             if tag_of(child) in _SPANS:
                 is_first = is_first and tag_of(child) not in PARAGRAPHS
-                declared = self._declared(child)
+                declared = self._elements.declared(child)
                 inner = properties.entered(declared)
                 # Of one that is hidden as a whole all is, and it is a text still.
                 if inner.is_displayed or not properties.is_displayed:
@@ -191,8 +182,8 @@ class Texts:
 
     def _room(self, element: ET.Element, state: State) -> Room | None:
         """Return what the words of an element wrap in; None where they do not."""
-        declared = self._declared(element)
-        frame = frame_of(element, declared, state.viewport, self._by_id)
+        declared = self._elements.declared(element)
+        frame = frame_of(element, declared, state.viewport, self._elements.by_id)
         width = width_of(declared, state.viewport) if tag_of(element) == "text" else None
         return None if frame is None and width is None else Room(frame, width or 0.0)
 

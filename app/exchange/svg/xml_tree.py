@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
 from xml.parsers.expat.errors import XML_ERROR_UNDEFINED_ENTITY, codes
 
 from defusedxml.ElementTree import DefusedXMLParser
@@ -13,8 +11,6 @@ from ..errors import ExchangeError
 
 MAX_ELEMENTS = 10_000
 MAX_DEPTH = 200
-
-_REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 
 _SUBSET = (
     "Its DOCTYPE declares entities, or something else between “[” and “]>”, and that is not read. Save it as "
@@ -50,12 +46,6 @@ def tag_of(element: ET.Element) -> str:
 def reference_of(element: ET.Element) -> str:
     """Return what an element refers to: "#" and an id, an address, or nothing."""
     return (element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or "").strip()
-
-
-def referred(by_id: Mapping[str, ET.Element], value: str) -> ET.Element | None:
-    """Return the element that a property such as "url(#a)" refers to; None of any other."""
-    found = _REFERENCE.fullmatch(value.strip())
-    return by_id.get(found[1]) if found is not None else None
 
 
 def speaks_to_us(element: ET.Element) -> bool:
