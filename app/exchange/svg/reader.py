@@ -131,8 +131,7 @@ class SvgReader:
         self.sheet, self._place = sheet if self._ours.has_page else replace(sheet, page=None), sheet
         self._cascade = Cascade(root)
         self._missing = Missing(root, self._cascade.missed)
-        by_id = {name: element for element in root.iter() if (name := element.get("id"))}
-        self._elements = elements = Elements(by_id, self._cascade.of)
+        self._elements = elements = Elements.within(root, self._cascade.of)
         paints = Paints(elements)
         self._styles = StyleReader(paints, elements)
         self._shown = Shown(paints, elements)
