@@ -210,6 +210,9 @@ class Preferences:
     text_italic = SwitchOfAction("text/italic", default=False)
     """Whether it was italic."""
 
+    text_in_points = SwitchOfAction("text/in_points", default=False)
+    """Whether sizes of text are told in points, whatever the unit of the document."""
+
     offset_distance = SavedText("path/offset")
     """The distance that shapes were made larger or smaller by last, as typed, "2 mm"; empty for none yet."""
 

@@ -178,8 +178,8 @@ def test_up_and_down_home_and_end_go_by_the_lines_that_are_seen(opened):
     assert caret(editor) == at((42, 24), (42, 12))
     press(editor, Qt.Key.Key_Up)
     # A line without letters has a caret all the same, where its first will be.
-    QTest.keyClick(words(editor), Qt.Key.Key_Return, SHIFT)
-    QTest.keyClick(words(editor), Qt.Key.Key_Return, SHIFT)
+    QTest.keyClick(words(editor), Qt.Key.Key_Return)
+    QTest.keyClick(words(editor), Qt.Key.Key_Return)
     press(editor, Qt.Key.Key_Up)
     assert words(editor).textCursor().position() == 1
     x, _ = caret(editor)[0]
@@ -194,9 +194,9 @@ def test_the_words_of_a_frame_have_it_where_they_wrap(opened):
     editor.drag((10, 50), (30, 10))
     field = editor.window.commands[TextCommands].field
     field.restyle(lambda run: replace(run, font=("Curvebench Blocks",)))
-    field.size_edit.setFocus()
-    field.size_edit.selectAll()
-    QTest.keyClicks(field.size_edit, "10")
+    field.size_box.edit.setFocus()
+    field.size_box.edit.selectAll()
+    QTest.keyClicks(field.size_box.edit, "10")
     press(editor, Qt.Key.Key_Return)
     words(editor).setFocus()
     left = caret(editor)[0][0]

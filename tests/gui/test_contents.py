@@ -21,7 +21,7 @@ from app.qt import contents
 from app.widgets.paint_field import PaintField
 from tests.effort import noted_calls
 from tests.gui.pixels import is_colour
-from tests.gui.test_text import press
+from tests.gui.test_text import finish, press
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
@@ -216,7 +216,7 @@ def test_a_double_click_edits_its_words_and_it_stays_a_text(drawing):
     assert curve.name == "MM m"
     assert frame(drawing)[1] < before[1]
     assert frame(drawing)[2] < before[2]
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert session.undo_stack.undoText() == "Edit Text “MM m”"
     assert session.selected.chosen == {TEXT}
     drawing.trigger("undo")
@@ -230,7 +230,7 @@ def test_a_double_click_edits_its_words_and_it_stays_a_text(drawing):
     session.selected.choose({TEXT})
     count = session.undo_stack.index()
     drawing.trigger("editText")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert session.undo_stack.index() == count
     assert session.document == begun
 
@@ -301,9 +301,9 @@ def test_bold_italic_and_size_are_of_the_chosen_letters_live_in_one_step(writing
     assert {run.paint and run.paint.fill for run in runs[1:4]} == {"#ff0000"}
     QTest.mouseClick(field.bold, Qt.MouseButton.LeftButton)
     assert runs_of(editor, 0)[0][2] == ("is", 400, True, 10)
-    field.size_edit.setFocus()
-    field.size_edit.selectAll()
-    QTest.keyClicks(field.size_edit, "20")
+    field.size_box.edit.setFocus()
+    field.size_box.edit.selectAll()
+    QTest.keyClicks(field.size_box.edit, "20")
     press(editor, Qt.Key.Key_Return)
     assert runs_of(editor, 0)[0][2] == ("is", 400, True, pytest.approx(20))
     assert field.words.textCursor().selectedText() == "is"
@@ -311,7 +311,7 @@ def test_bold_italic_and_size_are_of_the_chosen_letters_live_in_one_step(writing
     choose_letters(field, 10, 0)
     QTest.keyClicks(field.words, "X")
     assert runs_of(editor, 0)[0][2:4] == [("isX", 400, True, pytest.approx(20)), ("ed", 700, False, 10)]
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     assert editor.session.undo_stack.index() == steps + 1
     editor.trigger("undo")
     assert editor.session.document == begun
@@ -331,7 +331,7 @@ def test_chosen_letters_are_underlined_by_a_key_and_struck_through_by_a_button(w
     ]  # fmt: skip
     choose_letters(field, 0, 3)
     assert not field.underline.isChecked()
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     editor.trigger("objectToPath")
     names = [curve.name for curve in editor.session.document.curves]
     assert [name for name in names if name[:4] in ("unde", "stri")] == ["underline", "strike", "underline"]
@@ -361,18 +361,18 @@ def test_spaces_are_of_the_chosen_letters_and_those_of_lines_are_shown_as_they_a
     choose_letters(field, 7, 1)
     assert (letters.text(), words.text()) == ("20 %", "50 %")
     # Larger letters stand as far apart as they are larger.
-    type_into(field.size_edit, "20")
+    type_into(field.size_box.edit, "20")
     runs = editor.session.document.curves[0].form.lines[0].runs
     assert [run.spacing for run in runs] == pytest.approx([0, 2, 4, 2, 0])
     field.words.setFocus()
     press(editor, Qt.Key.Key_End, Qt.KeyboardModifier.ControlModifier)
-    press(editor, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    press(editor, Qt.Key.Key_Return)
     QTest.keyClicks(field.words, "below")
     type_into(lines, "150")
     first, second = editor.session.document.curves[0].form.lines
     apart = second.y - first.y
     field.words.setFocus()
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     editor.trigger("editText")
     # And not as if nobody had set them.
     assert lines.text() == "150 %"
@@ -420,7 +420,7 @@ def test_a_swatch_and_a_typed_colour_are_for_the_chosen_letters_and_leave_the_fi
     popup.cancel()
     assert paints_of(editor)[2] == ("is", "#008080")
     field.words.setFocus()
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     assert editor.session.undo_stack.index() == steps + 1
     assert paints_of(editor)[2] == ("is", "#008080")
     editor.trigger("undo")
@@ -439,7 +439,7 @@ def test_without_chosen_letters_a_colour_and_an_opacity_are_of_the_text(writing)
     press(editor, Qt.Key.Key_Return)
     assert field.isVisible()
     field.words.setFocus()
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     (curve,) = editor.session.document.curves
     assert {paint for _, paint in paints_of(editor)} == {None}
     assert (curve.style.fill, curve.style.opacity) == (CURVE_COLOURS["Blue"], 0.5)
@@ -457,7 +457,7 @@ def test_without_chosen_letters_all_change_and_undo_in_the_field_takes_it_back(w
     assert [weight for _, weight, *_ in runs_of(editor, 0)[0]] == [700, 700, 700]
     press(editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert editor.session.document == begun
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     assert (editor.session.document, editor.session.undo_stack.index()) == (begun, steps)
 
 
@@ -485,7 +485,7 @@ def test_a_word_of_a_new_text_is_written_bold(open_drawing):
     choose_letters(field, 4, 5)
     press(editor, Qt.Key.Key_B, Qt.KeyboardModifier.ControlModifier)
     field.words.setFocus()
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     (runs,) = runs_of(editor, 1)
     assert [run[:2] for run in runs] == [("two ", 400), ("words", 700)]
 

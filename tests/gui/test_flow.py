@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
@@ -16,7 +16,7 @@ from app.features.text.commands import TextCommands
 from app.qt.contents import painted_letters
 from app.qt.glyphs import weights_of
 from app.view_model.shapes.formed import formed
-from tests.gui.test_text import press
+from tests.gui.test_text import finish, press, type_size
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
@@ -55,7 +55,7 @@ def box_of(editor, place=1):
 
 def write(editor, start=(5, 55), to=(45, 10), words=WORDS, size="4"):
     editor.drag(start, to)
-    edit = field(editor).size_edit
+    edit = field(editor).size_box.edit
     edit.setFocus()
     edit.selectAll()
     QTest.keyClicks(edit, size)
@@ -72,7 +72,7 @@ def test_a_drag_draws_a_frame_and_what_is_typed_wraps_in_it_live(drawing):
     assert len(shown) > 1
     assert "".join(shown) == WORDS
     assert box_of(drawing) == pytest.approx((5, 10, 45, 55), abs=0.5)
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert drawing.session.undo_stack.index() == steps + 1
     assert "Add Text “one two" in drawing.session.undo_stack.undoText()
     text = text_of(drawing)
@@ -93,7 +93,7 @@ def test_a_drag_draws_a_frame_and_what_is_typed_wraps_in_it_live(drawing):
 def test_a_frame_is_seen_and_dragged_while_its_words_are_typed(drawing):
     """Opened again it was out of sight, and of its words the field showed the last line."""
     write(drawing, words=f"{WORDS} {WORDS}")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     steps = drawing.session.undo_stack.index()
     x, y = drawing.session.document.curves[1].points[0].x, drawing.session.document.curves[1].points[0].y
     drawing.click((x + 3, y - 3))
@@ -110,7 +110,7 @@ def test_a_frame_is_seen_and_dragged_while_its_words_are_typed(drawing):
 
 def test_escape_keeps_what_was_edited_and_undo_takes_it_back(drawing):
     write(drawing, words="one")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     before, (_, _, _, top) = drawing.session.document, box_of(drawing)
     drawing.click((7, top - 2))
     # Where it was clicked, and not in place of all.
@@ -126,15 +126,44 @@ def test_escape_keeps_what_was_edited_and_undo_takes_it_back(drawing):
 
 def test_a_first_text_is_as_large_as_is_read_on_its_page(drawing):
     drawing.click((5, 30))
-    assert field(drawing).text_size == pytest.approx(60 / 30, rel=0.5)
+    assert 60 / 30 <= field(drawing).size_box.em <= 60 / 6
+
+
+def test_on_a_small_card_it_is_not_too_small_to_read(open_drawing):
+    editor = open_drawing(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="85mm" height="55mm" viewBox="0 0 85 55">'
+        '<rect width="5" height="5"/></svg>'
+    )
+    editor.trigger("textTool")
+    editor.click((10, 20))
+    size, way = field(editor).size_box.em, editor.window.canvas.to_pixel
+    assert 20 <= abs(way(0, size).y() - way(0, 0).y()) <= 50
+    press(editor, Qt.Key.Key_Escape)
+
+
+def test_a_press_between_the_widgets_of_the_bar_leaves_one_typing(drawing):
+    """It went through to the canvas, ended the text and began another one below."""
+    drawing.click((5, 30))
+    QTest.keyClicks(field(drawing).words, "ab")
+    bar = field(drawing)
+    gap = QPoint(bar.bold.geometry().right() + 2, bar.bold.geometry().center().y())
+    assert bar.childAt(gap) is None
+    for place in (gap, QPoint(2, 2)):
+        global_place = bar.mapTo(drawing.window, place)
+        QTest.mouseClick(drawing.window.windowHandle(), Qt.MouseButton.LeftButton, pos=global_place)
+        assert field(drawing).words.hasFocus()
+    QTest.keyClicks(field(drawing).words, "c")
+    finish(drawing)
+    assert [line.words for line in text_of(drawing).lines] == ["abc"]
+    assert len(drawing.session.document.curves) == 2
 
 
 def test_the_end_of_a_line_stays_one_and_an_empty_line_is_as_high(drawing):
     write(drawing, words="one")
     for _ in range(2):
-        QTest.keyClick(field(drawing).words, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+        QTest.keyClick(field(drawing).words, Qt.Key.Key_Return)
     QTest.keyClicks(field(drawing).words, "two")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     lines = laid_out(text_of(drawing)).lines
     assert [line.words for line in lines] == ["one", "", "two"]
     assert lines[2].y - lines[0].y == pytest.approx(2 * (lines[1].y - lines[0].y))
@@ -145,7 +174,7 @@ def test_words_without_room_are_kept_and_the_frame_tells(drawing, monkeypatch):
     painted = content_ink._paint_overset
     monkeypatch.setattr(content_ink, "_paint_overset", lambda *each: (told.append(1), painted(*each)))
     write(drawing, to=(25, 45))
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     drawing.settle()
     drawing.window.context.central.canvas.viewport().grab()
     assert is_overset(text_of(drawing))
@@ -161,9 +190,9 @@ def test_words_without_room_are_kept_and_the_frame_tells(drawing, monkeypatch):
 def test_lines_flow_into_a_frame_or_a_rectangle_and_back(drawing):
     drawing.click((5, 30))
     QTest.keyClicks(field(drawing).words, "one two three and more words that take room")
-    QTest.keyClick(field(drawing).words, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    QTest.keyClick(field(drawing).words, Qt.Key.Key_Return)
     QTest.keyClicks(field(drawing).words, "four")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     lines = text_of(drawing).lines
     drawing.trigger("flowIntoFrame")
     assert (
@@ -189,14 +218,14 @@ def test_lines_flow_into_a_frame_or_a_rectangle_and_back(drawing):
 
 def test_its_width_is_typed_and_its_words_and_alignment_are_edited(drawing):
     write(drawing)
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     drawing.trigger("editText")
     assert field(drawing).text == WORDS
     field(drawing).words.selectAll()
     QTest.keyClicks(field(drawing).words, "other words here that are many and long")
     left = [line.x for line in laid_out(text_of(drawing)).lines]
     QTest.mouseClick(field(drawing).findChild(QToolButton, "textAlign_right"), Qt.MouseButton.LeftButton)
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert min(line.x - x for line, x in zip(laid_out(text_of(drawing)).lines, left, strict=True)) > 0
     assert "".join(lines_of(drawing)) == "other words here that are many and long"
     before = laid_out(text_of(drawing))
@@ -223,14 +252,14 @@ def test_lines_are_justified_as_they_are_typed_and_words_stand_apart_in_the_outl
     rights = [painted_right(line) for line in laid.lines]
     assert rights[:-1] == pytest.approx([text.box[2]] * (len(rights) - 1), abs=0.6)
     assert laid.stretches[-1] == 0.0 < min(laid.stretches[:-1])
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert text_of(drawing).flow.is_justified
     drawing.trigger("editText")
     assert justify.isChecked()
     QTest.mouseClick(field(drawing).findChild(QToolButton, "textAlign_left"), Qt.MouseButton.LeftButton)
     assert not any(laid_out(text_of(drawing)).stretches)
     QTest.mouseClick(justify, Qt.MouseButton.LeftButton)
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     right = box_of(drawing)[2]
     drawing.trigger("objectToPath")
     ends = {round(max(point.x for point in curve.points), 1) for curve in drawing.session.document.curves[1:]}
@@ -243,11 +272,33 @@ def painted_right(line):
 
 def test_a_size_is_typed_in_points_and_told_in_them(drawing):
     write(drawing, size="12 pt", words="one")
-    edit = field(drawing).size_edit
+    edit = field(drawing).size_box.edit
     # In the unit of the page, a point being the 72nd part of an inch.
     assert float(edit.text()) == pytest.approx(12 * 25.4 / 72, abs=1e-4)
     assert edit.toolTip().endswith("Now 12 pt")
     assert text_of(drawing).lines[0].runs[0].size == pytest.approx(12 * 25.4 / 72)
+
+
+def test_sizes_are_told_and_typed_in_points_where_these_are_chosen(drawing):
+    write(drawing, size="12 pt", words="one")
+    box = field(drawing).size_box
+    assert [box.unit_box.itemText(at) for at in range(box.unit_box.count())] == ["mm", "pt"]
+    box.unit_box.setFocus()
+    QTest.keyClick(box.unit_box, Qt.Key.Key_Down)
+    assert box.edit.text() == "12"
+    type_size(drawing, "18")
+    assert text_of(drawing).lines[0].runs[0].size == pytest.approx(18 * 25.4 / 72)
+    QTest.keyClick(box.edit, Qt.Key.Key_Up)
+    assert box.edit.text() == "19"
+    type_size(drawing, "5 mm")
+    assert text_of(drawing).lines[0].runs[0].size == pytest.approx(5)
+    finish(drawing)
+    # The next text is told so, too.
+    drawing.click((5, 8))
+    assert float(box.edit.text()) == pytest.approx(5 * 72 / 25.4, abs=1e-3)
+    box.unit_box.setFocus()
+    QTest.keyClick(box.unit_box, Qt.Key.Key_Up)
+    assert box.edit.text() == "5"
 
 
 def test_a_weight_that_the_font_has_is_chosen_for_letters(drawing):

@@ -67,7 +67,7 @@ def text(editor, x):
     editor.click((x, 150))
     words = editor.window.commands[TextCommands].field.words
     QTest.keyClicks(words, "I")
-    QTest.keyClick(words, Qt.Key.Key_Return)
+    QTest.keyClick(words, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
     return editor.session.document.curves[-1].style
 
 

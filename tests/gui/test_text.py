@@ -72,7 +72,7 @@ def choose_font(shown, family):
 
 
 def type_size(editor, text):
-    edit = field(editor).size_edit
+    edit = field(editor).size_box.edit
     edit.setFocus()
     edit.selectAll()
     QTest.keyClicks(edit, text)
@@ -98,6 +98,11 @@ def press(editor, key, keys=Qt.KeyboardModifier.NoModifier):
     editor.settle()
 
 
+def finish(editor):
+    """Keep what is typed."""
+    press(editor, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+
+
 def letters(editor):
     return [curve for curve in editor.session.document.curves if curve.style.has_fill]
 
@@ -118,7 +123,7 @@ def test_typed_words_become_filled_shapes_of_true_size_in_one_step(drawing):
     write(drawing, "I")
     assert [curve.name for curve in letters(drawing)] == ["I"]  # live
     write(drawing, "o I fi")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert (drawing.session.undo_stack.undoText(), drawing.session.undo_stack.count()) == (
         "Add Text “Io I fi”", steps + 1
     )  # fmt: skip
@@ -149,7 +154,7 @@ def test_typed_words_become_filled_shapes_of_true_size_in_one_step(drawing):
 def test_a_round_letter_is_the_curve_of_the_font(drawing):
     start = begin(drawing)
     write(drawing, "o")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     ring, _ = letters(drawing)
     assert ring.groups == ()
     view = view_of(ring)
@@ -184,17 +189,17 @@ def test_escape_gives_it_up_and_a_click_elsewhere_makes_it(drawing):
     assert drawing.session.undo_stack.undoText() == "Add Text “I”"
     assert field(drawing).isVisible()
     # Nothing typed makes nothing.
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert drawing.session.undo_stack.count() == steps + 1
     # The last font and size are those of the next text.
     assert field(drawing).face.family == FAMILY
-    assert field(drawing).text_size == 2.0
+    assert field(drawing).size_box.em == 2.0
 
 
 def test_lines_fonts_and_sizes_are_seen_at_once(drawing):
     start = begin(drawing, size="1 in")
     write(drawing, "I")
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    press(drawing, Qt.Key.Key_Return)
     write(drawing, "I")
     upper, lower = letters(drawing)
     assert upper.points[1].y - start[1] == pytest.approx(0.7 * 25.4, abs=1e-12)
@@ -221,11 +226,11 @@ def test_lines_fonts_and_sizes_are_seen_at_once(drawing):
     assert remark.text() == f"⚠ “{FAMILY}” has no bold letters."
     type_size(drawing, "0")
     assert remark.text() == "⚠ A size is greater than 0."
-    assert field(drawing).text_size == 25.4
+    assert field(drawing).size_box.em == 25.4
     # The field stays in sight, whatever the size.
     type_size(drawing, "400")
     assert drawing.window.canvas.viewport().rect().contains(field(drawing).geometry())
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert drawing.session.undo_stack.undoText() == "Add Text “I I”"
 
 
@@ -275,7 +280,7 @@ def test_an_empty_curve_gives_way(editor, drawing):
     editor.trigger("textTool")
     begin(editor)
     write(editor, "I I")
-    press(editor, Qt.Key.Key_Return)
+    finish(editor)
     assert [curve.name for curve in editor.session.document.curves] == ["I", "I"]
     editor.trigger("undo")
     assert len(editor.session.document.curves) == 1
@@ -304,7 +309,7 @@ def test_a_text_comes_into_the_present_layer_behind_those_in_front(drawing):
     session.selected.set_layer("Ink")
     begin(drawing)
     write(drawing, "AV")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert [curve.groups for curve in session.document.curves][1:] == [
         *[("Ink", "AV")] * (len(session.document.curves) - 2),
         ("Above",),
@@ -326,7 +331,7 @@ def open_again(editor, place):
 
 def add_line(editor, text):
     press(editor, Qt.Key.Key_End)
-    press(editor, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    press(editor, Qt.Key.Key_Return)
     write(editor, text)
 
 
@@ -334,7 +339,7 @@ def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
     session, steps = drawing.session, drawing.session.undo_stack.count()
     begin(drawing)
     write(drawing, "IV")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     # Turned, sheared and moved; blue, and behind the line.
     places = [place for place, curve in enumerate(session.document.curves) if curve.style.has_fill]
     by = Affine(-1.0, -1.5, 1.0, -1.0, AT, (2.0, -1.0))
@@ -347,10 +352,10 @@ def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
     inside, shown = tuple(np.mean(upright, axis=0)), field(drawing)
     open_again(drawing, inside)
     assert (shown.text, shown.face.family) == ("IV", FAMILY)
-    assert shown.text_size == pytest.approx(2 * np.sqrt(1.5))
+    assert shown.size_box.em == pytest.approx(2 * np.sqrt(1.5))
     assert not shown.findChild(QLabel, "textRemark").isVisible()
     # As it was: nothing is done.
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert (session.document, session.undo_stack.count()) == (before, steps + 3)
     assert session.selected.chosen == {0, 1}
     drawing.trigger("textTool")
@@ -361,7 +366,7 @@ def test_a_text_is_edited_again_where_its_letters_are_now(drawing):
     assert (session.document, session.undo_stack.count()) == (before, steps + 3)
     drawing.click(inside)
     add_line(drawing, "I")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert (session.undo_stack.undoText(), session.undo_stack.count()) == ("Edit Text “IV I”", steps + 4)
     made = session.document.curves
     assert [curve.name for curve in made] == ["I", "V", "I", before.curves[2].name]
@@ -381,7 +386,7 @@ def test_letters_changed_by_hand_are_told_of_and_written_anew_where_the_others_a
     session = drawing.session
     begin(drawing)
     write(drawing, "IVI")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     first, _, last = letters(drawing)
     session.change("Delete", lambda document: remove_curves(document, [2]))
     session.change("Shift", lambda document: mapped(
@@ -393,8 +398,8 @@ def test_letters_changed_by_hand_are_told_of_and_written_anew_where_the_others_a
     drawing.window.canvas.setFocus()
     press(drawing, Qt.Key.Key_Return)
     remark = field(drawing).findChild(QLabel, "textRemark")
-    assert remark.text() == "⚠ The letters were changed by hand; Enter writes them anew at this place."
-    press(drawing, Qt.Key.Key_Return)
+    assert remark.text() == "⚠ The letters were changed by hand; Ctrl+Enter writes them anew at this place."
+    finish(drawing)
     assert session.undo_stack.undoText() == "Edit Text “IVI”"
     made = letters(drawing)
     assert [curve.name for curve in made] == ["I", "V", "I"]
@@ -407,7 +412,7 @@ def test_a_file_tells_of_a_text_and_copies_are_texts_of_their_own(drawing, tmp_p
     session, path = drawing.session, tmp_path / "text.curve.json"
     begin(drawing)
     write(drawing, "I")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     session.save(path)
     assert path.read_bytes().count(b'"text": {"words": "I", "font": "Curvebench Blocks"') == 1
     assert path.read_bytes().count(b'"text"') == 1
@@ -422,7 +427,7 @@ def test_a_file_tells_of_a_text_and_copies_are_texts_of_their_own(drawing, tmp_p
     session.selected.activate(2)
     drawing.trigger("editText")
     write(drawing, "VV")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert [curve.name for curve in letters(drawing)] == ["I", "V", "V"]
     assert [curve.groups for curve in letters(drawing)] == [(), ("VV",), ("VV",)]
 
@@ -457,19 +462,19 @@ def test_a_text_is_edited_again_from_an_svg_saved_as_and_in_place(drawing, tmp_p
     path = tmp_path / "logo.svg"
     begin(drawing)
     write(drawing, "IV")
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    press(drawing, Qt.Key.Key_Return)
     write(drawing, "I")
     type_per_cent(drawing, "textLetterSpacing", "25")
     QTest.mouseClick(field(drawing).findChild(QToolButton, "textAlign_centre"), Qt.MouseButton.LeftButton)
     field(drawing).words.setFocus()
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert "plain" not in save_as(drawing, monkeypatch, path)
     open_drawing(drawing, path)
     assert edit_text(drawing) == ("IV\nI", FAMILY, (0.25, 1.0, TextAlign.CENTRE), "")
     # In place: other words, and the file says so.
     field(drawing).words.selectAll()
     write(drawing, "II")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     drawing.trigger("saveDocument")
     drawing.wait_for_work()
     assert path.read_bytes().count(b"data-curvebench=") == 2
@@ -504,7 +509,7 @@ def test_letters_are_spaced_and_lines_centred_live_and_again_when_the_text_is_ed
     session, path = drawing.session, tmp_path / "set.curve.json"
     start = begin(drawing)
     write(drawing, "II")
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    press(drawing, Qt.Key.Key_Return)
     write(drawing, "I")
     (left, _), (second, _), (_, lower) = plain = lefts(drawing, start)
     advance = second - left
@@ -519,7 +524,7 @@ def test_letters_are_spaced_and_lines_centred_live_and_again_when_the_text_is_ed
     assert lefts(drawing, start) == centred
     assert field(drawing).isVisible()
     field(drawing).words.setFocus()
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     made = session.document
     assert lefts(drawing, start) == centred
 
@@ -531,7 +536,7 @@ def test_letters_are_spaced_and_lines_centred_live_and_again_when_the_text_is_ed
     drawing.trigger("editText")
     assert field(drawing).setting == (0.25, 1.5, TextAlign.CENTRE)
     # As it was: nothing is done.
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert session.document == made
     drawing.trigger("editText")
     QTest.mouseClick(field(drawing).findChild(QToolButton, "textAlign_right"), Qt.MouseButton.LeftButton)
@@ -539,7 +544,7 @@ def test_letters_are_spaced_and_lines_centred_live_and_again_when_the_text_is_ed
     assert "From −100 %" in field(drawing).findChild(QLabel, "textRemark").text()
     type_per_cent(drawing, "textLetterSpacing", "0")
     field(drawing).words.setFocus()
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     right = [(left - 2 * advance, 0), (second - 2 * advance, 0), (left - advance, 1.5 * lower)]
     assert lefts(drawing, start) == close_to(right)
     assert session.undo_stack.undoText() == "Edit Text “II I”"
@@ -553,9 +558,9 @@ def test_on_a_page_a_text_stays_one_with_its_lines_and_becomes_outlines_when_ask
     drawing.trigger("textTool")
     start = begin(drawing)
     write(drawing, "AB")
-    press(drawing, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
-    write(drawing, "A")
     press(drawing, Qt.Key.Key_Return)
+    write(drawing, "A")
+    finish(drawing)
     session = drawing.session
     (text,) = (curve for curve in session.document.curves if curve.points)
     assert session.undo_stack.undoText() == "Add Text “AB A”"
@@ -582,7 +587,7 @@ def test_on_a_page_a_text_stays_one_with_its_lines_and_becomes_outlines_when_ask
     drawing.trigger("selectTool")
     drawing.double_click((start[0] + 0.5, start[1] + 0.5))
     type_size(drawing, "4")
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     (larger,) = session.document.curves
     steps = [lines[1].y - lines[0].y for lines in (text.form.lines, larger.form.lines)]
     assert steps[1] == pytest.approx(2 * steps[0])

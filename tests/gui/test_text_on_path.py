@@ -17,7 +17,7 @@ from app.exchange.svg.writer import svg_of
 from app.features.text.commands import TextCommands
 from app.features.transform.panel import TransformPanel
 from tests.gui.test_contents import red
-from tests.gui.test_text import press
+from tests.gui.test_text import finish
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
@@ -132,7 +132,7 @@ def test_its_words_are_typed_and_it_becomes_outlines_where_it_is(drawing):
     curve = session.document.curves[TEXT]
     assert [line.words for line in curve.form.lines] == ["MM MM"]
     assert frame(curve)[2] > there[2] + 5
-    press(drawing, Qt.Key.Key_Return)
+    finish(drawing)
     assert seen(drawing)
     there = frame(session.document.curves[TEXT])
     drawing.trigger("objectToPath")

@@ -1,10 +1,10 @@
 """Texts: words are typed on the canvas; in sketches the outlines of their letters become shapes.
 
 - ``commands``: the preview and the step of the history.  ``field``: what is asked beside the text;
-  ``font_box``: its fonts.  ``words_edit``: the letters, each with its look; ``words_on_page``: keys, clicks
-  and the caret where they are drawn; ``caret``: where it stands in what is typed.
-  ``remarks``: what is said of that.
-- ``letter_paint``: colours for them.  ``weight_box``: weights that their font has.
+  ``font_box``: its fonts.  ``first_size``: that of the first one.
+  ``words_edit``: the letters, each with its look; ``words_on_page``: keys, clicks and the caret where they
+  are drawn; ``caret``: where it stands in what is typed.  ``remarks``: what is said of that.
+- ``letter_paint``: colours for them.  ``weight_box``: weights that their font has.  ``size_box``: their size.
 - ``setting_row``: alignment, and spaces between letters and lines.
 - ``outline_commands``, ``outlined``: texts of opened drawings made into outlines.
 - ``along_commands``, ``along``: texts of drawings put on paths, and taken off.

@@ -2,6 +2,7 @@
 from . import along as along
 from . import caret as caret
 from . import field as field
+from . import first_size as first_size
 from . import flowing as flowing
 from . import letter_paint as letter_paint
 from . import letters as letters

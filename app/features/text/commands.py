@@ -23,7 +23,7 @@ from ...document.several_curves import remove_curves
 from ...document.style import Style
 from ...document.text import LONGEST_TEXT, Setting, Text
 from ...document.texts import text_around, with_text_known
-from ...document.transforms import IDENTITY, clean_step_within
+from ...document.transforms import IDENTITY
 from ...exchange.errors import ExchangeError
 from ...plotting.printed import to_pixels
 from ...qt import glyphs
@@ -35,8 +35,7 @@ from .along_commands import AlongCommands
 from .flow_commands import FlowCommands
 from .outline_commands import OutlineCommands
 
-_SHARE, _SHARE_OF_PAGE = 1 / 8, 1 / 30
-"""Of the height of the view, and of the page, for the size of the first text: the smaller one."""
+_KEYS = "Enter: another line · Ctrl+Enter or a click elsewhere: "
 
 
 class TextCommands:
@@ -84,6 +83,7 @@ class TextCommands:
             self._session.interrupted.connect(self._break_off)
             self._canvas.camera.changed.connect(field.place)
             field.words.keyed.connect(self._reveal_caret)
+            field.size_box.switched.connect(lambda is_on: setattr(preferences, "text_in_points", is_on))
         return self._made
 
     @property
@@ -100,7 +100,9 @@ class TextCommands:
             self._edited = self._painter = None
             self._room = None if opposite is None else (opposite[0] - place[0], place[1] - opposite[1])
             self.field.set_setting(self._setting)
-            size = self._size or clean_step_within(self._usual_size)
+            size = self._size or text.first_size.first_size(
+                self._canvas.pixel_map, self._session.committed.page
+            )
             self.field.begin_new(size, has_parts=self._is_drawing)
             if self._is_drawing:
                 self._paint_in(self._session.model.style, 1.0)
@@ -163,18 +165,16 @@ class TextCommands:
         self._before, self._model = self._session.selected.choice, self._session.model
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
-        self.field.open_beside(self._way_to_pixels, size, self._session.document.unit)
+        self.field.size_box.show_unit(
+            self._session.document.unit, wants_points=self._context.preferences.text_in_points
+        )
+        self.field.open_beside(self._way_to_pixels, size)
         self._begun, self._begun_typed = self._text, self._typed
         if self._painter is not None:
             self._context.letters.begin(self._painter)
         self._show()
-
-    @property
-    def _usual_size(self) -> float:
-        """About the size that the first text has: one that is read here, and on paper."""
-        (_, bottom, _, top), page = self._canvas.pixel_map.box, self._session.committed.page
-        seen = (top - bottom) * _SHARE
-        return seen if page is None else min(seen, page.height * _SHARE_OF_PAGE)
+        kept = "keeps the text, as Escape does" if self._is_text else "makes its shapes · Escape gives it up"
+        self._session.say(f"{_KEYS}{kept}.")
 
     def _way_to_pixels(self) -> QTransform:
         origin = self._canvas.camera.origin
@@ -194,7 +194,7 @@ class TextCommands:
         field, session = self.field, self._session
         self._outlines = glyphs.outlines_of(field.text[: self._most], field.face, field.setting)
         if self._edited is None:
-            self._size, self._setting = field.text_size, field.setting_row.setting
+            self._size, self._setting = field.size_box.em, field.setting_row.setting
         field.remark(
             text.remarks.of_typed(field, self._outlines, self._most) or text.remarks.of_edited(self._edited)
         )
@@ -256,7 +256,7 @@ class TextCommands:
         """What is typed, and where."""
         field, face, (x, y) = self.field, self.field.face, self._place
         words = field.text[: self._most]
-        text = Text(words, face.family, x, y, field.text_size, face.bold, face.italic)
+        text = Text(words, face.family, x, y, field.size_box.em, face.bold, face.italic)
         return replace(text, **field.setting._asdict())
 
     @property
@@ -292,7 +292,7 @@ class TextCommands:
     # The end
 
     def _finish(self) -> None:
-        """Make the text, by Enter."""
+        """Make the text, by Ctrl+Enter."""
         self._make()
         self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from operator import methodcaller
 
@@ -14,7 +13,6 @@ from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 from ...appearance.theme import Theme
 from ...document.content import TextRun
 from ...document.text import Setting
-from ...document.transforms import decimal_sum
 from ...document.value import Vector
 from ...qt.caret_places import CaretPlaces
 from ...qt.glyphs import Face
@@ -22,23 +20,17 @@ from ...qt.keys import ENTER, ClaimsKeys
 from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of
 from ...widgets.choice_style import choice_style
-from ...widgets.field_edit import NumberEdit
-from ...widgets.length_text import points_text, read_length
 from ...widgets.overlay_frame import OverlayFrame
 from ...widgets.tool_buttons import tool_button
 from ...workbench.typed_letters import TypedLetters
 from .font_box import FontBox
 from .setting_row import SettingRow
+from .size_box import SizeBox
 from .weight_box import WeightBox
 from .wording import BOLD, WEIGHTS, Typed
 from .words_on_page import WordsOnPage
 
 _WIDTH, _FONT_WIDTH = 360, 140
-_SIZE_TIP = (
-    "Size of the text, the length of an em: a number or an expression, with a unit if you like, “12 pt”"
-)
-_LONGEST_SIZE = "00000.000"
-_LEAST = 1e-9
 _GAP = 10
 """Pixels between the field and the text."""
 
@@ -50,10 +42,8 @@ class TextField(ClaimsKeys, OverlayFrame):
     ----------
     words
         The text, typed where it is seen.
-    font_box, weight_box, bold, italic, underline, strike, size_edit, setting_row
+    font_box, weight_box, bold, italic, underline, strike, size_box, setting_row
         The widgets of font, lines and size, and of how letters stand to each other.
-    text_size
-        What an em is long.
 
     Signals
     -------
@@ -76,7 +66,6 @@ class TextField(ClaimsKeys, OverlayFrame):
         super().__init__("textField", below)
         self._letters = letters
         self.setAccessibleName("Text")
-        self.text_size, self._unit = 1.0, ""
         # How long a unit of the text is, and whether its letters may differ.
         self._scale, self._has_parts = 1.0, False
         self._is_trying = False
@@ -99,26 +88,25 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.strike.clicked.connect(lambda is_on: self._set(strike=is_on))
         self.weight_box = WeightBox()
         self.weight_box.picked.connect(self._take_weight)
-        self._make_size_edit()
+        self.size_box = SizeBox()
+        self.size_box.sized.connect(self._take_size)
+        self.size_box.refused.connect(self.remark)
+        self.size_box.left.connect(lambda: self.remark(""))
         self.setting_row = SettingRow()
         self.setting_row.changed.connect(self.changed)
         self.setting_row.spaced.connect(self._space)
         self.setting_row.refused.connect(self.remark)
-        self._suffix, self._remark = Label(), Label(name="textRemark", wordWrap=True)
+        self._remark = Label(name="textRemark", wordWrap=True)
         letters_row = (self.bold, self.italic, self.underline, self.strike)
-        row = row_of(self.font_box, self.weight_box, *letters_row, self.size_edit, self._suffix, spacing=6)
+        row = row_of(self.font_box, self.weight_box, *letters_row, self.size_box, spacing=6)
         column_of(row, self.setting_row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self)
         QWidget.setTabOrder(self.words, self.font_box)
+        # A press between its widgets is none on the canvas below, and leaves the focus where it was.
+        self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusProxy(self.words)
         self.hide()
         self.follow_theme()
-
-    def _make_size_edit(self) -> None:
-        self.size_edit = NumberEdit("textSize", "Size", _SIZE_TIP, self._read_size, _stepped)
-        self.size_edit.setFixedWidth(self.fontMetrics().horizontalAdvance(_LONGEST_SIZE))
-        self.size_edit.entered.connect(self._take_size)
-        self.size_edit.stepped.connect(self._take_size)
-        self.size_edit.refused.connect(self.remark)
-        self.size_edit.left.connect(lambda: self.remark(""))
 
     def _letter(self, name: str, letter: str, title: str, is_on: bool) -> QToolButton:
         key = "" if letter == "S" else f" (Ctrl+{letter})"
@@ -215,12 +203,10 @@ class TextField(ClaimsKeys, OverlayFrame):
             button.setChecked(is_on)
             button.setVisible(self._has_parts)
 
-    def open_beside(self, way: Callable[[], QTransform], size: float, unit: str) -> None:
+    def open_beside(self, way: Callable[[], QTransform], size: float) -> None:
         """Ask for a text of a size, beside where it lies: a way leads from the plane to the pixels there."""
-        self.words.way, self._unit = way, unit
-        self._show_size(size)
-        self._suffix.setText(unit)
-        self._suffix.setVisible(bool(unit))
+        self.words.way = way
+        self.size_box.show_size(size)
         self.remark("")
         self.words.show()
         self.show()
@@ -258,7 +244,7 @@ class TextField(ClaimsKeys, OverlayFrame):
                 self.take_key(event)
             else:
                 super().keyPressEvent(event)
-        elif not any(edit.isModified() for edit in (self.size_edit, *self.setting_row.edits.values())):
+        elif not any(edit.isModified() for edit in (self.size_box.edit, *self.setting_row.edits.values())):
             # What was typed beside them was taken; one that cannot be used is mended first.
             self.words.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -268,10 +254,10 @@ class TextField(ClaimsKeys, OverlayFrame):
             button.click()
         elif event.key() == Qt.Key.Key_Escape:
             self.given_up.emit()
-        elif event.modifiers() & (Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier):
-            self.words.insertPlainText("\n")
-        else:
+        elif event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             self.entered.emit()
+        else:
+            self.words.insertPlainText("\n")
 
     def _button_of(self, event: QKeyEvent) -> QToolButton | None:
         is_control = event.modifiers() == Qt.KeyboardModifier.ControlModifier
@@ -331,28 +317,15 @@ class TextField(ClaimsKeys, OverlayFrame):
         family = run.font[0] if run.font else ""
         self._show_face(Face(family, run.weight >= BOLD, run.italic))
         self._show_letters()
-        self._show_size(run.size * self._scale)
-
-    def _show_size(self, size: float) -> None:
-        self.text_size = size
-        self.size_edit.show_number(size, 6)
-        points = points_text(size, self._unit)
-        self.size_edit.setToolTip(f"{_SIZE_TIP}. Now {points}" if points else _SIZE_TIP)
+        self.size_box.show_size(run.size * self._scale)
 
     def _follow_words(self) -> None:
         if not self.isHidden():
             self.changed.emit()
 
-    def _read_size(self, text: str) -> float:
-        return read_length(text, self._unit, self.text_size)
-
     def _take_size(self, size: float) -> None:
-        if size < _LEAST:
-            self.size_edit.keep()
-            self.remark("A size is greater than 0.")
-            return
-        by = size / self.text_size
-        self._show_size(size)
+        by = size / self.size_box.em
+        self.size_box.show_size(size)
         self.restyle(methodcaller("resized", by))
 
     # Look
@@ -390,9 +363,3 @@ def _application() -> QApplication:
     application = QApplication.instance()
     assert isinstance(application, QApplication)
     return application
-
-
-def _stepped(size: float, count: int) -> float:
-    """Return a size so many steps larger, of which it has 10 to 99."""
-    step = 10.0 ** (math.floor(math.log10(size)) - 1) if size > 0 else 1.0
-    return decimal_sum(size, count * step) if size + count * step > 0 else size

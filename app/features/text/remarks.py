@@ -28,5 +28,5 @@ def of_edited(edited: Written | Worded | None) -> str:
     if edited is None or not edited.is_changed:
         return ""
     if not glyphs.has_family(edited.text.font):
-        return f"“{edited.text.font}” is not on this computer; Enter writes the text in another font."
-    return "The letters were changed by hand; Enter writes them anew at this place."
+        return f"“{edited.text.font}” is not on this computer; Ctrl+Enter writes the text in another font."
+    return "The letters were changed by hand; Ctrl+Enter writes them anew at this place."

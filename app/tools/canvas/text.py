@@ -142,8 +142,9 @@ TEXT = ToolRecord(
         GestureRow(
             "Drag, double, triple click in it", "choose letters, a word, a line; Shift+click chooses on"
         ),
-        GestureRow("Enter, Escape", "keep it; in a sketch make a shape of each letter, or give it up"),
-        GestureRow("Shift+Enter, Ctrl+Enter", "another line"),
+        GestureRow("Enter", "begin another line"),
+        GestureRow("Ctrl+Enter, a click elsewhere", "keep the text; in a sketch make a shape of each letter"),
+        GestureRow("Escape", "keep the text; in a sketch give it up"),
     ),
     place=28,
     action="textTool",
