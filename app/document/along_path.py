@@ -62,6 +62,14 @@ class Along(Value, frozen=True):
             return self.pieces
         return tuple((d, c, b, a) for a, b, c, d in reversed(self.pieces))
 
+    def anchored(self, share: float, before: float) -> Along:
+        """Return it for another part of a line that is anchored, which stands at that part of the course.
+
+        Where it stood at none before it stays where it is.
+        """
+        is_there = self.start == before and (self.is_share or not before)
+        return replace(self, start=share, is_share=share > 0) if is_there else self
+
     @property
     def length(self) -> float:
         """How long the course is, about."""

@@ -103,6 +103,12 @@ def standing_letters(
         yield run, cluster if is_shown else cluster._replace(x=0.0, width=0.0), way
 
 
+def hidden_letters(lines: Sequence[TextLine], along: Along, font_of: Callable[[TextRun], QFont]) -> int:
+    """Return how many letters the course has no room for."""
+    stood = _stood(lines, along, font_of)
+    return sum(bool(cluster.letters.strip()) for _, cluster, _, is_shown in stood if not is_shown)
+
+
 def _stood(
     lines: Sequence[TextLine], along: Along, font_of: Callable[[TextRun], QFont]
 ) -> Iterator[tuple[TextRun, Cluster, QTransform, bool]]:

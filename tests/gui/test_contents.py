@@ -337,6 +337,41 @@ def test_chosen_letters_are_underlined_by_a_key_and_struck_through_by_a_button(w
     assert [name for name in names if name[:4] in ("unde", "stri")] == ["underline", "strike", "underline"]
 
 
+def test_letters_are_kerned_by_keys_and_what_was_chosen_is_so_after_undo(writing):
+    editor, field = writing
+    session = editor.session
+    alt = Qt.KeyboardModifier.AltModifier
+    placed = [(run.right, run.down) for run in begun_runs(editor)]
+    choose_letters(field, 2, 0)
+    for _ in range(2):
+        press(editor, Qt.Key.Key_Right, alt)
+    press(editor, Qt.Key.Key_Down, alt | Qt.KeyboardModifier.ShiftModifier)
+    choose_letters(field, 3, 0)
+    press(editor, Qt.Key.Key_Right, alt)
+    runs = begun_runs(editor)
+    assert [run.words for run in runs[:4]] == ["pl", "a", "i", "n "]
+    pixel = 1 / editor.window.canvas.pixel_map.sx
+    assert [(run.right, run.down) for run in runs[:4]] == [
+        (0, 0), pytest.approx((2 * pixel, 10 * pixel)), pytest.approx((pixel, 0)), (0, 0)
+    ]  # fmt: skip
+    # What follows is moved along, and what was raised before still is, once.
+    assert [run.down for run in runs[4:]] == [down for _, down in placed[1:]]
+    choose_letters(field, 6, 6)
+    QTest.mouseClick(field.bold, Qt.MouseButton.LeftButton)
+    was = field.bold.isChecked()
+    field.words.setFocus()
+    press(editor, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert field.words.textCursor().selectedText() == "raised"
+    assert field.bold.isChecked() != was
+    finish(editor)
+    assert [run.words for run in begun_runs(editor)[:4]] == ["pl", "a", "i", "n "]
+    assert session.undo_stack.undoText().startswith("Edit Text")
+
+
+def begun_runs(editor):
+    return editor.session.document.curves[0].form.lines[0].runs
+
+
 def type_into(edit, text):
     edit.setFocus()
     edit.selectAll()

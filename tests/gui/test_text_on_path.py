@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtWidgets import QLabel, QLineEdit, QToolButton
 
 from app.document.along_edits import along_of
 from app.document.contents import corners_of
@@ -140,6 +140,26 @@ def test_its_words_are_typed_and_it_becomes_outlines_where_it_is(drawing):
     places = np.array([point.position for each in letters for point in each.points])
     assert np.array([*places.min(axis=0), *places.max(axis=0)]) == pytest.approx(there, abs=0.2)
     assert len(letters) == 4
+
+
+def test_centred_it_stands_in_the_middle_of_its_path_and_what_has_no_room_is_told(drawing):
+    """Its middle was at the beginning of the path, and the first half of the words was not seen."""
+    session = drawing.session
+    put(drawing)
+    field = drawing.window.commands[TextCommands].field
+    drawing.window.activateWindow()
+    drawing.double_click(ON_LETTER)
+    QTest.mouseClick(field.findChild(QToolButton, "textAlign_centre"), Qt.MouseButton.LeftButton)
+    remark = field.findChild(QLabel, "textRemark")
+    assert not remark.isVisible()
+    left, _, right, _ = frame(session.document.curves[TEXT])
+    assert (left + right) / 2 == pytest.approx(50, abs=1)
+    assert seen(drawing)
+    QTest.mouseClick(field.findChild(QToolButton, "textAlign_left"), Qt.MouseButton.LeftButton)
+    assert (along_of(session.document.curves[TEXT]).start, remark.isVisible()) == (0.0, False)
+    field.words.setPlainText("M" * 40)
+    assert remark.text().startswith("⚠ The path has no room for ")
+    finish(drawing)
 
 
 def test_where_it_starts_is_typed(drawing):

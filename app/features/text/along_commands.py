@@ -59,7 +59,8 @@ class AlongCommands:
         )
         if done:
             session.selected.choose({place})
-            session.say(f"{words} lies along {curve} and follows it.")
+            unseen = text.remarks.of_shown(session.committed.curves[place])
+            session.say(f"{words} lies along {curve} and follows it. {unseen}".rstrip())
 
     @action("removeFromPath", "Remove from Path", TEXT_PATH, needs=_ON_PATH, keywords="text straight along")
     @also(CHOSEN_MENU(57))

@@ -204,9 +204,8 @@ class TextCommands:
         except (ExchangeError, EditError) as reason:
             self._outlines, shown, places = glyphs.NO_OUTLINES, None, range(0)
             field.remark(str(reason))
-        if self._edited is not None and shown is None:
-            places = self._edited.places
         if shown is None:
+            places = self._edited.places if self._edited is not None else places
             session.cancel()
         else:
             session.preview(_with_curves_of(shown, session.document))
@@ -231,6 +230,8 @@ class TextCommands:
             places = text.caret.in_frame(curves[0])
         else:
             places = text.caret.in_new_frame(now, typed, self._room)
+        if curves and (unseen := text.remarks.of_shown(curves[0])):
+            self.field.remark(unseen)
         self.field.lie_at(places, corners_of(curves[0]) if curves and self._fills_frame else ())
 
     @property

@@ -31,6 +31,14 @@ from .wording import BOLD, WEIGHTS, Typed
 from .words_on_page import WordsOnPage
 
 _WIDTH, _FONT_WIDTH = 360, 140
+_WAYS = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, -1),
+    Qt.Key.Key_Down: (0, 1),
+}
+"""Keys, and where they move letters, y downwards."""
+
 _GAP = 10
 """Pixels between the field and the text."""
 
@@ -236,7 +244,8 @@ class TextField(ClaimsKeys, OverlayFrame):
             self.left.emit()
 
     def claims(self, event: QKeyEvent) -> bool:
-        return event.key() in (*ENTER, Qt.Key.Key_Escape) or self._button_of(event) is not None
+        keys = (*ENTER, Qt.Key.Key_Escape)
+        return event.key() in keys or self._button_of(event) is not None or self._way_of(event) is not None
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() not in ENTER:
@@ -252,12 +261,25 @@ class TextField(ClaimsKeys, OverlayFrame):
         """Do what a key is for that is pressed among the words."""
         if (button := self._button_of(event)) is not None:
             button.click()
+        elif (way := self._way_of(event)) is not None:
+            self.words.kern(*way)
         elif event.key() == Qt.Key.Key_Escape:
             self.given_up.emit()
         elif event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             self.entered.emit()
         else:
             self.words.insertPlainText("\n")
+
+    def _way_of(self, event: QKeyEvent) -> Vector | None:
+        """Return how far a key moves letters that may differ: by pixels, in units of the text."""
+        keys = Qt.KeyboardModifier
+        held = event.modifiers() & ~keys.KeypadModifier
+        if not self._has_parts or held & ~keys.ShiftModifier != keys.AltModifier:
+            return None
+        right, down = _WAYS.get(Qt.Key(event.key()), (0, 0))
+        pixel = 1.0 / (abs(self.words.way().m11()) * self._scale)
+        far = 10 * pixel if held & keys.ShiftModifier else pixel
+        return (right * far, down * far) if right or down else None
 
     def _button_of(self, event: QKeyEvent) -> QToolButton | None:
         is_control = event.modifiers() == Qt.KeyboardModifier.ControlModifier

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ...document.words import enumerated
+from ...document.content import Lettering
+from ...document.model import Curve
+from ...document.words import count_of, enumerated
 from ...qt import glyphs
 from ...qt.glyphs import Outlines
+from ...qt.letters_along import hidden_letters
+from ...qt.run_fonts import font_of
 from .rewriting import Written
 from .wording import Worded
 
@@ -21,6 +25,15 @@ def of_typed(field: TextField, outlines: Outlines, most: int) -> str:
     if outlines.missing:
         return f"No font here has {enumerated([f'“{each}”' for each in outlines.missing[:5]])}."
     return f"“{field.face.family}” has no bold letters." if outlines.lacks_bold else ""
+
+
+def of_shown(curve: Curve) -> str:
+    """Say what of a text has no room on its path."""
+    text = curve.form
+    if not isinstance(text, Lettering) or text.along is None:
+        return ""
+    many = hidden_letters(text.lines, text.along, font_of)
+    return f"The path has no room for {count_of(many, 'letter')}." if many else ""
 
 
 def of_edited(edited: Written | Worded | None) -> str:

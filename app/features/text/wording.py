@@ -33,10 +33,15 @@ _ANCHORS = {align: anchor for anchor, align in _ALIGNED.items()} | {TextAlign.JU
 
 
 class Look(NamedTuple):
-    """How letters look, and which run of the text as it was they are of: that begins where it did."""
+    """How letters look, and which run of the text as it was they are of: that begins where it did.
+
+    The first of them are moved by what their run is, and so are the first of those that were kerned since,
+    each time by another number.
+    """
 
     run: TextRun
     source: int
+    kerned: int = 0
 
 
 class Letters(NamedTuple):
@@ -204,7 +209,11 @@ def reworded(
     said = list(filter(_is_seen, said_lines(text, before, now, typed)))
     if not said:
         return document, edited.places
-    new = replace(text, lines=tuple(said) if text.along is None else (in_a_line(said),))
+    if text.along is None:
+        new = replace(text, lines=tuple(said))
+    else:
+        line, was = in_a_line(said), text.lines[0].anchor
+        new = replace(text, lines=(line,), along=text.along.anchored(line.anchor.share, was.share))
     return document.with_curve(place, _said_by(new, curve, text, style)), edited.places
 
 
@@ -270,14 +279,16 @@ def _lines(before: Sequence[TextLine], many: int) -> list[TextLine]:
 
 def _runs(typed: Typed) -> list[tuple[TextRun, ...]]:
     """Return the runs of lines of letters."""
-    begun, found = set[int](), list[tuple[TextRun, ...]]()
+    begun, found = set[tuple[int, int]](), list[tuple[TextRun, ...]]()
     for line in typed:
         runs = list[TextRun]()
-        for words, (look, source) in line:
+        for words, (look, *key) in line:
+            source, kerned = key
             run = replace(look, words=words.replace("\t", " "))
             # What was parted is moved but once.
-            runs.append(replace(run, right=0.0, down=0.0) if source in begun or not words else run)
-            begun |= {source} if words else set()
+            is_moved = words and (source, kerned) not in begun
+            runs.append(run if is_moved else replace(run, right=0.0, down=0.0))
+            begun |= {(source, kerned), (source, 0)} if words else set()
         found.append(tuple(runs))
     return found
 
@@ -287,6 +298,6 @@ def _growth(before: Sequence[TextLine], typed: Typed) -> float:
     sizes = [run.size for line in before for run in line.runs]
     found = Counter[float]()
     for line in typed:
-        for words, (run, source) in line:
+        for words, (run, source, _) in line:
             found[run.size / sizes[source]] += len(words)
     return found.most_common(1)[0][0] if found else 1.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple, cast
 
+from msgspec.structs import replace
 from PySide6.QtCore import Signal
 from PySide6.QtGui import (
     QFont,
@@ -158,6 +159,35 @@ class WordsEdit(Guarded, QPlainTextEdit):
             self._set(part, look._replace(run=change(look.run)))
         cursor.endEditBlock()
         return True
+
+    def kern(self, right: float, down: float) -> None:
+        """Move what begins at the caret, or with the chosen letters, by lengths of the text."""
+        cursor = self.textCursor()
+        cursor.setPosition(cursor.selectionStart())
+        start = cursor.position()
+        if cursor.atBlockEnd():
+            return
+        cursor.movePosition(QTextCursor.MoveOperation.NextCharacter)
+        look = self._look_at(_look_in(cursor.charFormat()))
+        run = look.run
+        if any(self._look_at(each.look)[1:] == look[1:] for each in self._parts() if each.start < start):
+            # Those before it were moved by that.
+            run = replace(run, right=0.0, down=0.0)
+        run = replace(run, right=run.right + right, down=run.down + down)
+        kerned = 1 + max(each.kerned for each in self._looks)
+        self._set(_Part(start, cursor.position(), "", 0), Look(run, look.source, kerned))
+
+    def take_back(self, *, again: bool = False) -> None:
+        """Undo or redo; where the letters stay the same, those that are chosen stay so."""
+        cursor, words = self.textCursor(), self.toPlainText()
+        anchor, place = cursor.anchor(), cursor.position()
+        (self.redo if again else self.undo)()
+        if self.toPlainText() == words:
+            cursor = self.textCursor()
+            cursor.setPosition(anchor)
+            cursor.setPosition(place, QTextCursor.MoveMode.KeepAnchor)
+            self.setTextCursor(cursor)
+        self.chosen_changed.emit()
 
     def _set(self, part: _Part, look: Look) -> None:
         cursor = QTextCursor(self.document())

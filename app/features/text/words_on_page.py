@@ -250,7 +250,11 @@ class WordsOnPage(ClaimsKeys, FollowsTheme, WordsEdit):
         self.keyed.emit()
 
     def _led(self, event: QKeyEvent) -> bool:
-        """Go where a key leads by the lines that are seen; return whether it does."""
+        """Go where a key leads by the lines that are seen, or undo; return whether it does."""
+        for key in (_SEQUENCES.Undo, _SEQUENCES.Redo):
+            if event.matches(key):
+                self.take_back(again=key == _SEQUENCES.Redo)
+                return True
         for key, (step, extends) in _STEPS.items():
             if event.matches(key):
                 self._step(step, extends=extends)

@@ -142,6 +142,7 @@ TEXT = ToolRecord(
         GestureRow(
             "Drag, double, triple click in it", "choose letters, a word, a line; Shift+click chooses on"
         ),
+        GestureRow("Alt+arrows, in drawings", "move the letters from the caret on by a pixel; Shift: by ten"),
         GestureRow("Enter", "begin another line"),
         GestureRow("Ctrl+Enter, a click elsewhere", "keep the text; in a sketch make a shape of each letter"),
         GestureRow("Escape", "keep the text; in a sketch give it up"),
