@@ -6,6 +6,7 @@
   are drawn; ``caret``: where it stands in what is typed.  ``remarks``: what is said of that.
 - ``letter_paint``: colours for them.  ``weight_box``: weights that their font has.  ``size_box``: their size.
 - ``setting_row``: alignment, and spaces between letters and lines.
+- ``type_commands``, ``type_bar``: font and size of all texts that are chosen.
 - ``outline_commands``, ``outlined``: texts of opened drawings made into outlines.
 - ``along_commands``, ``along``: texts of drawings put on paths, and taken off.
 - ``wording``: texts of drawings, which stay texts, written and edited.  ``flowing``, ``flow_commands``:

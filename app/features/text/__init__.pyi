@@ -9,4 +9,5 @@ from . import letters as letters
 from . import outlined as outlined
 from . import remarks as remarks
 from . import rewriting as rewriting
+from . import type_bar as type_bar
 from . import wording as wording

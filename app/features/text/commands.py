@@ -34,6 +34,7 @@ from .. import text
 from .along_commands import AlongCommands
 from .flow_commands import FlowCommands
 from .outline_commands import OutlineCommands
+from .type_commands import TypeCommands
 
 _KEYS = "Enter: another line · Ctrl+Enter or a click elsewhere: "
 
@@ -396,4 +397,4 @@ def _with_curves_of(document: Document, shown: Document) -> Document:
     )
 
 
-COMMAND_SETS = (TextCommands, OutlineCommands, AlongCommands, FlowCommands)
+COMMAND_SETS = (TextCommands, TypeCommands, OutlineCommands, AlongCommands, FlowCommands)

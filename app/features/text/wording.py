@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import count
 from typing import Final, NamedTuple
 
@@ -53,6 +53,10 @@ class Letters(NamedTuple):
 
 Typed = tuple[tuple[Letters, ...], ...]
 """Lines of letters; one without any tells how those typed there look."""
+
+
+Restyle = Callable[[TextRun, float], TextRun]
+"""Returns how letters shall look that are of a run, a unit of whose text is so long."""
 
 
 class Worded(NamedTuple):
@@ -215,6 +219,31 @@ def reworded(
         line, was = in_a_line(said), text.lines[0].anchor
         new = replace(text, lines=(line,), along=text.along.anchored(line.anchor.share, was.share))
     return document.with_curve(place, _said_by(new, curve, text, style)), edited.places
+
+
+def restyled(document: Document, places: Iterable[int], change: Restyle) -> Document:
+    """Return the document with texts all letters of which look otherwise, and say the same.
+
+    Raises
+    ------
+    EditError
+        If one is longer than what can be typed.
+    """
+    for place in places:
+        edited = worded_at(document, place)
+        if edited is None:
+            continue
+        typed = tuple(
+            tuple(each._replace(look=_changed(each.look, change, edited.scale)) for each in line)
+            for line in edited.typed
+        )
+        style = document.curves[place].style
+        document, _ = reworded(document, edited, edited.text, edited.text, typed, style)
+    return document
+
+
+def _changed(look: Look, change: Restyle, scale: float) -> Look:
+    return look._replace(run=change(look.run, scale))
 
 
 def said_lines(text: Lettering, before: Text, now: Text, typed: Typed) -> tuple[TextLine, ...]:
