@@ -145,7 +145,8 @@ class TransformTarget:
     def pivot(self) -> Vector | None:
         """The pivot that was chosen, where it is by now; None for the middle.
 
-        Whole curves have that of any of them, the latest: a pair is mirrored about the foot of one.
+        Whole curves have that of any of them, the latest: a pair is mirrored about the foot of one. One of
+        several does not have theirs.
         """
         pivots = [each for each in self._host.box.pivots if not each.is_waiting]
         if not pivots or self.is_nothing:
@@ -154,7 +155,7 @@ class TransformTarget:
         found = next(filter(None, (each.at(now) for each in pivots)), None)
         if found is None and now.group.is_whole:
             whole = now.group.curves
-            shared = (each for each in pivots if not whole.isdisjoint(each.anchor.group.curves))
+            shared = (each for each in pivots if each.anchor.group.curves <= whole)
             found = next(filter(None, map(self._where_it_is, shared)), None)
         return found.place if found is not None else None
 

@@ -543,3 +543,15 @@ def test_keys_double_and_halve_about_the_middle_and_the_stroke_goes_along(two):
     assert points(two) == pytest.approx(before[0], abs=1e-9)
     assert two.curve.style.width == 0.25
     two.window.store.change(scale_strokes=True)
+
+
+def test_one_of_several_does_not_turn_about_the_pivot_of_all(two):
+    """Each of them did, and its place was told as that of a corner far away."""
+    two.session.selected.choose([0, 1])
+    two.session.box.set_turns(True)
+    drag_pivot(two, (6.0, 4.0))
+    chosen = pivot(two)
+    two.session.selected.choose([0])
+    assert pivot(two) == pytest.approx((2, 1), abs=0.3)
+    two.session.selected.choose([0, 1])
+    assert pivot(two) == pytest.approx(chosen)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from ...document.transforms import decimal_sum
 from ...exchange.units import known_unit
@@ -58,6 +58,7 @@ class SizeBox(QWidget):
         self.edit.left.connect(self.left)
         self.unit_box = named(QComboBox(), "textSizeUnit", "Unit", "What the size is told and typed in")
         self.unit_box.activated.connect(lambda at: self._switch(is_other=bool(at)))
+        self.unit_box.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         row_of(self.edit, self.unit_box, margins=0, spacing=3, parent=self)
 
     def show_unit(self, unit: str, *, wants_points: bool) -> None:
