@@ -43,8 +43,10 @@ class Situated(msgspec.Struct, frozen=True):
         Its bounds; None of nothing.
     grows
         Along which axes it has a length to be set.
-    pivot, place
-        The pivot, and which of the nine places that is; None for none of them.
+    told
+        The place that X and Y are of.
+    place
+        Which of the nine places the pivot is; None for none of them.
     angle
         Degrees by which a form is turned, and all else was since it was selected.
     unit
@@ -58,7 +60,7 @@ class Situated(msgspec.Struct, frozen=True):
     what: str
     bounds: Bounds | None
     grows: tuple[bool, bool]
-    pivot: Vector
+    told: Vector
     place: tuple[int, int] | None
     angle: float
     unit: str
@@ -81,7 +83,7 @@ class TransformPanel(FieldForm):
     Signals
     -------
     placed, sized
-        The pivot shall lie there, the box shall be so large: along which axis, and the number.
+        What X and Y are of shall lie there, the box shall be so large: along which axis, and the number.
     turned_to, turned_by
         It shall stand at this angle; it shall be turned by one.
     skewed
@@ -109,8 +111,8 @@ class TransformPanel(FieldForm):
         self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
-        self.x_edit = self._length("X", "x of the pivot", 0)
-        self.y_edit = self._length("Y", "y of the pivot", 1)
+        self.x_edit = self._length("X", "x of the pivot; in drawings of the upper left corner", 0)
+        self.y_edit = self._length("Y", "y of the pivot; in drawings of the upper left corner", 1)
         self.width_edit = self._length("Width", "Width", 2)
         self.height_edit = self._length("Height", "Height", 3)
         turned = "Degrees that a rectangle, ellipse or star is turned; else since it was selected"
@@ -216,13 +218,13 @@ class TransformPanel(FieldForm):
     # Rendering: nothing here writes back
 
     def _numbers(self) -> tuple[float, float, float, float]:
-        """Return x and y of the pivot, width and height, without the digits that are rounding."""
+        """Return x and y, width and height, without the digits that are rounding."""
         shown = self._shown
         if shown is None or shown.bounds is None:
             return (0.0, 0.0, 0.0, 0.0)
-        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *shown.pivot, 1e-300)))
+        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *shown.told, 1e-300)))
         decimals = _CERTAIN - 1 - math.floor(math.log10(largest))
-        x, y, width, height = (round(value, decimals) + 0.0 for value in (*shown.pivot, *shown.bounds.size))
+        x, y, width, height = (round(value, decimals) + 0.0 for value in (*shown.told, *shown.bounds.size))
         return (x, y, width, height)
 
     def render_situation(self, shown: Situated) -> None:

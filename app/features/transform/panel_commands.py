@@ -14,6 +14,7 @@ from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...document.edits import EditError
 from ...document.form import FormField
 from ...document.model import Document, Vector
+from ...document.paper import DocumentKind, kind_of
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
 from ...document.words import number
@@ -129,10 +130,16 @@ class TransformPanelCommands(QObject):
         # A name is shown as it is; all else is a sentence's beginning.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
         return transform.panel.Situated(
-            what, bounds, (bare[0] > 0.0, bare[1] > 0.0), pivot,
+            what, bounds, (bare[0] > 0.0, bare[1] > 0.0), self._told_place,
             places[len(places) // 2] if places else None, self._angle(),
             session.document.unit, target.refusal_of_keys, tuple(now.form for now in self._formed().values()),
         )  # fmt: skip
+
+    @property
+    def _told_place(self) -> Vector:
+        """The place that X and Y are of: the pivot, or in drawings the upper left corner."""
+        is_drawing = kind_of(self._session.committed) is DocumentKind.DRAWING
+        return self._target.bounds.place(-1, 1) if is_drawing else self._target.centre
 
     def _formed(self) -> dict[int, Formed]:
         """Return the curves that are acted on, with what they are of the forms that they were drawn as.
@@ -203,7 +210,7 @@ class TransformPanelCommands(QObject):
         self._change(f"Set {what} to {shown}", edit)
 
     def _place(self, axis: int, value: float) -> None:
-        group, way = self._target.for_keys, value - self._target.centre[axis]
+        group, way = self._target.for_keys, value - self._told_place[axis]
         by = (way, 0.0) if axis == 0 else (0.0, way)
         text = f"Move {self._target.words} to {'xy'[axis]} {self._length(value)}"
         self._change(text, lambda document: moved(document, group, by))
