@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 
 from app.document.contents import corners_of, plane_of
 from app.features.text.type_bar import TypeBar
+from tests.gui.test_contents import type_into
 from tests.gui.test_text import FAMILY, FONT, choose_font
 
 DRAWING = (
@@ -42,13 +43,6 @@ def runs(editor):
             for line in curve.form.lines for run in line.runs
         ])  # fmt: skip
     return found
-
-
-def type_into(edit, text):
-    edit.setFocus()
-    edit.selectAll()
-    QTest.keyClicks(edit, text)
-    QTest.keyClick(edit, Qt.Key.Key_Return)
 
 
 def test_font_and_size_of_several_texts_are_set_at_once_and_their_words_stay(bar):

@@ -54,9 +54,9 @@ class FontBox(Guarded, QFontComboBox):
 
     def take(self, family: str) -> None:
         """Have another one count."""
-        # Else the list would tell that it is pointed at.
-        self._pointed_at = plain_family(family)
-        self.setCurrentFont(QFont(self._pointed_at))
+        # Else it would tell that one is pointed at, which it passes on its way there.
+        with QSignalBlocker(self):
+            self.setCurrentFont(QFont(plain_family(family)))
         self._name_each_once()
         self._pointed_at = ""
         if (line := self.lineEdit()) is not None:
