@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from msgspec.structs import replace
 
 from .limits import AlreadySoError, EditError, checked
@@ -33,6 +35,15 @@ def add_guide(
     if any(replace(each, locked=False) == guide for each in document.guides):
         raise AlreadySoError(f"There is a guide at {place_words(guide)} already.")
     return replace(document, guides=(*document.guides, guide))
+
+
+def add_guides(document: Document, guides: Iterable[Guide]) -> Document:
+    """Draw guides where there are none yet."""
+    free = [replace(each, locked=False) for each in document.guides]
+    new = [each for each in dict.fromkeys(map(_checked, guides)) if each not in free]
+    if not new:
+        raise AlreadySoError("There are guides there already.")
+    return replace(document, guides=(*document.guides, *new))
 
 
 def move_guide(document: Document, place: int, to: Guide) -> Document:

@@ -294,9 +294,36 @@ def with_layer_looks(
 ) -> Document:
     """Show or hide a layer, lock or free it, with all that is in it; None leaves it as it is."""
     node = layer_node(document, layer)
+    inner = {each.name for each in node.walk() if each.kind is NodeKind.LAYER}
+    return _with_looks(document, node.places, inner, visible, locked)
+
+
+def all_shown(document: Document) -> Document:
+    """Show what is hidden, layers too."""
+    if all(each.visible for each in document.curves) and all(each.visible for each in document.empty_layers):
+        raise AlreadySoError("Nothing is hidden.")
+    return _with_looks(document, range(len(document.curves)), set(document.layers), True, None)
+
+
+def all_unlocked(document: Document) -> Document:
+    """Free what is locked, layers too."""
+    if not (
+        any(each.locked for each in document.curves) or any(each.locked for each in document.empty_layers)
+    ):
+        raise AlreadySoError("Nothing is locked.")
+    return _with_looks(document, range(len(document.curves)), set(document.layers), None, False)
+
+
+def _with_looks(
+    document: Document,
+    places: Collection[int],
+    layers: Collection[str],
+    visible: bool | None,
+    locked: bool | None,
+) -> Document:
+    """Show or hide curves and empty layers, lock or free them; None leaves it as it is."""
     given = {"visible": visible, "locked": locked}
     looks = {name: value for name, value in given.items() if value is not None}
-    inner = {each.name for each in node.walk() if each.kind is NodeKind.LAYER}
-    empty = tuple(replace(each, **looks) if each.name in inner else each for each in document.empty_layers)
+    empty = tuple(replace(each, **looks) if each.name in layers else each for each in document.empty_layers)
     document = replace(document, empty_layers=empty)
-    return with_each(document, node.places, lambda curve: replace(curve, **looks))
+    return with_each(document, places, lambda curve: replace(curve, **looks))

@@ -458,3 +458,27 @@ def test_the_menu_of_a_row_has_the_submenus_of_the_canvas(layered):
     of_layers = {each.objectName() for each in submenus["Layer"].actions()} - {""}
     assert of_layers == {"moveToLayerAbove", "moveToLayerBelow"}
     assert {"raiseCurve", "lowerToBottom"} <= {each.objectName() for each in submenus["Order"].actions()}
+
+
+def test_all_that_is_hidden_is_shown_and_all_that_is_locked_is_freed_layers_too(layered):
+    session = layered.session
+    session.selected.choose(())
+    layered.click_in_list(0, Spot.EYE)
+    layered.click_in_list(2, Spot.LOCK)
+    assert not session.document.curves[0].visible
+    assert session.document.curves[2].locked
+    layered.trigger("showAll")
+    assert all(curve.visible for curve in session.document.curves)
+    assert all(layer.visible for layer in session.document.empty_layers)
+    assert session.undo_stack.undoText() == "Show all"
+    layered.trigger("showAll")
+    assert layered.status == "Nothing is hidden."
+    layered.trigger("unlockAll")
+    assert not any(part.locked for part in (*session.document.curves, *session.document.empty_layers))
+    layered.trigger("unlockAll")
+    assert layered.status == "Nothing is locked."
+    layered.trigger("undo")
+    layered.trigger("undo")
+    assert [layer.name for layer in session.document.empty_layers if not layer.visible] == ["Sketch"]
+    assert not session.document.curves[0].visible
+    assert session.document.curves[2].locked

@@ -723,3 +723,28 @@ def test_a_long_angle_is_shown_short_and_stays_whole_where_another_place_is_type
     (guide,) = drawing.session.document.guides
     assert guide.angle == pytest.approx(90.3692597, abs=1e-9)
     assert guide.position == 3.0
+
+
+def test_edges_of_the_page_and_objects_become_guides(editor, open_drawing):
+    open_drawing(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm" viewBox="0 0 60 40">'
+        '<circle cx="20" cy="20" r="5" fill="#00aa00"/><path d="M30 10L40 20" stroke="#000"/></svg>'
+    )
+    session, before = editor.session, editor.session.document
+    editor.trigger("guidesAroundPage")
+    assert guides(editor) == [("x", 0.0), ("x", 60.0), ("y", 0.0), ("y", 40.0)]
+    editor.trigger("guidesAroundPage")
+    assert editor.status == "There are guides there already."
+    editor.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    editor.trigger("objectsToGuides")
+    assert editor.status == "5 guides drawn."
+    *round_circle, along = session.document.guides[4:]
+    edges = [(guide.axis.value, round(guide.position, 9)) for guide in round_circle]
+    assert edges == [("x", 15.0), ("x", 25.0), ("y", 15.0), ("y", 25.0)]
+    # y is upwards here: the line falls from (30, 30) to (40, 20).
+    assert along.angle == pytest.approx(135.0)
+    assert along.distance((40.0, 20.0)) == pytest.approx(0.0, abs=1e-9)
+    assert not any(curve.points for curve in session.document.curves)
+    editor.trigger("undo")
+    editor.trigger("undo")
+    assert session.document == before

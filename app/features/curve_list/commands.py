@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action, also
 from ...actions.needs import SOME_CURVE, SOME_LAYER, Need
 from ...actions.sections import (
+    CURVE_ALL_FREE,
     CURVE_COLOUR,
     CURVE_NAME,
     CURVE_NUMBER,
@@ -26,7 +27,7 @@ from ...actions.strips import (
 )
 from ...appearance.theme import LIGHT, Theme
 from ...document.curve_tree import Node, NodeKind, counted_nodes, whole_nodes
-from ...document.layers import begun_again, layer_node
+from ...document.layers import all_shown, all_unlocked, begun_again, layer_node
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
     active_after_removal,
@@ -227,6 +228,35 @@ class CurveListCommands:
     def _switch_locked(self) -> None:
         """Keep the curve, or all that are selected, safe from changes."""
         self._rows.switch_locked_of(frozenset({self._session.active_index}))
+
+    @action(
+        "showAll",
+        "Show All",
+        CURVE_ALL_FREE,
+        "Ctrl+Alt+H",
+        "eye",
+        full_name="Show All Hidden",
+        keywords="unhide hidden visible reveal",
+        needs=SOME_CURVE,
+    )
+    @also(CURVE_LIST_MENU(16))
+    def _show_all(self) -> None:
+        """Show all curves, texts, pictures and layers that are hidden."""
+        self._session.change("Show all", all_shown)
+
+    @action(
+        "unlockAll",
+        "Unlock All",
+        CURVE_ALL_FREE,
+        icon="unlock",
+        full_name="Unlock All Locked",
+        keywords="free locked protect",
+        needs=SOME_CURVE,
+    )
+    @also(CURVE_LIST_MENU(17))
+    def _unlock_all(self) -> None:
+        """Free all curves, texts, pictures and layers that are locked."""
+        self._session.change("Unlock all", all_unlocked)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     @also(CURVE_MENU(20), CURVE_LIST_MENU(11))

@@ -21,6 +21,7 @@ from ...document.model import Axis, Document, Guide
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 from .. import guides
+from .made_commands import MadeGuideCommands
 
 _SOME_GUIDE = Need("a guide", lambda now: bool(now.session.document.guides))
 _FREE_GUIDE = Need("a guide that is not locked", lambda now: _is_locked(now) is False)
@@ -218,4 +219,4 @@ def _is_locked(now: Situation) -> bool | None:
     return guides[_pointed_at(now.session.document, now.state)].locked if guides else None
 
 
-COMMAND_SETS = (GuideCommands,)
+COMMAND_SETS = (GuideCommands, MadeGuideCommands)
