@@ -163,7 +163,7 @@ def test_what_goes_while_it_is_listed_is_listed_no_longer(editor, palette, tmp_p
 PEOPLE_TYPE = {
     "akima": "Velocities: Akima",
     "pchip": "Velocities: Monotone (PCHIP)",
-    "simplify": "Fit to Fewer Points…",
+    "simplify": "Simplify Paths",
     "reduce": "Fit to Fewer Points…",
     "knot": "Insert Point at the Scrub Line",
     "insert knot": "Insert Point at the Scrub Line",

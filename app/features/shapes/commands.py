@@ -30,6 +30,7 @@ from .clip_commands import ClipCommands
 from .corner_commands import CornerCommands
 from .offset_commands import OffsetCommands
 from .path_commands import PathCommands
+from .simplify_commands import SimplifyCommands
 
 
 def _is_several(now: Situation) -> bool:
@@ -168,4 +169,4 @@ class ShapeCommands:
         self._session.selected.choose(curves)
 
 
-COMMAND_SETS = (ShapeCommands, OffsetCommands, CornerCommands, PathCommands, ClipCommands)
+COMMAND_SETS = (ShapeCommands, OffsetCommands, CornerCommands, PathCommands, SimplifyCommands, ClipCommands)

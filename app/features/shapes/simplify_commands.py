@@ -1,0 +1,47 @@
+"""Fewer points for the chosen curves, at once."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from ...actions.declaration import action
+from ...actions.sections import CURVE_PATHS
+from ...document.several_curves import changeable
+from ...document.words import count_of, number
+from ...view_model.shapes.regions import named_operands
+from ...view_model.shapes.simplifying import Simplified, simplified
+from ...workbench.context import WindowContext
+from .chosen_shapes import A_SHAPE, meant
+from .shape_work import ShapeWork
+
+
+class SimplifyCommands:
+    """Simplify."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session, self._work = context.session, ShapeWork(context)
+
+    @action(
+        "simplify",
+        "Simplify",
+        CURVE_PATHS,
+        "",
+        "fewer-points",
+        full_name="Simplify Paths",
+        drawing_key="Ctrl+L",
+        needs=A_SHAPE,
+        keywords="less nodes path clean",
+    )
+    def _simplify(self) -> None:
+        """Give the chosen curves fewer points, so near that nobody sees it; corners and lines stay."""
+        session = self._session
+        document, views = session.committed, session.views
+        curves = changeable(document, meant(session))
+        what = f"Simplify {named_operands(document, curves)}"
+        self._work.begin(what, partial(simplified, document, views, curves), partial(self._put, what))
+
+    def _put(self, what: str, made: Simplified) -> None:
+        if self._session.change(what, lambda _: made.document):
+            points = f"{count_of(made.before, 'point')} became {made.after}"
+            within = f"{number(made.deviation, 2)} {self._session.document.unit}".rstrip()
+            self._session.say(f"{points}; nothing moved by more than {within}.")
