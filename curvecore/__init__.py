@@ -89,6 +89,7 @@ regions.region       `Region`: closed contours, and what is inside
   operations         their union, intersection, difference, exclusion, division
   strokes            what strokes cover: `stroked`; larger and smaller regions: `offset`
   dashes             stretches of a pattern along a line: `dashed`
+  cutting            lines cut where others cross them: `cut_line`
   meetings           where contours cross, touch or run along each other
   arrangement        nodes and edges;  rays: winding numbers;  assembly: contours
 

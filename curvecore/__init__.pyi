@@ -94,6 +94,7 @@ from curvecore.parametrization import chebyshev_roots as chebyshev_roots
 from curvecore.parametrization import chord_length as chord_length
 from curvecore.parametrization import power as power
 from curvecore.parametrization import uniform as uniform
+from curvecore.regions.cutting import cut_line as cut_line
 from curvecore.regions.dashes import dashed as dashed
 from curvecore.regions.operations import difference as difference
 from curvecore.regions.operations import division as division

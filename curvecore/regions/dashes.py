@@ -9,7 +9,7 @@ from curvecore.analysis.quadrature import integrals, places_of
 from curvecore.arrays import FloatArray, IntArray, contour_array, finite_number, number_array
 from curvecore.bezier.bernstein_algebra import derivative
 from curvecore.errors import CurveError
-from curvecore.regions.outlines import monotone_arcs, stretches
+from curvecore.regions.outlines import monotone_arcs, stretch_of
 
 _PARTS = 4
 """Parts of an arc that turns by a right angle at most: their lengths are exact to the last digits."""
@@ -74,7 +74,7 @@ def dashed(
     # In pieces from the beginning of the line, as the arcs are.
     places = ((1.0 - inner) * arcs.start[part] + inner * arcs.end[part]).reshape(-1, 2)
     places[bounds <= 0.0], places[bounds >= ends[-1]] = 0.0, float(len(pieces))
-    dashes = [_cut(pieces, *each) for each in places.tolist() if each[0] < each[1]]
+    dashes = [stretch_of(pieces, *each) for each in places.tolist() if each[0] < each[1]]
     if closed and len(dashes) > 1 and places[0, 0] == 0.0 and places[-1, 1] == len(pieces):
         dashes[0] = np.concatenate([dashes.pop(), dashes[0]])
     return dashes
@@ -100,15 +100,3 @@ def _bounds(pattern: FloatArray, start: float, length: float) -> FloatArray:
     bounds = (times[:, None, None] + within).reshape(-1, 2)
     bounds = np.clip(bounds, 0.0, length)
     return bounds[bounds[:, 0] < bounds[:, 1]]
-
-
-def _cut(pieces: FloatArray, start: float, end: float) -> FloatArray:
-    """Return the stretch of a line between two places, in pieces from its beginning."""
-    first, last = int(start), min(int(np.ceil(end)), len(pieces))
-    found = pieces[first:last].copy()
-    low, high = np.zeros(len(found)), np.ones(len(found))
-    low[0], high[-1] = start - first, end - (last - 1)
-    ends = np.array([0, len(found) - 1])
-    found[ends] = stretches(found[ends], low[ends], high[ends])
-    found[1:, 0] = found[:-1, 3]
-    return found

@@ -177,6 +177,18 @@ def stretches(controls: FloatArray, start: FloatArray, end: FloatArray) -> Float
     return np.stack(found, axis=1)
 
 
+def stretch_of(pieces: FloatArray, start: float, end: float) -> FloatArray:
+    """Return the stretch of a line between two places, in pieces from its beginning."""
+    first, last = int(start), min(int(np.ceil(end)), len(pieces))
+    found = pieces[first:last].copy()
+    low, high = np.zeros(len(found)), np.ones(len(found))
+    low[0], high[-1] = start - first, end - (last - 1)
+    ends = np.array([0, len(found) - 1])
+    found[ends] = stretches(found[ends], low[ends], high[ends])
+    found[1:, 0] = found[:-1, 3]
+    return found
+
+
 def is_small(controls: FloatArray, size: float) -> BoolArray:
     """Tell which pieces (k, 4, 2) are not larger than that, along either axis."""
     result: BoolArray = np.ptp(controls, axis=1).max(axis=1) <= size

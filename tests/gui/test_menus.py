@@ -50,9 +50,9 @@ def test_every_menu_fits_below_the_menu_bar_of_a_small_window(editor):
 def test_the_curve_menu_is_short(editor):
     (curve,) = [entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Curve"]
     entries = [action for action in curve.actions() if not action.isSeparator()]
-    assert len(entries) <= 12 + len(FAMILIES)
+    assert len(entries) <= 13 + len(FAMILIES)
     submenus = [plain(action.text()) for action in entries if action.menu() is not None]
-    assert submenus == ["Points", "Tangents", "Parameters", "Properties", "Arrange"]
+    assert submenus == ["Points", "Tangents", "Parameters", "Properties", "Paths", "Arrange"]
 
 
 def test_what_is_done_to_texts_has_a_menu_of_its_own_and_no_other(editor):

@@ -387,3 +387,45 @@ def test_what_was_changed_meanwhile_is_left_alone(tangle):
     tangle.wait_for_work(60.0)
     assert tangle.status == "Union of Star was dropped: the drawing was changed meanwhile."
     assert names(tangle)[0] == "Disc"
+
+
+def test_cut_path_leaves_open_parts_of_the_hindmost_line_and_takes_the_knife_away(editor):
+    drawing = (
+        '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20" viewBox="-10 -10 20 20">'
+        '<circle id="Ring" r="5" fill="none" stroke="#ff8800"/>'
+        '<path id="Knife" d="M-8 3H8" stroke="#000"/></svg>'
+    )
+    document = read_svg(drawing.encode(), None).document
+    editor.session.commit(document, "Begin", active=0)
+    editor.session.selected.choose([])
+    editor.window.canvas.camera.show_box((-11, 11), (-11, 11))
+    editor.settle()
+    editor.click((-5.0, 0.0))
+    editor.click((7.0, -3.0), keys=SHIFT)
+    editor.trigger("cutPath")
+    editor.wait_for_work()
+    parts = editor.session.document.curves
+    assert [curve.name for curve in parts] == ["Ring", "Ring 2"]
+    assert not any(curve.is_closed for curve in parts)
+    assert {curve.style.stroke for curve in parts} == {ORANGE}
+    ends = {
+        (round(abs(point.x), 9), point.y) for curve in parts for point in (curve.points[0], curve.points[-1])
+    }
+    # y is upwards here; x² + y² is that of the circle but for what four cubic pieces are off.
+    ((x, y),) = ends
+    assert y == pytest.approx(-3.0, abs=1e-9)
+    assert x == pytest.approx(4.0, abs=2e-3)
+    assert editor.session.selected.chosen == {0, 1}
+    editor.trigger("undo")
+    assert names(editor) == ["Ring", "Knife"]
+
+
+def test_cut_path_says_where_nothing_crosses(drawing):
+    drawing.session.selected.choose([])
+    before = drawing.session.document
+    drawing.click(DISC)
+    drawing.click((-9.0, 8.5), keys=SHIFT)
+    drawing.trigger("cutPath")
+    drawing.wait_for_work()
+    assert drawing.session.document is before
+    assert drawing.status == "Nothing in front crosses the hindmost path."

@@ -9,6 +9,7 @@ from ...actions.needs import Need
 from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
 from ...document.shapes import is_of_several
+from ...view_model.shapes.cutting import cut_apart
 from ...view_model.shapes.regions import (
     PATH_OPERATIONS,
     PathOperation,
@@ -26,13 +27,13 @@ _SHOWN_PX = 2.0
 """Pixels of a line whose width follows the zoom."""
 
 
+_SEVERAL = Need(
+    "two chosen shapes or more", lambda now: is_of_several(now.session.document, meant(now.session))
+)
+
+
 def _enough(operation: PathOperation) -> Need:
-    if operation.least < 2:
-        return A_SHAPE
-    return Need(
-        "two chosen shapes or more",
-        lambda now: is_of_several(now.session.document, meant(now.session)),
-    )
+    return A_SHAPE if operation.least < 2 else _SEVERAL
 
 
 class PathCommands:
@@ -65,6 +66,19 @@ class PathCommands:
     )
     def _combine(self, operation: PathOperation) -> None:
         self._work.compute(operation.title, partial(combined_by, operation))
+
+    @action(
+        "cutPath",
+        "Cut Path",
+        CURVE_PATHS,
+        "Ctrl+Alt+/",
+        "path-cut",
+        needs=_SEVERAL,
+        keywords="knife scissors split slice boolean open line",
+    )
+    def _cut(self) -> None:
+        """Cut the line of the hindmost path into parts where those in front cross it; these go."""
+        self._work.compute("Cut path", cut_apart)
 
     @action(
         "strokeToPath",
