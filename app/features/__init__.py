@@ -19,6 +19,7 @@ FEATURES = (
     "printing",
     "curves",
     "shapes",
+    "tracing",
     "layers",
     "text",
     "tangents",

@@ -39,7 +39,9 @@ class PercentField(QWidget):
             LiveSlider(), f"{name}Slider", f"{label}, slider", f"{tip}; Escape cancels a drag"
         )
         self.slider.setRange(0, STEPS)
-        self.edit = NumberEdit(name, label, f"{tip}, in per cent (Enter to set; ↑ ↓ by 5 %)", _read, _step)
+        self.edit = NumberEdit(
+            name, label, f"{tip}, in per cent (Enter to set; ↑ ↓ by 5 %)", read_percent, _step
+        )
         self.edit.setFixedWidth(_FIELD_WIDTH)
         row_of((self.slider, 1), self.edit, margins=0, spacing=8, parent=self)
         self._value: object = None
@@ -53,7 +55,8 @@ class PercentField(QWidget):
             self.slider.setValue(round(value * STEPS))
 
 
-def _read(text: str) -> float:
+def read_percent(text: str) -> float:
+    """Return the share from 0 to 1 that a text such as "40 %" means; raise ExpressionError for others."""
     share = read_number(text.replace("%", " ")) / 100
     if not 0 <= share <= 1:
         raise ExpressionError("From 0 % to 100 %.")

@@ -13,5 +13,5 @@
   ``placed_pictures``: files as pictures of a drawing.  ``typed_letters``: those that are painted.
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
-  ``form_edits``: changes by a form.
+  ``form_edits``: changes by a form.  ``computed_step``: one that takes a while.
 """

@@ -1,0 +1,2 @@
+# Modules that are imported when they are first used.
+from . import field as field
