@@ -141,6 +141,8 @@ def _gradient_text(gradient: Gradient | None) -> str:
     """Return kind and colours of a gradient; nothing of none."""
     if gradient is None:
         return ""
+    if gradient.tile is not None:
+        return "by a pattern"
     return f"{gradient.kind.value} gradient {' '.join(stop.colour or 'ink' for stop in gradient.stops)}"
 
 

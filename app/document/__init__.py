@@ -4,6 +4,7 @@
   rules that estimate them.  ``limits``: the numbers that they may hold.  ``page``: what pictures show.
   ``reference_image``: the picture to trace.
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
+  ``patterns``: those that every document can use.
   ``clip``: what it is cut by.  ``marker``: what stands at its ends.  ``drawn_kinds``: what begins in which.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.

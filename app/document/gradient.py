@@ -1,8 +1,12 @@
-"""Gradients: colours that go over into each other along a line, or from the middle of an ellipse."""
+"""Gradients, colours that go over into each other along a line or from a middle; and patterns.
+
+A pattern is a picture that is laid side by side over the plane of a gradient.
+"""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Annotated, Final
@@ -30,11 +34,40 @@ _ASCENDING = Requirement(
 )
 
 
+MOST_LETTERS: Final = 400_000
+"""Letters of the tile of a pattern."""
+
+_SHORT = Requirement(
+    lambda body: len(body) <= MOST_LETTERS, f"have at most {MOST_LETTERS:,} letters", shown=len
+)
+_OF_ITS_OWN = Requirement(
+    # A reader of SVG would open the files of others.
+    lambda body: re.search(r"""href\s*=\s*(?!["'](#|data:image/))|url\(\s*["']?(?!#)|<!|<\?""", body) is None,
+    "refer to nothing but its own parts",
+    shown=lambda _body: "another",
+)
+_SIZED = Requirement(
+    lambda view: view[2] > 0 and view[3] > 0, "have a width and a height above 0", of_all=True, shown=list
+)
+
+
 class GradientKind(NamedEnum):
-    """Shape of a gradient."""
+    """Shape of a gradient.
+
+    Attributes
+    ----------
+    what
+        What one of it is called.
+    """
 
     LINEAR = "linear", "Linear"
     RADIAL = "radial", "Radial"
+    PATTERN = "pattern", "Pattern"
+
+    @property
+    def what(self) -> str:
+        """What one of it is called."""
+        return "pattern" if self is GradientKind.PATTERN else "gradient"
 
 
 class Spread(NamedEnum):
@@ -51,6 +84,21 @@ class Stop(Value, frozen=True):
     offset: Annotated[float, SHARE]
     colour: Annotated[str, _COLOUR] = ""
     opacity: Annotated[float, SHARE] = 1.0
+
+
+class Tile(Value, frozen=True):
+    """Picture of a pattern, which repeats.
+
+    Attributes
+    ----------
+    body
+        Elements of SVG; what they paint in ``currentColor`` has the colour of the pattern.
+    view
+        The part of their plane that is shown: left, top, width and height.
+    """
+
+    body: Annotated[str, _SHORT, _OF_ITS_OWN]
+    view: Annotated[tuple[float, float, float, float], _SIZED] = (0.0, 0.0, 1.0, 1.0)
 
 
 class Gradient(Value, frozen=True):
@@ -73,6 +121,8 @@ class Gradient(Value, frozen=True):
         Where the offset of a radial one is 0 if that is not the middle; rays go from there to the ellipse.
     spread
         What lies beyond.
+    tile
+        What a pattern has between start, end and side, and again beside that, in the colour of its stops.
     """
 
     stops: Annotated[tuple[Stop, ...], _FEW, _TWO, _ASCENDING]
@@ -82,6 +132,7 @@ class Gradient(Value, frozen=True):
     side: Annotated[Vector, LENGTH] = (0.0, 1.0)
     focus: Annotated[Vector | None, LENGTH] = None
     spread: Spread = Spread.PAD
+    tile: Tile | None = None
 
     def mapped(self, place: Callable[[Vector], Vector]) -> Gradient:
         """Return the gradient with its places where an affine map puts them."""

@@ -12,8 +12,9 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .contents import with_shown_style
-from .gradient import Box, Gradient, GradientKind, Stop, filling, size_of
+from .gradient import Box, Gradient, GradientKind, Stop, Tile, filling, size_of
 from .model import Document, Vector
+from .patterns import PATTERNS, colouring, laid_across
 from .shapes import shape_of
 from .style import GRADIENTS, INK, NO_PAINT, Style
 from .words import NamedEnum
@@ -37,11 +38,12 @@ class PaintKind(NamedEnum):
     FLAT = "flat", "Flat"
     LINEAR = "linear", "Linear"
     RADIAL = "radial", "Radial"
+    PATTERN = "pattern", "Pattern"
 
     @property
     def gradient(self) -> GradientKind | None:
         """The kind of gradient; None where it is none."""
-        return {PaintKind.LINEAR: GradientKind.LINEAR, PaintKind.RADIAL: GradientKind.RADIAL}.get(self)
+        return next((kind for kind in GradientKind if kind.value == self.value), None)
 
 
 def gradient_of(style: Style, paint: str) -> Gradient | None:
@@ -95,6 +97,8 @@ def _painted(style: Style, paint: str, kind: PaintKind, box: Callable[[], Box]) 
     if kind is PaintKind.NONE:
         return style.with_fields({paint: NO_PAINT})
     colour: str = INK if before is PaintKind.NONE else getattr(style, paint)
+    if kind is PaintKind.PATTERN:
+        return style.with_gradient(paint, laid_across(box(), PATTERNS[0].tile, colour))
     if kind.gradient is None:
         return style.with_fields({paint: gradient.stops[0].colour if gradient is not None else colour})
     if before in (PaintKind.NONE, PaintKind.FLAT) or gradient is None:
@@ -131,10 +135,26 @@ def with_colour(document: Document, curves: Collection[int], paint: str, stop: i
         gradient = gradient_of(style, paint)
         if gradient is None or colour == NO_PAINT:
             return style.with_fields({paint: colour})
+        if gradient.tile is not None:
+            return style.with_gradient(paint, replace(gradient, stops=colouring(colour)))
         stops = list(gradient.stops)
         at = min(stop, len(stops) - 1)
         stops[at] = replace(stops[at], colour=colour)
         return style.with_gradient(paint, replace(gradient, stops=tuple(stops)))
+
+    return with_shape_styles(document, curves, edit)
+
+
+def with_tile(document: Document, curves: Collection[int], paint: str, tile: Tile, box_of: BoxOf) -> Document:
+    """Paint curves with a pattern; where they have one, another of the same size and in the same place."""
+
+    def edit(shape: range, style: Style) -> Style:
+        gradient = gradient_of(style, paint)
+        if gradient is not None and gradient.tile is not None:
+            return style.with_gradient(paint, replace(gradient, tile=tile))
+        colour: str = getattr(style, paint)
+        ink = INK if colour == NO_PAINT else colour
+        return style.with_gradient(paint, laid_across(box_of(shape), tile, ink))
 
     return with_shape_styles(document, curves, edit)
 

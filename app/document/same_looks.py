@@ -36,7 +36,7 @@ class SameLook(msgspec.Struct, frozen=True):
 
 def _colours(gradient: Gradient | None) -> object:
     """Return what a gradient looks like wherever it lies."""
-    return None if gradient is None else (gradient.kind, gradient.stops, gradient.spread)
+    return None if gradient is None else (gradient.kind, gradient.stops, gradient.spread, gradient.tile)
 
 
 def _fill(style: Style) -> object:

@@ -112,6 +112,12 @@ def _paint_together(
     painter.setOpacity(before)
 
 
+def _smoothly(painter: QPainter, gradient: Gradient | None) -> None:
+    """Let tiles of a pattern be painted smoothly: they do not lie on the grid of the pixels."""
+    if gradient is not None and gradient.tile is not None:
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+
+
 def _fill(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
     area = QPainterPath()
     area.setFillRule(FILL_RULES[style.fill_rule])
@@ -124,6 +130,7 @@ def _fill(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, show
     if style.fill_gradient is None:
         painter.fillPath(area, with_opacity(ink.fill, opacity))
     else:
+        _smoothly(painter, style.fill_gradient)
         painter.fillPath(area, _brush(style.fill_gradient, ink, opacity, shown))
 
 
@@ -144,6 +151,7 @@ def _stroke(
     if style.stroke_gradient is not None:
         # Its stops may let through what pieces that overlap have twice.
         is_opaque = False
+        _smoothly(painter, style.stroke_gradient)
         pen.setBrush(_brush(style.stroke_gradient, ink, opacity, shown))
     reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
     if is_dashed:

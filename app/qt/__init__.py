@@ -4,7 +4,8 @@
 - ``keys``: keys that a widget takes before its window does.
 - ``labels``: words of others as they are written, not as HTML.
 - ``glyphs``: outlines of letters, as the fonts of the system have them.
-- ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise.
+- ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise;
+  ``patterns``: of those.
 - ``clips``: what they are cut by.  ``markers``: what stands at their ends.
 - ``blurs``: what is softened, as a picture.
 - ``contents``: texts and pictures in their frames.  ``picture_data``: what is in PNG and JPEG files.

@@ -9,6 +9,7 @@ from PySide6.QtGui import QBrush, QColor, QGradient, QLinearGradient, QRadialGra
 
 from ..document.gradient import Gradient, GradientKind, Spread, Stop
 from ..document.value import Vector
+from .patterns import pattern_brush
 from .strokes import with_opacity
 
 _SPREADS: Final = {
@@ -31,6 +32,8 @@ def brush_of(
     mapped = gradient.mapped(place)
     if mapped.is_flat:
         return _colour(mapped.stops[-1], ink, opacity)
+    if mapped.tile is not None:
+        return pattern_brush(mapped, mapped.tile, ink, opacity)
     made = _unit_gradient(mapped)
     made.setSpread(_SPREADS[gradient.spread])
     # As SVG has it; Qt would mix what is seen of the colours.

@@ -43,23 +43,22 @@ class GradientPlace(NamedTuple):
 
 def places_of(gradient: Gradient) -> list[GradientPlace]:
     """Return the places of a gradient, what is on top first."""
-    is_radial = gradient.kind is GradientKind.RADIAL
-    last, (along, _) = len(gradient.stops) - 1, gradient.axes
-    found = [GradientPlace(Grip.END, gradient.end, last)]
-    if is_radial:
+    has_stops, last, (along, _) = gradient.tile is None, len(gradient.stops) - 1, gradient.axes
+    found = [GradientPlace(Grip.END, gradient.end, last if has_stops else None)]
+    if gradient.kind is not GradientKind.LINEAR:
         found.append(GradientPlace(Grip.SIDE, gradient.side))
     if gradient.focus is not None:
         found.append(GradientPlace(Grip.FOCUS, gradient.focus))
-    for index, stop in enumerate(gradient.stops[1:-1], start=1):
+    for index, stop in enumerate(gradient.stops[1:-1] if has_stops else (), start=1):
         x, y = (gradient.start[axis] + stop.offset * along[axis] for axis in (0, 1))
         found.append(GradientPlace(Grip.STOP, (x, y), index))
-    return [*found, GradientPlace(Grip.START, gradient.start, 0)]
+    return [*found, GradientPlace(Grip.START, gradient.start, 0 if has_stops else None)]
 
 
 def with_place(gradient: Gradient, at: GradientPlace, to: Vector, *, both: bool = False) -> Gradient:
     """Return the gradient with one of its places elsewhere.
 
-    The other axis turns along with the one that is dragged; that of a radial gradient keeps its length,
+    The other axis turns along with the one that is dragged; that of others than linear ones keeps its length,
     unless `both` shall grow.
     """
     if at.grip is Grip.STOP and at.stop is not None:

@@ -7,7 +7,7 @@ first: Qt then never sees the coordinates of the document, however large, small 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 
@@ -233,13 +233,21 @@ def _blurred_pictures(drawing: Drawing) -> tuple[str, ...]:
 
 
 def _gradient_pictures(drawing: Drawing) -> tuple[str, ...]:
-    names = [shape[0].name for shape in drawing.shapes if shape[0].style.has_clear_gradient]
-    if not names:
-        return ()
-    has, is_one = ("has a gradient", True) if len(names) == 1 else ("have gradients", False)
-    what = "which is a picture" if is_one else "which are pictures"
+    clear = [shape[0] for shape in drawing.shapes if shape[0].style.has_clear_gradient]
+    patterned = [each.name for each in clear if any(one.tile for one in each.style.gradients.values())]
+    others = [each.name for each in clear if each.name not in patterned]
+    found = [
+        (others, "a gradient", "gradients", " with transparency"),
+        (patterned, "a pattern", "patterns", ""),
+    ]
+    return tuple(_pictured(names, *words) for names, *words in found if names)
+
+
+def _pictured(names: Sequence[str], one: str, many: str, more: str) -> str:
+    """Return that shapes of these names have something that is a picture."""
+    has, what = (f"has {one}", "is a picture") if len(names) == 1 else (f"have {many}", "are pictures")
     named = names_of([f"“{name}”" for name in names])
-    return (f"{named} {has} with transparency, {what} of at most {FINEST} pixels a side in a PDF.",)
+    return f"{named} {has}{more}, which {what} of at most {FINEST} pixels a side in a PDF."
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:

@@ -70,6 +70,8 @@ class Painting:
 
     def __init__(self, drawing: Drawing, painter: QPainter, style: PictureStyle) -> None:
         self._drawing, self._painter, self._style = drawing, painter, style
+        # Tiles of patterns do not lie on the grid of the pixels.
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         self._height = drawing.frame.height
         self._frame = QRectF(0, 0, drawing.frame.width, drawing.frame.height)
 
@@ -380,8 +382,10 @@ def _do_any_meet(boxes: Sequence[QRectF]) -> bool:
 
 
 def _has_alpha(brush: QBrush) -> bool:
-    """Whether a gradient lets something through."""
-    return brush.gradient() is not None and not brush.isOpaque()
+    """Whether a gradient lets something through, or a pattern may."""
+    return brush.style() is Qt.BrushStyle.TexturePattern or (
+        brush.gradient() is not None and not brush.isOpaque()
+    )
 
 
 def _is_raster(painter: QPainter) -> bool:

@@ -60,7 +60,7 @@ FORMATS = (
     Format(
         endings=(".pdf",),
         title="PDF document",
-        description="One page of outlines, sharp at every size but for gradients with transparency.",
+        description="One page of outlines, sharp at every size but for patterns and clear gradients.",
         place=30,
         options=(*PICTURE, TOLERANCE),
         write=lambda document, options: drawing.image.pdf_file(document, options),

@@ -19,6 +19,7 @@
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``filters``: those that are a blur.
+- ``patterns``: those of fills and strokes, each with a body of its own out of ``tiles``.
 - ``cascade``, ``properties``, ``paint``, ``gradients``, ``markers``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.

@@ -1,13 +1,14 @@
-"""Gradients as elements of SVG, in the units of the drawing: what two shapes share is there once."""
+"""Gradients and patterns as elements of SVG, in the units of the drawing; what shapes share is there once."""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 
 from msgspec.structs import replace
 
-from ...document.gradient import Gradient, GradientKind, Spread, Stop
+from ...document.gradient import Gradient, GradientKind, Spread, Stop, Tile
 from ...document.model import Vector
 from ..drawing.styles import PictureStyle
 from ..naming import Names
@@ -16,6 +17,9 @@ from .numbers import number
 
 _ROUNDING = 1e-9
 """Share of its size by which a gradient may differ from one that attributes can say without a transform."""
+
+
+_NAMED = re.compile(r"""(\bid="|href="#|url\(#)([^")]+)""")
 
 
 class GradientElements(DefinedElements):
@@ -35,6 +39,9 @@ class GradientElements(DefinedElements):
 
     def _element(self, gradient: Gradient, name: str) -> Iterator[str]:
         seen = gradient.mapped(lambda place: (place[0], -place[1]))
+        if seen.tile is not None:
+            yield from self._pattern(seen, seen.tile, name)
+            return
         tag = f"{gradient.kind.value}Gradient"
         spread = "" if gradient.spread is Spread.PAD else f' spreadMethod="{gradient.spread.value}"'
         yield f'    <{tag} id="{name}" gradientUnits="userSpaceOnUse"{_places(seen)}{spread}>'
@@ -42,11 +49,32 @@ class GradientElements(DefinedElements):
             yield f"      <stop{self._stop(stop)}/>"
         yield f"    </{tag}>"
 
+    def _pattern(self, pattern: Gradient, tile: Tile, name: str) -> Iterator[str]:
+        (x, y), ((a, b), (c, d)) = pattern.start, pattern.axes
+        width, height = math.hypot(a, b), math.hypot(c, d)
+        pairs = {"width": number(width), "height": number(height)}
+        if b == c == 0 and a > 0 and d > 0:
+            pairs = {"x": number(x), "y": number(y)} | pairs
+        elif width and height:
+            matrix = (a / width, b / width, c / height, d / height, x, y)
+            pairs["patternTransform"] = f"matrix({' '.join(map(number, matrix))})"
+        pairs["viewBox"] = " ".join(map(number, tile.view))
+        yield f'    <pattern id="{name}" patternUnits="userSpaceOnUse"{_attributes(pairs)}'
+        colour = pattern.stops[0].colour or self._picture.ink
+        body = _own_names(tile.body, name).replace("currentColor", colour)
+        yield f'        preserveAspectRatio="none">{body}'
+        yield "    </pattern>"
+
     def _stop(self, stop: Stop) -> str:
         pairs = {"offset": number(stop.offset), "stop-color": stop.colour or self._picture.ink}
         if stop.opacity < 1:
             pairs["stop-opacity"] = number(stop.opacity)
         return _attributes(pairs)
+
+
+def _own_names(body: str, name: str) -> str:
+    """Return the body of a tile with ids that nothing else in the file has."""
+    return _NAMED.sub(lambda found: f"{found[1]}{name}-{found[2]}", body)
 
 
 def _places(gradient: Gradient) -> str:

@@ -1,4 +1,4 @@
-"""Paints of SVG: colours as CSS writes them, gradients, and what becomes of patterns."""
+"""Paints of SVG: colours as CSS writes them, gradients and patterns."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from tinycss2.color4 import parse_color
 from ...document.gradient import Gradient, Stop
 from .elements import Elements
 from .gradients import KINDS, Gradients, Ground, UnplacedError
+from .patterns import PATTERN, Patterns
 from .xml_tree import tag_of
 
 _SERVER = re.compile(r"url\(\s*['\"]?#?([^'\")]*)['\"]?\s*\)\s*(.*)", re.DOTALL)
@@ -73,7 +74,7 @@ class Paints:
 
     def __init__(self, elements: Elements) -> None:
         self._elements = elements
-        self._gradients = Gradients(elements, self._stop)
+        self._gradients, self._patterns = Gradients(elements, self._stop), Patterns(elements)
 
     def paint(self, text: str, current: str, ground: Ground) -> Paint:
         """Return the paint of a value on a ground, where `currentColor` is this."""
@@ -87,13 +88,26 @@ class Paints:
         return NONE if word.lower() == "none" else colour_of(word) or NONE
 
     def _served(self, name: str, fallback: str, current: str, ground: Ground) -> Paint:
-        """Return a gradient, or what stands for it or for a pattern."""
+        """Return a gradient or a pattern, or what stands for it."""
         server = self._elements.by_id.get(name)
         if server is not None and tag_of(server) in KINDS:
             return self._gradient(server, current, ground)
-        kind = "a pattern" if server is not None else f"“{name}”, which is not in the file,"
         plain = self.paint(fallback, current, ground) if fallback and "url(" not in fallback else NONE
+        if server is not None and tag_of(server) == PATTERN:
+            try:
+                colour = plain.colour if plain is not NONE else self._first_colour(server)
+                found = self._patterns.pattern(server, ground, colour)
+                return Paint(found.mean, gradient=found)
+            except UnplacedError:
+                pass
+        kind = "a pattern" if server is not None else f"“{name}”, which is not in the file,"
         return Paint(plain.colour, plain.opacity, f"{kind} paints it", _instead(plain.colour))
+
+    def _first_colour(self, pattern: ET.Element) -> str:
+        """Return the first colour that a pattern paints with; black where it says none."""
+        declared = (self._elements.declared(each) for each in pattern.iter())
+        found = (colour_of(said[name]) for said in declared for name in ("fill", "stroke") if name in said)
+        return next((paint.colour for paint in found if paint is not None), "#000000")
 
     def _gradient(self, element: ET.Element, current: str, ground: Ground) -> Paint:
         stops = self._gradients.stops(element, current)

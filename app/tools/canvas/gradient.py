@@ -241,7 +241,8 @@ class GradientTool(Tool):
             pulls = held.at.grip is Grip.START and held.painted.gradient.kind is GradientKind.RADIAL
             more = " · Shift: pull the focus out" if pulls else ""
             more += f" · Click: choose it · {STOP_KEYS}" if held.at.stop is not None else ""
-            return Hint(f"Drag the {held.at.grip.words} of the gradient{more}", cursor=Cursor.MOVE)
+            what = held.painted.gradient.kind.what
+            return Hint(f"Drag the {held.at.grip.words} of the {what}{more}", cursor=Cursor.MOVE)
         hit, curves = context.hit, meant_shapes(context.host)
         if _line_at(context) is not None:
             return Hint(f"{_ADD} · {_HOW} · {STEP_KEYS}")
@@ -278,6 +279,8 @@ def _line_at(context: ToolContext) -> _OnLine | None:
     """Return where the pointer is on the line of a gradient; None where it is on none."""
     pointer = context.pointer
     for painted in gradients_of(context.host):
+        if painted.gradient.tile is not None:
+            continue
         offset = offset_on_line(painted.gradient, pointer.position, _LINE_REACH / pointer.scale)
         if offset is not None:
             return _OnLine(painted, offset)

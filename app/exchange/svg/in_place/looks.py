@@ -225,7 +225,7 @@ def _stroke_properties(style: Style, scale: float) -> Mapping[str, str]:
 
 def _plainest(gradient: Gradient) -> Gradient:
     """Return the one of the gradients that look the same whose axes are at right angles, if there is one."""
-    if gradient.is_flat:
+    if gradient.is_flat or gradient.tile is not None:
         return gradient
     (x, y), ((a, b), (c, d)) = gradient.start, gradient.axes
     if gradient.kind is GradientKind.LINEAR:
