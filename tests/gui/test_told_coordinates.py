@@ -150,8 +150,21 @@ def dragged(reader):
     place = reader.readings.shown((float(middle[0]), float(middle[1])))
     editor.click(reader.at(place))
     reader.listen("a click on another curve")
+    editor.trigger("turnGrips")
+    centre = reader.canvas.tools.target.centre
+    press_move(reader, reader.readings.shown(centre), (90.0, 50.0), name="pivot dragged")
+    editor.trigger("rotateRight" if reader.readings.is_down else "rotateLeft")
+    reader.listen("turned about the pivot")
+    editor.trigger("undo")
+    editor.session.selected.choose({1})
+    editor.session.selected.edit_chosen()
+    editor.settle()
     editor.click(reader.at(place))
     reader.listen("a click on the curve")
+    editor.select([1])
+    handle = reader.readings.shown(editor.handle(1, index=1).position)
+    press_move(reader, handle, (handle[0] + 6.0, handle[1] + 4.0), name="handle dragged")
+    press_move(reader, LEAF[2][0], (62.0, 70.0), name="point of a curve dragged")
 
 
 def drawn(reader):

@@ -243,6 +243,9 @@ class TransformPanel(FieldForm):
         """Show what transforms act on."""
         if self._shown is None or shown.what != self._shown.what:
             self.clear_refusal()
+        if self._shown is None or shown.readings.is_down != self._shown.readings.is_down:
+            self.turn_edit.setToolTip(_EACH_TIME.format(shown.readings.sense))
+            self.skew_edit.setToolTip(_SKEWS[shown.readings.is_down])
         self._shown = shown
         bounds, is_there = shown.bounds, shown.bounds is not None and not shown.problem
         self.what.setText(shown.what)
@@ -257,8 +260,6 @@ class TransformPanel(FieldForm):
         for edit, can_be in zip(edits, (True, True, *shown.grows), strict=True):
             edit.setEnabled(is_there and can_be)
         self.angle_edit.show_angle(shown.readings.turn(shown.angle))
-        self.turn_edit.setToolTip(_EACH_TIME.format(shown.readings.sense))
-        self.skew_edit.setToolTip(_SKEWS[shown.readings.is_down])
         self.turn_edit.show_angle(self._turn_by)
         self.skew_edit.show_angle(self._skew_by)
         turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons
