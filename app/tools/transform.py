@@ -171,8 +171,9 @@ class Transform(Drag, frozen=True):
         if self.kind is TransformKind.SCALE:
             return f"{words.number(self._factor(pointer))}{along}{mark}"
         by = self._displacement(pointer)
-        told = self.readings.way(by)
-        return f"{words.pair(told) if self.axis is None else words.number(told[self.axis])}{along}{mark}"
+        if self.axis is None:
+            return f"{self.readings.way_words(by)}{mark}"
+        return f"{words.number(self.readings.way_along(self.axis, by[self.axis]))}{along}{mark}"
 
     def _moved(self, by: Vector) -> Vector:
         curve, index = self.grip

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from decimal import Decimal
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -84,3 +86,13 @@ def test_another_size_of_the_page_changes_nothing_that_is_told(up):
 def test_an_empty_page_of_another_size_stands_where_it_did():
     empty = replace(A4, curves=(make_curve(()),))
     assert with_page_size(empty, 148.0, 210.0).page == Page(0.0, 0.0, 148.0, 210.0)
+
+
+def test_words_of_places_and_angles_come_from_readings_alone():
+    """Who writes two coordinates or an angle of the plane at once asks its readings: see CONTRIBUTING."""
+    app = Path(__file__).parents[2] / "app"
+    plain = re.compile(r"words\.(pair|angle)\(|from .*words import .*\b(pair|angle)\b")
+    found = {
+        str(path.relative_to(app)) for path in app.rglob("*.py") if plain.search(path.read_text("utf-8"))
+    }
+    assert found == {"document/readings.py"}

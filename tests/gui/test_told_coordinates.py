@@ -24,6 +24,12 @@ LEAF = (((60.0, 50.0), (9.0, -12.0)), ((80.0, 56.0), (12.0, 15.0)), ((68.0, 66.0
 KEPT = ("zoomField", "transformTurn", "transformSkew")
 """Fields that tell nothing of the document."""
 
+ANALYSES = {
+    "analysisDock", "basisPane", "fitDock", "jointsDock", "laboratoryDock", "lessonsDock", "plotPanel",
+    "wiggleDock",
+}  # fmt: skip
+"""What tells numbers of a curve as mathematics has them: curvature is positive where it turns left."""
+
 NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
 
 
@@ -65,6 +71,14 @@ class Reader:
     def down(self):
         return Key.Key_Down if self.readings.is_down else Key.Key_Up
 
+    def reads(self, widget):
+        """Whether a widget is in sight, and none of an analysis."""
+        if not widget.isVisibleTo(self.window):
+            return False
+        while widget is not None and widget.objectName() not in ANALYSES:
+            widget = widget.parentWidget()
+        return widget is None
+
     def listen(self, step):
         """Note all texts with numbers that are in sight, and the document as it is told."""
         self.editor.wait_for_rest()
@@ -74,11 +88,11 @@ class Reader:
             texts += [
                 f"{each.objectName()} {each.text()}"
                 for each in self.window.findChildren(kind)
-                if each.isVisibleTo(self.window) and each.objectName() not in KEPT
+                if self.reads(each) and each.objectName() not in KEPT
             ]
         for table in self.window.findChildren(QTableView):
             model = table.model()
-            if table.isVisibleTo(self.window) and model is not None:
+            if self.reads(table) and model is not None:
                 texts += [
                     f"{table.objectName()} {model.headerData(column, Qt.Orientation.Horizontal)} "
                     f"{model.index(row, column).data()}"
@@ -208,7 +222,9 @@ def in_panels(reader):
     editor.trigger("copyPoints")
     reader.heard[-1][1].append(f"copied {QGuiApplication.clipboard().text()}")
     editor.show_dock("hodographDock")
+    editor.session.scrub.set(0.3)
     reader.listen("hodograph")
+    editor.session.scrub.set(None)
 
 
 def in_fields(reader):

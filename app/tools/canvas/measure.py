@@ -36,9 +36,10 @@ class Measuring(Gesture):
         """Measure up to the pointer."""
         start = self.ruler.start
         end = stepped_from(start, context.pointer, self._snapper)
-        dx, dy = self._readings.way(minus(end, start))
+        way = minus(end, start)
+        dx, dy = self._readings.way(way)
         unit = f" {self._unit}" if self._unit else ""
-        direction = words.angle(math.degrees(math.atan2(dy, dx)))
+        direction = self._readings.direction_words(way)
         length = f"{words.number(math.hypot(dx, dy))}{unit}"
         text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
         self.ruler = Ruler(start, end, text)
