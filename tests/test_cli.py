@@ -204,6 +204,24 @@ def test_info_of_a_sketch_just_begun(tmp_path, capsys):
     assert json.loads(capsys.readouterr().out)["curves"][0]["length"] is None
 
 
+def test_info_of_a_drawing_tells_the_numbers_of_the_svg(tmp_path, capsys):
+    """A box from 12 to 20 below the upper edge of a page of 50 was told as 30 to 38."""
+    path = tmp_path / "in.svg"
+    path.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="50mm" viewBox="0 0 40 50">'
+        '<path id="r1" d="M2 12H10V20H2z" fill="#00ff00"/></svg>',
+        encoding="utf-8",
+    )
+    assert main(["info", str(path)]) == 0
+    assert "  box              about x 2 to 10, y 12 to 20\n" in capsys.readouterr().out
+    assert main(["info", "--json", str(path)]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["y_axis"] == "down"
+    assert content["curves"][0]["box"] == {"left": 2.0, "bottom": 20.0, "right": 10.0, "top": 12.0}
+    assert main(["info", "--json", LETTER]) == 0
+    assert json.loads(capsys.readouterr().out)["y_axis"] == "up"
+
+
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
 @pytest.mark.usefixtures("qapp")
 def test_render_writes_every_format(suffix, tmp_path, capsys):

@@ -11,6 +11,7 @@ from PySide6.QtGui import QPainter, QPen
 
 from ..document.guide_edits import place_words
 from ..document.model import Axis, Guide, Vector
+from ..document.readings import PLAIN, Readings
 from ..plotting.halo import Halo
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
@@ -50,14 +51,14 @@ class GuidesLayer(Layer):
         self.last = -1
         self.locked = False
         self.pointed_at: Callable[[int], object] = lambda _place: None
-        self._unit = ""
+        self._unit, self._readings = "", PLAIN
         self._halo = Halo()
         self.set_shown(False)
 
-    def render(self, guides: tuple[Guide, ...], unit: str) -> None:
-        """Draw these guides from the next paint on; `unit` is that of their places."""
-        if (guides, unit) != (self.guides, self._unit):
-            self.guides, self._unit = guides, unit
+    def render(self, guides: tuple[Guide, ...], unit: str, readings: Readings) -> None:
+        """Draw these guides from the next paint on; `unit` is that of their places, told as `readings` do."""
+        if (guides, unit, readings) != (self.guides, self._unit, self._readings):
+            self.guides, self._unit, self._readings = guides, unit, readings
             self.set_shown(bool(guides))
             self.update()
 
@@ -114,7 +115,7 @@ class GuidesLayer(Layer):
 
     def _write(self, painter: QPainter, shown: PixelMap, guide: Guide, at: int) -> None:
         """Write where the guide lies, near its upper or left end."""
-        text = place_words(guide, self._unit)
+        text = place_words(guide, self._readings, self._unit)
         painter.setFont(self.fonts.times(0.95 * self.scale))
         size = size_of(painter, text)
         if guide.axis is Axis.X:

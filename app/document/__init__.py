@@ -28,7 +28,7 @@
 - ``group_look``: groups that are seen through.  ``group_opacity``: how much is seen of groups and shapes.
 - ``guide``: the lines to draw along, and where they meet.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
-- ``paper``: documents that are drawn for paper.
+- ``paper``: documents that are drawn for paper.  ``readings``: how their coordinates are told.
 - ``clone``, ``clones``: curves that run as others do, mapped.  ``clone_maps``, ``clone_styles``: how they
   are, and look.  ``clone_links``: those that come into a document together.
 - ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``box_form``: those in a box.

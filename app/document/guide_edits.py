@@ -8,23 +8,25 @@ from msgspec.structs import replace
 
 from .limits import AlreadySoError, EditError, checked
 from .model import Axis, Document, Guide
+from .readings import Readings, readings_of
 from .words import number
 
 _DIGITS = 9
 
 
-def place_words(guide: Guide, unit: str = "") -> str:
-    """Return where a guide lies: "x = 20 mm", "30° through (5, 20) mm"."""
+def place_words(guide: Guide, readings: Readings, unit: str = "") -> str:
+    """Return where a guide lies, as it is told: "x = 20 mm", "30° through (5, 20) mm"."""
     suffix = f" {unit}" if unit else ""
     if guide.lean:
-        x, y = (number(each, _DIGITS) for each in guide.point)
-        return f"{number(guide.angle, _DIGITS)}° through ({x}, {y}){suffix}"
-    return f"{guide.axis.value} = {number(guide.position, _DIGITS)}{suffix}"
+        x, y = (number(each, _DIGITS) for each in readings.shown(guide.point))
+        return f"{number(readings.line_angle(guide.angle), _DIGITS)}° through ({x}, {y}){suffix}"
+    position = readings.shown_at(guide.axis.coordinate, guide.position)
+    return f"{guide.axis.value} = {number(position, _DIGITS)}{suffix}"
 
 
-def locked_words(guide: Guide) -> str:
+def locked_words(guide: Guide, readings: Readings) -> str:
     """Return why a guide is neither moved nor removed."""
-    return f"The guide at {place_words(guide)} is locked."
+    return f"The guide at {place_words(guide, readings)} is locked."
 
 
 def add_guide(
@@ -33,7 +35,7 @@ def add_guide(
     """Draw a guide more, of these values; refused where there is one."""
     guide = _checked(Guide(axis, position, lean, across))
     if any(replace(each, locked=False) == guide for each in document.guides):
-        raise AlreadySoError(f"There is a guide at {place_words(guide)} already.")
+        raise AlreadySoError(f"There is a guide at {place_words(guide, readings_of(document))} already.")
     return replace(document, guides=(*document.guides, guide))
 
 
@@ -85,7 +87,7 @@ def _with_guide(document: Document, place: int, *other: Guide) -> Document:
 def _refuse_locked(document: Document, place: int) -> None:
     guide = _guide(document, place)
     if guide.locked:
-        raise EditError(locked_words(guide))
+        raise EditError(locked_words(guide, readings_of(document)))
 
 
 def _guide(document: Document, place: int) -> Guide:

@@ -328,6 +328,9 @@ class Document(Value, frozen=True):
         What else is known of those that are empty.
     export
         Its last export.
+    y_up
+        Whether y is told upwards from the lower edge of its page, and not downwards from the upper one as in
+        SVG: see ``readings``. Without a page it is told upwards in any case.
     """
 
     curves: tuple[Curve, ...]
@@ -339,6 +342,7 @@ class Document(Value, frozen=True):
     layers: tuple[str, ...] = ()
     empty_layers: tuple[EmptyLayer, ...] = ()
     export: Export = NEVER_EXPORTED
+    y_up: bool = False
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""

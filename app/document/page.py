@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from .decimals import decimal_sum
 from .fields import above
 from .guide import Length
 from .style import USUAL_WIDTH
@@ -25,6 +26,11 @@ class Page(Value, frozen=True, omit_defaults=False):
     y: Length
     width: Annotated[Length, above(0)]
     height: Annotated[Length, above(0)]
+
+    @property
+    def top(self) -> float:
+        """Where its upper edge lies."""
+        return decimal_sum(self.y, self.height)
 
     @property
     def usual_width(self) -> float:

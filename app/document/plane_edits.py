@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from .decimals import decimal_sum
 from .limits import EditError, checked
 from .model import Document, Page
 from .paper import begun_for_paper
+from .readings import readings_of
 
 
 def set_unit(document: Document, unit: str) -> Document:
@@ -25,9 +27,21 @@ def set_page(document: Document, page: Page | None) -> Document:
 
 
 def with_page_size(document: Document, width: float, height: float) -> Document:
-    """Give the page another size, its lower left corner kept; where there is none, put one at the origin."""
-    x, y = (document.page.x, document.page.y) if document.page is not None else (0.0, 0.0)
+    """Give the page another size; the corner that coordinates are told from stays, so that they do.
+
+    Without a page one is put at the origin; where nothing is drawn yet the lower left corner stays.
+    """
     for value, what in ((width, "The width"), (height, "The height")):
         if not checked(value, f"{what} of the page") > 0:
             raise EditError(f"{what} of the page must be greater than 0.")
-    return set_page(document, Page(x, y, width, height))
+    page = document.page or Page(0.0, 0.0, width, height)
+    is_drawn_on = bool(document.guides) or any(curve.points for curve in document.curves)
+    keeps_top = is_drawn_on and readings_of(document).is_down
+    return set_page(
+        document, Page(page.x, decimal_sum(page.top, -height) if keeps_top else page.y, width, height)
+    )
+
+
+def set_y_up(document: Document, *, up: bool) -> Document:
+    """Tell y upwards also where there is a page, or downwards; nothing moves."""
+    return replace(document, y_up=up)

@@ -58,24 +58,14 @@ def with_minus(text: str) -> str:
     return text.replace("-", "−")
 
 
-def vector(value: tuple[float, float]) -> str:
-    """Return both coordinates."""
+def pair(value: tuple[float, float]) -> str:
+    """Return two numbers; of a place or a way those that `Readings` tell, which have words of their own."""
     return f"{number(value[0])}, {number(value[1])}"
 
 
 def points(indices: Collection[int]) -> str:
     """Return "point 3" or "4 points"."""
     return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
-
-
-def point_at(index: int, place: tuple[float, float]) -> str:
-    """Return "Point 3 at 2.4, 5.158"."""
-    return f"Point {index} at {vector(place)}"
-
-
-def polar(value: tuple[float, float]) -> str:
-    """Return length and direction, "3.2 at 45°"."""
-    return f"{number(math.hypot(*value))} at {angle(math.degrees(math.atan2(value[1], value[0])))}"
 
 
 def angle(degrees: float) -> str:

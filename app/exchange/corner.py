@@ -50,10 +50,11 @@ def from_lower_left(document: Document) -> Document:
 
 
 def from_upper_left(document: Document) -> Document:
-    """Return a document whose page stands on the origin so that it hangs there: the other way round."""
+    """Return a document whose page hangs at the origin, as that of an SVG file does."""
     page = document.page
-    is_usual = page is not None and page.x == page.y == 0.0
-    return shifted(document, (0.0, -page.height)) if page is not None and is_usual else document
+    if page is None or page.x == page.top == 0.0:
+        return document
+    return shifted(document, (-page.x, -page.top))
 
 
 def into_page(document: Document, page: Page) -> Document:

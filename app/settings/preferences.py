@@ -29,6 +29,7 @@ from .kinds import (
     SavedStyle,
     SavedText,
     Several,
+    Switch,
     SwitchOfAction,
     Text,
 )
@@ -96,6 +97,15 @@ class Preferences:
         widget="gridSpacing",
     )
     """Distance of the lines of a new document's grid; 0 where it adapts to the zoom."""
+
+    y_down = Switch(
+        "grid/y_down",
+        default=True,
+        label="Y axis points down in new drawings",
+        tip="Tell y of new drawings downwards from the upper edge of the page, as SVG does "
+        "(File > Document… for this one)",
+    )
+    """Whether y of new drawings is told downwards."""
 
     snap_kinds = Several(
         "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from ..document.guide_edits import locked_words, move_guide, place_words, remove_guide
 from ..document.model import Axis, Document, Guide, Vector
+from ..document.readings import readings_of
 from ..document.transforms import decimal_sum
 from ..document.words import number
 from .drag import Drag
@@ -50,8 +51,9 @@ class MoveGuide(Drag, frozen=True):
     def name_at(self, pointer: Pointer) -> str:
         """Return the name of the step: where the guide is, or that it is gone."""
         if _is_beyond(pointer):
-            return f"Remove guide at {place_words(self.document.guides[self.place])}"
-        return f"{'Guide at' if self.is_new else 'Move guide to'} {place_words(self._guide_at(pointer))}"
+            return f"Remove guide at {place_words(self.document.guides[self.place], self.readings)}"
+        where = place_words(self._guide_at(pointer), self.readings)
+        return f"{'Guide at' if self.is_new else 'Move guide to'} {where}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Let the guide be where the pointer is, or be none over a ruler."""
@@ -66,20 +68,26 @@ class MoveGuide(Drag, frozen=True):
         index = guide.axis.coordinate
         caught = self.snapper.snap(pointer.position, pointer, index)[index]
         is_snapped = self.snapper.caught is not None
-        return replace(guide, position=caught if is_snapped else _clean(caught, pointer.scale))
+        return replace(guide, position=caught if is_snapped else self._clean(index, caught, pointer.scale))
 
     def _leaning_at(self, pointer: Pointer, guide: Guide) -> Guide:
         """Return a guide that leans, through what the pointer is at; it is that point that it leans about."""
         place = self.snapper.at(pointer)
         if self.snapper.caught is None:
-            place = (_clean(place[0], pointer.scale), _clean(place[1], pointer.scale))
+            x, y = (self._clean(axis, value, pointer.scale) for axis, value in enumerate(place))
+            place = (x, y)
         return guide.through(place[guide.axis.coordinate], place[guide.axis.other.coordinate])
+
+    def _clean(self, axis: int, value: float, pixels_per_unit: float) -> float:
+        """Return a coordinate within a pixel that is told with no more decimals than that takes."""
+        decimals = -math.floor(-math.log10(pixels_per_unit))
+        return self.readings.meant_at(axis, round(self.readings.shown_at(axis, value), decimals))
 
     def readout(self, pointer: Pointer) -> str:
         """Return where the guide is."""
         if _is_beyond(pointer):
             return "Drag onto the drawing for a guide" if self.is_new else "Let go to remove the guide"
-        return f"Guide {place_words(self._guide_at(pointer), self.unit)}"
+        return f"Guide {place_words(self._guide_at(pointer), self.readings, self.unit)}"
 
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return the place on the guide beside the pointer."""
@@ -89,11 +97,6 @@ class MoveGuide(Drag, frozen=True):
 def _is_beyond(pointer: Pointer) -> bool:
     """Whether the pointer is over a ruler, or farther out there."""
     return pointer.pixel[0] < 0 or pointer.pixel[1] < 0
-
-
-def _clean(value: float, pixels_per_unit: float) -> float:
-    """Return a number near `value`, within a pixel, with no more decimals than that takes."""
-    return round(value, -math.floor(-math.log10(pixels_per_unit)))
 
 
 class NudgeGuide(Drag, frozen=True):
@@ -112,7 +115,8 @@ class NudgeGuide(Drag, frozen=True):
 
     def readout(self, _pointer: Pointer) -> str:
         """Return where the guide is now, and the step."""
-        return f"Guide {place_words(self._guide, self.unit)} · step {number(abs(self.step))}"
+        where = place_words(self._guide, self.readings, self.unit)
+        return f"Guide {where} · step {number(abs(self.step))}"
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
@@ -175,7 +179,7 @@ class GuidePicker:
         host, self.lit = context.host, hit.index
         document, self._host, self._choice = host.document, host, _Choice.of(host, hit.index)
         snapper, unit = context.snappers.for_guide(), context.settings.unit
-        said = f"Guide {place_words(document.guides[hit.index], unit)} · {_KEYS}"
+        said = f"Guide {place_words(document.guides[hit.index], readings_of(document), unit)} · {_KEYS}"
         moving = MoveGuide(document, hit.index, snapper, unit)
         context.drags.press(context.pointer, moving, on_click=lambda: host.say(said))
 
@@ -187,7 +191,7 @@ class GuidePicker:
         guide = context.host.document.guides[place]
         way = direction[guide.axis.coordinate]
         if guide.locked:
-            context.host.refuse(locked_words(guide))
+            context.host.refuse(locked_words(guide, readings_of(context.host.document)))
         elif way:
             step = way * context.step_of(stride)
             nudge = NudgeGuide(context.host.document, place, step, context.settings.unit)
@@ -199,7 +203,7 @@ class GuidePicker:
         if self.lit is None:
             return None
         guide = context.host.document.guides[self.lit]
-        words = place_words(guide, context.settings.unit)
+        words = place_words(guide, readings_of(context.host.document), context.settings.unit)
         keys = (
             _KEYS
             if self.lit == self.chosen
@@ -227,7 +231,8 @@ class GuidePicker:
         place = self.lit if self._is_removable else self.chosen
         if place is None or not self.claims(key) or context.settings.guides_stay:
             return False
-        where = place_words(context.host.document.guides[place])
+        document = context.host.document
+        where = place_words(document.guides[place], readings_of(document))
         self.lit = self._choice = None
         return bool(context.host.change(f"Remove guide at {where}", lambda now: remove_guide(now, place)))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from enum import Enum, auto
 from functools import cached_property
 
@@ -97,11 +96,11 @@ class AppendPoint(CurveDrag, frozen=True):
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes, and where its velocity points."""
         place = self._place(pointer)
-        note = f"{self.name} at {words.vector(place)}"
+        note = f"{self.name} at {self.readings.place_words(place)}"
         if not self._sets_velocity(pointer):
             return f"{note} · a corner" if self.append is with_corner_appended else note
-        x, y = self._displacement(pointer, place)
-        note = f"{note}, {vector_word(self.document, 1)} at {words.angle(math.degrees(math.atan2(y, x)))}"
+        way = self._displacement(pointer, place)
+        note = f"{note}, {vector_word(self.document, 1)} at {self.readings.direction_words(way)}"
         if pointer.alt:
             return f"{note} · a corner"
         if self.view.source.is_closed:
@@ -195,7 +194,7 @@ class InsertPoint(CurveDrag, frozen=True, dict=True):
         """Return where it goes."""
         if self._is_on_curve(pointer):
             return f"{self.name} at t = {words.number(self.hit.t)}"
-        return f"{self.name} at {words.vector(self.snapper.at(pointer))}"
+        return f"{self.name} at {self.readings.place_words(self.snapper.at(pointer))}"
 
     def _is_on_curve(self, pointer: Pointer) -> bool:
         return not _is_away(pointer, self.press)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 
 from ..document.model import Document, Guide, Vector
 from ..document.point_group import PointGroup
+from ..document.readings import readings_of
 from ..view_model.boxes.bounds import Bounds, Strokes, bounds_of, nine_places
 from .drag import minus
 from .drag_machine import EditingHost
@@ -119,7 +120,8 @@ class Snappers:
         # Guides and page as they are at the press.
         document = self._host.document
         page, guides = document.page, document.guides if guides is None else guides
-        drawn = (*lines_of_guides(guides), *lines_of_page(page, middles=middles))
+        readings = readings_of(document)
+        drawn = (*lines_of_guides(guides, readings), *lines_of_page(page, middles=middles))
         leaning = [guide for guide in guides if guide.lean]
 
         def with_centre() -> Targets:
@@ -127,7 +129,7 @@ class Snappers:
                 return collect()
             return collect().with_places({"page centre": centre_of_page(page)})
 
-        self.now = Snapper(self._settings, self._grid, with_centre, drawn, leaning)
+        self.now = Snapper(self._settings, self._grid, readings, with_centre, drawn, leaning)
         return self.now
 
     @property

@@ -14,6 +14,7 @@ from curvecore.arrays import FloatArray
 
 from ..document.guide_edits import place_words
 from ..document.model import Axis, Guide, Page, Vector
+from ..document.readings import Readings
 from ..document.transforms import decimal_sum
 from ..document.words import NamedEnum
 from ..view_model.curve.nearest import NearestPoint
@@ -131,13 +132,12 @@ class DrawnLine(msgspec.Struct, frozen=True):
         return Guide(list(Axis)[self.axis], self.value)
 
 
-def lines_of_guides(guides: Sequence[Guide]) -> Iterator[DrawnLine]:
+def lines_of_guides(guides: Sequence[Guide], readings: Readings) -> Iterator[DrawnLine]:
     """Yield the lines of guides that are level or upright."""
     for guide in guides:
         if not guide.lean:
-            yield DrawnLine(
-                SnapKind.GUIDES, guide.axis.coordinate, guide.position, f"guide {place_words(guide)}"
-            )
+            label = f"guide {place_words(guide, readings)}"
+            yield DrawnLine(SnapKind.GUIDES, guide.axis.coordinate, guide.position, label)
 
 
 def lines_of_page(page: Page | None, *, middles: bool) -> Iterator[DrawnLine]:
@@ -216,12 +216,14 @@ class Snapper:
         self,
         settings: Callable[[], Snapping],
         grid: Callable[[], float],
+        readings: Readings,
         collect: Callable[[], Targets],
         drawn: Iterable[DrawnLine] = (),
         leaning: Iterable[Guide] = (),
     ) -> None:
-        self._settings, self._grid, self._collect, self._drawn = settings, grid, collect, tuple(drawn)
-        self._leaning = tuple(leaning)
+        self._settings, self._grid, self._readings = settings, grid, readings
+        self._collect, self._drawn = collect, tuple(drawn)
+        self._leaning = [(guide, f"guide {place_words(guide, readings)}") for guide in leaning]
         self._targets: Targets | None = None
         self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
@@ -316,7 +318,8 @@ class Snapper:
         level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
         if SnapKind.GRID in kinds:
-            grid = [_Line(grid_value(value, self._grid()), f"grid {'xy'[axis]}", is_grid=True)]
+            told = grid_value(self._readings.shown_at(axis, value), self._grid())
+            grid = [_Line(self._readings.meant_at(axis, told), f"grid {'xy'[axis]}", is_grid=True)]
         for lines in (drawn, level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:
@@ -325,10 +328,9 @@ class Snapper:
 
 
 def on_leaning(
-    leaning: Sequence[Guide], straight: Sequence[tuple[Guide, str]], position: Vector, reach: float
+    lines: Sequence[tuple[Guide, str]], straight: Sequence[tuple[Guide, str]], position: Vector, reach: float
 ) -> Snap | None:
     """Return the nearest place on guides at an angle, or where one meets another line, where that is near."""
-    lines = [(guide, f"guide {place_words(guide)}") for guide in leaning]
     near = [(guide, label) for guide, label in lines if guide.distance(position) <= reach]
     crossings = []
     for guide, label in near:

@@ -17,9 +17,9 @@ _A4 = Page(0.0, 0.0, 210.0, 297.0)
 
 
 def as_usual(document: Document, preferences: Preferences) -> Document:
-    """Return a document with the unit, the grid and the page of new ones."""
+    """Return a document with the unit, the grid, the page and the way of y of new ones."""
     unit, spacing, page = preferences.unit_name, preferences.grid_spacing, preferences.new_page
-    return replace(document, unit=unit, grid_spacing=spacing, page=page)
+    return replace(document, unit=unit, grid_spacing=spacing, page=page, y_up=not preferences.y_down)
 
 
 def blank_document(preferences: Preferences) -> Document:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QStatusBar
 
 from ..document.model import Vector
+from ..document.readings import PLAIN
 from ..document.words import number
 from ..widgets.controls import named
 from ..widgets.elided_label import SteadyLabel
@@ -29,8 +30,8 @@ class Readouts:
 
     Attributes
     ----------
-    unit
-        What is written behind the place.
+    unit, readings
+        What is written behind the place, and how that is told.
     """
 
     def __init__(self, line: QStatusBar) -> None:
@@ -45,7 +46,7 @@ class Readouts:
         self._t_here: float | None = None
         self._t_scrub: float | None = None
         self._lebesgue: float | None = math.nan
-        self.unit = ""
+        self.unit, self.readings = "", PLAIN
         self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self.render)
 
@@ -92,7 +93,7 @@ class Readouts:
     def _place_text(self) -> str:
         if self._place_now is None:
             return ""
-        x, y = self._place_now
+        x, y = self.readings.shown(self._place_now)
         unit = f" {self.unit}" if self.unit else ""
         return f"x {number(x)}{unit}   y {number(y)}{unit}"
 

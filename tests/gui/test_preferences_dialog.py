@@ -151,13 +151,14 @@ def test_the_rows_stand_in_the_order_of_the_settings(dialog):
         list(zip([label, *[""] * (len(names) - 1)], map(widget.format, names), strict=True))
         for label, widget in (("Snap to", "snap_{}"), ("Snap on pages to", "page_snap_{}"))
     )
-    assert rows_of(dialog)[: 6 + 2 * len(kinds)] == [
+    assert rows_of(dialog)[: 7 + 2 * len(kinds)] == [
         ("Theme", "themeBox"),
         ("Begin with", "beginsWithBox"),
         ("Unit when new", "unitBox"),
         ("", "unitBoxNote"),
         ("Grid when new", "gridSpacing"),
         ("", "preferencesProblem"),
+        ("", "preference_y_down"),
         *kinds,
         *on_pages,
     ]
@@ -208,7 +209,7 @@ def test_a_setting_that_is_one_line_is_seen_changed_at_once_and_remembered(qtbot
 
 def test_what_is_remembered_of_the_window_is_not_there():
     named = settings_with_labels(Preferences)
-    assert list(named)[:5] == ["theme_mode", "begins_with", "unit_name", "grid_spacing", "snap_kinds"]
+    assert list(named)[:5] == ["theme_mode", "begins_with", "unit_name", "grid_spacing", "y_down"]
     for name in ("window_geometry", "shortcuts", "snap_on", "export_choice", "last_folder"):
         assert name not in named
 

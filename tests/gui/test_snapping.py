@@ -13,6 +13,7 @@ from app.document import edits
 from app.document.form_edits import with_form_drawn
 from app.document.forms import Ellipse, Rectangle
 from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.readings import PLAIN
 from app.document.style import PLAIN_STYLE
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
@@ -67,6 +68,7 @@ def snap_of(position, *, kinds=frozenset(SnapKind), grid=1.0, axis=None, moving=
     snapper = Snapper(
         lambda: Snapping(on, kinds),
         lambda: grid,
+        PLAIN,
         lambda: targets_of(views, 0, {0: moving}, moving[0], kinds),
     )
     place = snapper.snap(position, Pointer(position, (0, 0), scale=100.0), axis)

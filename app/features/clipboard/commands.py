@@ -11,6 +11,7 @@ from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, POINT_ME
 from ...document.edits import EditError
 from ...document.layers import out_of_layers
 from ...document.model import Curve, Document, Point
+from ...document.readings import Readings, readings_of
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import Highlight
 from ...view_model.pieces.pasting import copied, parts_of
@@ -55,6 +56,7 @@ class ClipboardCommands:
     def _offer(self, what: Highlight) -> Offer:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark, page = self._session, decimal_mark(), self._session.document.page
+        readings = readings_of(session.document)
         if len(what.points.parts) != 1:
             curves, layers = self._copied_curves(what), session.document.layers
             copy = out_of_layers(Document(curves, unit=session.document.unit, layers=layers))
@@ -63,7 +65,7 @@ class ClipboardCommands:
         view = session.views[curve]
         clip = copied(view, indices)
         rows = [
-            [exact_text(number, mark) for number in _row(point, timed=view.source.is_manual)]
+            [exact_text(number, mark) for number in _row(point, readings, timed=view.source.is_manual)]
             for point in clip.points
         ]
         return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows), page)
@@ -79,8 +81,9 @@ class ClipboardCommands:
         return tuple(parts)
 
 
-def _row(point: Point, *, timed: bool) -> Sequence[float]:
-    return (point.t, *point.position) if timed and point.t is not None else point.position
+def _row(point: Point, readings: Readings, *, timed: bool) -> Sequence[float]:
+    told = readings.shown(point.position)
+    return (point.t, *told) if timed and point.t is not None else told
 
 
 COMMAND_SETS = (ClipboardCommands, PasteCommands, HighlightCommands, DerivativeCommands)

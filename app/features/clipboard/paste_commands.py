@@ -20,6 +20,7 @@ from ...document.edits import EditError
 from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Vector
 from ...document.paper import DocumentKind, kind_of
+from ...document.readings import readings_of
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
@@ -85,7 +86,7 @@ class PasteCommands:
         self, data: QMimeData, place: Vector | None, put_points: Callable[[PointsContent], None]
     ) -> None:
         try:
-            points = points_in(data)
+            points = points_in(data, readings_of(self._session.document))
         except TableTextError:
             # A spreadsheet offers a picture of its cells, too: there numbers are meant.
             if not self._take_picture(data, place):

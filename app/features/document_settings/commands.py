@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import EDIT_PAGE, FILE_SAVE
+from ...document.readings import Readings, readings_of
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel
@@ -28,7 +29,7 @@ class DocumentSettingsCommands:
         self._preferences = context.preferences
         self._dock = context.docks["documentDock"]
         self._panel: DocumentPanel | None = None
-        self._shown: tuple[str, float] | None = None
+        self._shown: tuple[str, float, Readings] | None = None
         self.render(context.session.active_view)
 
     @LatePanel("documentDock", "Document", on_demand=True)
@@ -44,14 +45,17 @@ class DocumentSettingsCommands:
     def render(self, view: CurveView) -> None:
         """Draw in the unit and on the grid of the document."""
         document = self._session.document
-        now = (document.unit, document.grid_spacing)
+        readings = readings_of(document)
+        now = (document.unit, document.grid_spacing, readings)
         if now != self._shown:
             before, self._shown = self._shown, now
             canvas = self._context.central.canvas
             canvas.change_tool_settings(unit=document.unit)
+            canvas.drawing.grid.set_readings(readings)
             canvas.drawing.grid.set_spacing(document.grid_spacing)
             canvas.drawing.units.render(document.unit)
-            self._context.status_line.readouts.unit = document.unit
+            readouts = self._context.status_line.readouts
+            readouts.unit, readouts.readings = document.unit, readings
             if before is not None and before[0] != document.unit and self._panel is not None:
                 name = f"are in {document.unit}" if document.unit else "have no unit"
                 note = exchange.units.note_of_unknown(document.unit)
@@ -72,7 +76,10 @@ class DocumentSettingsCommands:
     def _make_usual(self) -> None:
         document, preferences = self._session.document, self._preferences
         preferences.unit_name, preferences.grid_spacing = document.unit, document.grid_spacing
-        preferences.new_page = document.page
+        page = document.page
+        preferences.new_page = page and replace(page, x=0.0, y=0.0)
+        if page is not None:
+            preferences.y_down = not document.y_up
         preferences.new_style = self._session.active_curve.style
         self._session.say(
             "New documents begin with this unit, grid and page, and with the style of this curve."

@@ -11,14 +11,15 @@ from PySide6.QtWidgets import QFormLayout, QWidget
 
 from ...appearance.theme import Theme
 from ...document.model import LONGEST_UNIT, Document
-from ...document.plane_edits import set_grid_spacing, set_unit
+from ...document.plane_edits import set_grid_spacing, set_unit, set_y_up
+from ...document.readings import readings_of
 from ...document.style import Style
 from ...exchange.units import note_of_unknown
 from ...qt.labels import Label
 from ...settings.kinds import Distance, Text
 from ...settings.preferences import NO_UNIT, USUAL_UNITS
 from ...widgets.boxes import column_of, form_of
-from ...widgets.controls import push_button
+from ...widgets.controls import check_box, push_button
 from ...widgets.field_form import FieldForm
 from ...widgets.length_text import length_text
 from ...widgets.preference_fields import PreferenceField, field_of
@@ -64,11 +65,14 @@ class DocumentPanel(FieldForm):
             _GRID, partial(self._ask, "grid spacing", set_grid_spacing)
         )
         self.page = PageFields(self._ask_page, self.watch)
+        tip = "Tell x and y from the upper left corner of the page, as SVG does; else from the lower left one"
+        self.y_down = check_box("yDown", "Y axis points down", tip)
+        self.y_down.clicked.connect(self._ask_y_down)
         self._usual = Label(name="newDocuments", wordWrap=True)
         tip = "Let new documents begin with this unit, grid and page, and their curve with this one's style"
         self._take = push_button("useForNew", "Use for New Documents", tip)
         self._take.clicked.connect(self.made_usual)
-        form = form_of(*self._unit.rows, *self._grid.rows, *self.page.rows)
+        form = form_of(*self._unit.rows, *self._grid.rows, *self.page.rows, ("", self.y_down))
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         left = Qt.AlignmentFlag.AlignLeft
@@ -78,6 +82,10 @@ class DocumentPanel(FieldForm):
 
     def _ask(self, what: str, edit: Any, value: object) -> None:  # noqa: ANN401 - of the value's kind
         self.edited.emit(f"Set the {what}", lambda document, _curve: edit(document, value))
+
+    def _ask_y_down(self, down: bool) -> None:
+        text = f"Y Axis Points {'Down' if down else 'Up'}"
+        self.edited.emit(text, lambda document, _curve: set_y_up(document, up=not down))
 
     def _ask_page(self, text: str, edit: Callable[[Document], Document]) -> None:
         self.clear_refusal()
@@ -91,6 +99,9 @@ class DocumentPanel(FieldForm):
         self._unit.show(document.unit)
         self._grid.show(document.grid_spacing)
         self.page.show(document.page, document.unit)
+        # Without a page y is that of mathematics.
+        self.y_down.setEnabled(document.page is not None)
+        self.y_down.setChecked(readings_of(document).is_down)
         grid = f"a grid of {length_text(spacing, unit)}" if spacing else "an adaptive grid"
         line = "usual lines" if style == Style() else "lines and fills of their own style"
         named = f"“{unit}”" if unit else NO_UNIT

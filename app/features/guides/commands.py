@@ -18,6 +18,7 @@ from ...document.guide_edits import (
     remove_guide,
 )
 from ...document.model import Axis, Document, Guide
+from ...document.readings import Readings, readings_of
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 from .. import guides
@@ -48,13 +49,17 @@ class GuideCommands:
     def show_document(self) -> None:
         """Show the guides of the document."""
         drawn = self._session.document.guides
-        self._guides.render(drawn, self._unit)
+        self._guides.render(drawn, self._unit, self._readings)
         if not drawn:
             self._guides.point_at(-1)
 
     @property
     def _unit(self) -> str:
         return self._session.document.unit
+
+    @property
+    def _readings(self) -> Readings:
+        return readings_of(self._session.document)
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
         if state.shows_rulers != self._canvas.rulers.are_shown:
@@ -82,10 +87,12 @@ class GuideCommands:
         middle = self._canvas.to_plane(self._canvas.camera.centre().toPoint())
         if isinstance(which, Axis):
             self._typed = None
-            self.field.open_for(None, which, self._unit, self._corner_of_new, middle)
+            self.field.open_for(None, which, self._unit, self._readings, self._corner_of_new, middle)
         else:
             guide, self._typed = self._session.document.guides[which], which
-            self.field.open_for(guide, guide.axis, self._unit, lambda _axis: self._corner_of(guide), middle)
+            self.field.open_for(
+                guide, guide.axis, self._unit, self._readings, lambda _axis: self._corner_of(guide), middle
+            )
 
     def _corner_of(self, guide: Guide) -> QPoint:
         """Return where the field stands for a guide: beside it, at the ruler."""
@@ -106,11 +113,11 @@ class GuideCommands:
         place = self._typed
         if place is None:
             self._context.store.change(guides_shown=True)
-            name = f"Guide at {place_words(guide)}"
+            name = f"Guide at {place_words(guide, self._readings)}"
             drawn = guide.axis, guide.position, guide.lean, guide.across
             self._session.change(name, lambda document: add_guide(document, *drawn))
         else:
-            name = f"Move guide to {place_words(guide)}"
+            name = f"Move guide to {place_words(guide, self._readings)}"
             self._session.change(name, lambda document: move_guide(document, place, guide))
 
     # Actions
@@ -152,7 +159,7 @@ class GuideCommands:
     def _remove(self) -> None:
         """Remove the guide that was pointed at last."""
         place = self._last()
-        where = place_words(self._session.document.guides[place])
+        where = place_words(self._session.document.guides[place], self._readings)
         self._session.change(f"Remove guide at {where}", lambda document: remove_guide(document, place))
 
     @action(
@@ -170,7 +177,7 @@ class GuideCommands:
         """Keep the guide that was pointed at last where it is, whatever is pressed; or let it go again."""
         place = self._last()
         guide = self._session.document.guides[place]
-        text = f"{'Unlock' if guide.locked else 'Lock'} guide at {place_words(guide)}"
+        text = f"{'Unlock' if guide.locked else 'Lock'} guide at {place_words(guide, self._readings)}"
         self._session.change(text, lambda document: lock_guide(document, place, locked=not guide.locked))
 
     def _last(self) -> int:

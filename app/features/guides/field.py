@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from ...document.expression import ExpressionError, parse_number
 from ...document.guide import Axis, Guide, guide_at
+from ...document.readings import PLAIN, Readings
 from ...document.value import Vector
 from ...qt.labels import Label
 from ...widgets.controls import named
@@ -18,7 +19,7 @@ from ...widgets.tool_buttons import tool_button
 from .places import read_place
 
 _TIP = "Where the guide lies: a number or an expression, with a unit if you like, such as 20, 1/3 or 1 in"
-_ANGLE_TIP = "Degrees from the x axis, counterclockwise: 0 is level, 90 upright"
+_ANGLE_TIP = "Degrees from the x axis, {}: 0 is level, 90 upright"
 _ANGLE_WIDTH = 55
 
 
@@ -34,13 +35,13 @@ class GuideField(EntryField):
     entered = Signal(object)
 
     def __init__(self, below: QWidget) -> None:
-        self._axis, self._unit = Axis.X, ""
+        self._axis, self._unit, self._readings = Axis.X, "", PLAIN
         self._guide: Guide | None = None
         self._degrees = 0.0
         self._middle: Vector = (0.0, 0.0)
         turn = tool_button("guideAxis", "Coordinate of the guide", "Upright (x) or level (y)", text="x =")
         edit = named(EntryEdit(), "guidePlace", "Place of the guide", _TIP)
-        self.angle = named(EntryEdit(), "guideAngle", "Angle of the guide", _ANGLE_TIP)
+        self.angle = named(EntryEdit(), "guideAngle", "Angle of the guide", _ANGLE_TIP.format(PLAIN.sense))
         self.angle.setFixedWidth(_ANGLE_WIDTH)
         super().__init__("guideField", "Guide", below, turn, edit, self.angle, Label("°"))
 
@@ -49,18 +50,26 @@ class GuideField(EntryField):
         guide: Guide | None,
         axis: Axis,
         unit: str,
+        readings: Readings,
         corner: Callable[[Axis], QPoint],
         middle: Vector,
     ) -> None:
         """Ask for the place of a guide, or of a new one of this axis, at a corner of the canvas.
 
+        It is typed as `readings` tell it.
         One that is level or upright so far is turned about its point beside the `middle`.
         """
         self._guide, self._axis, self._unit, self._middle = guide, axis, unit, middle
+        self._readings = readings
+        self.angle.setToolTip(_ANGLE_TIP.format(readings.sense))
         self._turn.setEnabled(guide is None)
-        about = f"at {guide.axis.other.value} = {field_text(guide.across)}" if guide and guide.lean else ""
-        self._show_angle(guide.angle if guide is not None else _angle_of(axis))
-        place = typed_text(guide.position) if guide is not None else ""
+        about, place = "", ""
+        if guide is not None:
+            other = guide.axis.other
+            across = readings.shown_at(other.coordinate, guide.across)
+            about = f"at {other.value} = {field_text(across)}" if guide.lean else ""
+            place = typed_text(readings.shown_at(axis.coordinate, guide.position))
+        self._show_angle(readings.line_angle(guide.angle) if guide is not None else _angle_of(axis))
         self.ask(place, f"{unit} {about}".strip(), lambda: corner(self._axis))
 
     def _kind(self) -> str:
@@ -75,12 +84,14 @@ class GuideField(EntryField):
         self.angle.setText(angle_text(degrees))
 
     def _take(self, text: str) -> Callable[[], object]:
-        now = self._guide.position if self._guide is not None else 0.0
+        readings, guide = self._readings, self._guide
+        now = readings.shown_at(guide.axis.coordinate, guide.position) if guide is not None else 0.0
         typed = read_place(text, self._unit, now)
-        if typed.axis not in (None, self._axis) and self._guide is not None:
+        axis = typed.axis or self._axis
+        if axis is not self._axis and guide is not None:
             raise ExpressionError(f"This guide holds {self._axis.value}; type that.")
-        guide = self._typed_guide(typed.axis or self._axis, typed.position)
-        return lambda: self.entered.emit(guide)
+        entered = self._typed_guide(axis, readings.meant_at(axis.coordinate, typed.position))
+        return lambda: self.entered.emit(entered)
 
     def _read_angle(self, plain: float) -> float:
         """Return the angle that was typed, `plain` for none; the one that is shown short is meant whole."""
@@ -99,7 +110,7 @@ class GuideField(EntryField):
         if self._guide is not None and self._guide.lean:
             across = self._guide.across
         point = (position, across) if axis is Axis.X else (across, position)
-        return guide_at(point, angle)
+        return guide_at(point, self._readings.line_angle(angle))
 
 
 def _angle_of(axis: Axis) -> float:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...document.edits import EditError
 from ...document.model import Document
+from ...document.readings import Readings, readings_of
 from ...document.words import count_of
 from ...session import Session
 from ...view_model.points.point_columns import POSITION, Column
@@ -39,10 +40,20 @@ class PointTableController:
         self._show_now()
 
     def _show_now(self) -> None:
-        self._panel.show_now(self._session.active_view, streaming=self._session.is_previewing)
+        session = self._session
+        self._panel.show_now(session.active_view, self._readings, streaming=session.is_previewing)
+
+    @property
+    def _readings(self) -> Readings:
+        return readings_of(self._session.document)
+
+    def _meant(self, column: Column, told: float) -> float:
+        """Return the number of a column that was typed."""
+        return float(column.meant(np.array(told), self._readings))
 
     def _set_number(self, row: int, column: Column, number: float) -> None:
         session, label, set_number = self._session, column.at(row), column.set
+        number = self._meant(column, number)
         assert set_number is not None
 
         def edit(document: Document) -> Document:
@@ -62,12 +73,12 @@ class PointTableController:
     def _fill(self, cells: Mapping[Column, Sequence[int]], value: float) -> None:
         """Put one number into cells, the rows of each column."""
         session = self._session
-        passed = passed_over(cells)
+        passed, meant = passed_over(cells), {column: self._meant(column, value) for column in cells}
         cells = {column: rows for column, rows in cells.items() if column.set is not None} or cells
         what = count_of(sum(map(len, cells.values())), "cell")
         change = session.change(
             f"Fill {what}",
-            lambda document: fill_cells(document, session.active_index, session.active_view, cells, value),
+            lambda document: fill_cells(document, session.active_index, session.active_view, cells, meant),
         )
         if not self._is_refused(change.refusal):
             session.say(f"Filled {what}{passed}.")
@@ -79,6 +90,9 @@ class PointTableController:
         passed, can_be_set = passed_over(columns), [column.set is not None for column in columns]
         if any(can_be_set):
             columns, numbers = list(compress(columns, can_be_set)), numbers[:, can_be_set]
+        numbers = np.column_stack(
+            [column.meant(told, self._readings) for column, told in zip(columns, numbers.T, strict=True)]
+        )
         height, width = numbers.shape
         whole = [column.order for column in columns].count(POSITION) == 2
         what = count_of(height, "point") if whole else count_of(height * width, "value")

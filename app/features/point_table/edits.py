@@ -23,13 +23,17 @@ from ...view_model.points.point_columns import PARAMETER, POSITION, Column, knot
 
 
 def fill_cells(
-    document: Document, curve: int, view: CurveView, cells: Mapping[Column, Sequence[int]], value: float
+    document: Document,
+    curve: int,
+    view: CurveView,
+    cells: Mapping[Column, Sequence[int]],
+    values: Mapping[Column, float],
 ) -> Document:
-    """Put one number into all `cells`: the rows of each column."""
+    """Put one number of each column into all `cells`: its rows."""
     for column, rows in cells.items():
         if column.order == PARAMETER and len(rows) > 1:
             raise EditError("Every point needs a t of its own.")
-        document = column.put(document, curve, view, dict.fromkeys(rows, value))
+        document = column.put(document, curve, view, dict.fromkeys(rows, values[column]))
     return document
 
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from ...document.decimals import decimal_sum
 from ...document.image_edits import place_image, set_image_locked
 from ...document.model import ReferenceImage, Vector
+from ...document.readings import PLAIN, Readings
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import check_box, named
@@ -34,8 +37,9 @@ class ImagePanel(FieldForm):
     def __init__(self, buttons: Sequence[QAction], parent: QWidget | None = None) -> None:
         super().__init__("imagePanel", "imageProblem", parent)
         self._image: ReferenceImage | None = None
-        self.x_edit = _number_edit("imageX", "x", "x of the lower left corner")
-        self.y_edit = _number_edit("imageY", "y", "y of the lower left corner")
+        self._readings = PLAIN
+        self.x_edit = _number_edit("imageX", "x", "x of the corner from which x and y grow")
+        self.y_edit = _number_edit("imageY", "y", "y of the corner from which x and y grow")
         self.width_edit = _number_edit("imageWidth", "Width", "Width in the plane; the height follows")
         self.height_edit = _number_edit("imageHeight", "Height", "Height in the plane; the width follows")
         self._edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit)
@@ -52,7 +56,7 @@ class ImagePanel(FieldForm):
         self._lay_out(buttons)
         self._connect()
         self.follow_theme()
-        self.render_image(None)
+        self.render_image(None, PLAIN)
 
     def _lay_out(self, buttons: Sequence[QAction]) -> None:
         fields = form_of(
@@ -67,8 +71,8 @@ class ImagePanel(FieldForm):
 
     def _connect(self) -> None:
         self.watch(*self._edits)
-        self.x_edit.entered.connect(lambda x: self._place(lambda image: (x, image.y)))
-        self.y_edit.entered.connect(lambda y: self._place(lambda image: (image.x, y)))
+        self.x_edit.entered.connect(partial(self._place, 0))
+        self.y_edit.entered.connect(partial(self._place, 1))
         self.width_edit.entered.connect(self._scale)
         self.height_edit.entered.connect(self._scale_by_height)
         self.opacity.drag_ended.connect(self._render_again)
@@ -76,16 +80,17 @@ class ImagePanel(FieldForm):
 
     # Rendering: nothing here writes back
 
-    def render_image(self, image: ReferenceImage | None) -> None:
-        """Show where `image` lies; nothing of one that is there no more."""
-        self._image = image
+    def render_image(self, image: ReferenceImage | None, readings: Readings) -> None:
+        """Show where `image` lies, as it is told; nothing of one that is there no more."""
+        self._image, self._readings = image, readings
         if image is None:
             for edit in self._edits:
                 edit.show_text("")
             self._file.setText("")
             self._file.setToolTip("")
             return
-        for edit, value in zip(self._edits, (image.x, image.y, image.width, image.height), strict=True):
+        told = readings.shown(self._corner_of(image))
+        for edit, value in zip(self._edits, (*told, image.width, image.height), strict=True):
             edit.show_number(value, 6)
             edit.setEnabled(not image.locked)
         self._file.setText(Path(image.path).name)
@@ -96,7 +101,7 @@ class ImagePanel(FieldForm):
         self._percent.setText(f"{image.opacity:.0%}".replace("%", " %"))
 
     def _render_again(self) -> None:
-        self.render_image(self._image)
+        self.render_image(self._image, self._readings)
 
     def show_problem(self, text: str) -> None:
         """Say why the picture cannot be shown; empty where it can."""
@@ -106,13 +111,27 @@ class ImagePanel(FieldForm):
 
     # What the person did
 
-    def _place(self, corner: Callable[[ReferenceImage], Vector]) -> None:
+    def _corner_of(self, image: ReferenceImage) -> Vector:
+        """Return the corner from which x and y grow."""
+        return (image.x, decimal_sum(image.y, image.height) if self._readings.is_down else image.y)
+
+    def _place(self, axis: int, told: float) -> None:
         if (image := self._image) is not None:
-            self.edited.emit("Move image", lambda document, _curve: place_image(document, corner(image)))
-            self._render_again()
+            corner = list(self._corner_of(image))
+            corner[axis] = self._readings.meant_at(axis, told)
+            self._ask("Move image", corner, image.width)
 
     def _scale(self, width: float) -> None:
-        self.edited.emit("Scale image", lambda document, _curve: place_image(document, width=width))
+        if (image := self._image) is not None:
+            self._ask("Scale image", self._corner_of(image), width)
+
+    def _ask(self, text: str, corner: Sequence[float], width: float) -> None:
+        """Ask for the picture with the corner from which x and y grow there, and so wide."""
+        image = self._image
+        assert image is not None
+        below = -width * (image.height / image.width) if self._readings.is_down else 0.0
+        place = (corner[0], decimal_sum(corner[1], below))
+        self.edited.emit(text, lambda document, _curve: place_image(document, place, width))
         self._render_again()
 
     def _scale_by_height(self, height: float) -> None:

@@ -12,8 +12,10 @@ from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, OBJECT_BAR, TRANSFORM_BUTTONS
 from ...document.model import Vector
+from ...document.readings import readings_of
 from ...document.several_curves import mapped
 from ...document.transforms import Affine, flipping, rotation
+from ...document.words import number
 from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
@@ -173,7 +175,8 @@ class SelectionCommands:
     )
     @also_for_each(lambda each: () if each.place is None else (TRANSFORM_BUTTONS(each.place),))
     def _turn(self, each: _Turn) -> None:
-        self._map(f"Rotate {{}} by {each.degrees:g}°".replace("-", "−"), rotation, each.degrees)
+        told = readings_of(self._session.document).turn(each.degrees)
+        self._map(f"Rotate {{}} by {number(told)}°", rotation, each.degrees)
 
     def _map(self, text: str, make: Callable[[_Amount, Vector], Affine], amount: _Amount) -> None:
         """Map what is meant about the pivot."""

@@ -11,6 +11,7 @@ from ...actions.needs import CHOSEN
 from ...actions.sections import EDIT_TRANSFORM_AGAIN
 from ...document.edits import EditError
 from ...document.model import Vector
+from ...document.readings import readings_of
 from ...document.several_curves import named, whole_curves
 from ...view_model.boxes.copies import copied
 from ...workbench.context import WindowContext
@@ -84,7 +85,8 @@ class CopiesCommands:
             return
         bounds = target.bounds_of(whole_curves(session.document, self._originals))
         self._about, self._corner = target.pivot or bounds.centre, bounds.high
-        self.field.open_for(bounds.size, session.document.unit, self._place, kind)
+        document = session.document
+        self.field.open_for(bounds.size, document.unit, readings_of(document), self._place, kind)
 
     def _place(self) -> QPoint:
         return self._canvas.to_pixel(*self._corner) + QPoint(_BESIDE, 0)
@@ -110,7 +112,7 @@ class CopiesCommands:
         except EditError as reason:
             session.refuse(str(reason))
             return
-        text = copies.words.format(named(session.committed, self._originals))
+        text = copies.words(readings_of(session.committed)).format(named(session.committed, self._originals))
         if session.change(text, lambda _: made.document, active=min(made.places)):
             session.selected.choose(made.places)
             session.say(f"{text}; all are chosen.")

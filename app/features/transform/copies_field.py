@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from ...document.expression import ExpressionError
 from ...document.model import Vector
+from ...document.readings import PLAIN, Readings
 from ...document.words import number
 from ...qt.labels import Label
 from ...view_model.boxes.copies import MOST_COPIES, Copies
@@ -23,7 +24,7 @@ from ...widgets.tool_buttons import tool_button
 
 _COUNT_TIP = "How many there are in all, the original among them; in a grid, how many columns"
 _ROWS_TIP = "How many rows"
-_ANGLE_TIP = "Angle from one to the next, counterclockwise, such as 72 or 360/5"
+_ANGLE_TIP = "Angle from one to the next, {}, such as 72 or 360/5"
 _STEP_TIP = "Way from one to the next along {}, with a unit if you like, such as 10 mm"
 _NARROW, _USUAL, _USUAL_ROWS = 60, 5, 3
 
@@ -58,11 +59,12 @@ class CopiesField(EntryField):
 
     def __init__(self, below: QWidget) -> None:
         self._way, self._unit, self._size = CopiesKind.CIRCLE, "", (0.0, 0.0)
+        self._readings = PLAIN
         tip = "In a circle about the pivot, in a row, or in rows and columns"
         turn = tool_button("copiesWay", "In a circle, a row or a grid", tip, text="Row")
         count = named(EntryEdit(), "copiesCount", "In all", _COUNT_TIP)
         self._rows = named(EntryEdit(), "copiesRows", "Rows", _ROWS_TIP)
-        self._angle = named(EntryEdit(), "copiesAngle", "Angle", _ANGLE_TIP)
+        self._angle = named(EntryEdit(), "copiesAngle", "Angle", _ANGLE_TIP.format(PLAIN.sense))
         self._ways = tuple(
             named(EntryEdit(), f"copies{axis}", f"Step along {axis.lower()}", _STEP_TIP.format(axis.lower()))
             for axis in "XY"
@@ -88,10 +90,19 @@ class CopiesField(EntryField):
             edit.textEdited.connect(self._look)
 
     def open_for(
-        self, size: Vector, unit: str, corner: Callable[[], QPoint], kind: CopiesKind = CopiesKind.CIRCLE
+        self,
+        size: Vector,
+        unit: str,
+        readings: Readings,
+        corner: Callable[[], QPoint],
+        kind: CopiesKind = CopiesKind.CIRCLE,
     ) -> None:
-        """Ask for copies of something so large: five around, at first, or a grid of three by three."""
-        self._unit, self._way, self._size = unit, kind, size
+        """Ask for copies of something so large: five around, at first, or a grid of three by three.
+
+        Steps and angles are typed as `readings` tell them.
+        """
+        self._unit, self._way, self._size, self._readings = unit, kind, size, readings
+        self._angle.setToolTip(_ANGLE_TIP.format(readings.sense))
         for edit in self._ways:
             edit.setModified(False)
         self._show_steps()
@@ -161,12 +172,12 @@ class CopiesField(EntryField):
 
     def _typed_angle(self, count: int) -> float:
         if not self._angle.isModified():
-            return 360.0 / count
-        return read_number(self._angle.text().rstrip(" °"))
+            return self._readings.turn(360.0 / count)
+        return self._readings.turn(read_number(self._angle.text().rstrip(" °")))
 
     def _typed_way(self) -> Vector:
         x, y = (read_length(edit.text(), self._unit) for edit in self._ways)
-        return x, y
+        return self._readings.way((x, y))
 
     def _take(self, text: str) -> Callable[[], object]:
         copies = self._copies()

@@ -15,6 +15,7 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document.forms import AnyForm
 from ...document.model import Vector
+from ...document.readings import PLAIN, Readings
 from ...document.transforms import Reference
 from ...qt.labels import Label
 from ...view_model.boxes.bounds import Bounds
@@ -27,6 +28,14 @@ from ...widgets.length_text import read_length
 from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .form_row import FormRow
 from .pivot_chooser import PivotChooser
+
+_CORNER = "{} of the pivot; in drawings of the corner from which x and y grow"
+_EACH_TIME = "Degrees, {}; Enter turns each time"
+_SKEWS = {
+    False: "Degrees: the top goes right, or the right side up; Enter: the top",
+    True: "Degrees: the bottom goes right, or the right side down; Enter: the bottom",
+}
+"""What a skew does, by whether y is told downwards."""
 
 _CERTAIN = 12
 """Digits of the largest number of the box that are no rounding."""
@@ -44,7 +53,9 @@ class Situated(msgspec.Struct, frozen=True):
     grows
         Along which axes it has a length to be set.
     told
-        The place that X and Y are of.
+        The place that X and Y are of, in the plane.
+    readings
+        How that and angles are told.
     place
         Which of the nine places the pivot is; None for none of them.
     angle
@@ -65,6 +76,7 @@ class Situated(msgspec.Struct, frozen=True):
     angle: float
     unit: str
     problem: str
+    readings: Readings
     forms: tuple[AnyForm, ...] = ()
 
 
@@ -84,6 +96,7 @@ class TransformPanel(FieldForm):
     -------
     placed, sized
         What X and Y are of shall lie there, the box shall be so large: along which axis, and the number.
+        Numbers and angles are as they are told.
     turned_to, turned_by
         It shall stand at this angle; it shall be turned by one.
     skewed
@@ -111,22 +124,20 @@ class TransformPanel(FieldForm):
         self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
-        self.x_edit = self._length("X", "x of the pivot; in drawings of the upper left corner", 0)
-        self.y_edit = self._length("Y", "y of the pivot; in drawings of the upper left corner", 1)
+        self.x_edit = self._length("X", _CORNER.format("x"), 0)
+        self.y_edit = self._length("Y", _CORNER.format("y"), 1)
         self.width_edit = self._length("Width", "Width", 2)
         self.height_edit = self._length("Height", "Height", 3)
         turned = "Degrees that a rectangle, ellipse or star is turned; else since it was selected"
         self.angle_edit = _angle("transformAngle", "Angle", turned)
-        each_time = "Degrees, counterclockwise; Enter turns each time"
-        self.turn_edit = _angle("transformTurn", "Rotate by", each_time)
+        self.turn_edit = _angle("transformTurn", "Rotate by", _EACH_TIME.format(PLAIN.sense))
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
-        ways = "Degrees: the top goes right, or the right side up; Enter: the top"
-        self.skew_edit = _angle("transformSkew", "Skew by", ways)
+        self.skew_edit = _angle("transformSkew", "Skew by", _SKEWS[PLAIN.is_down])
         self.skew_buttons = (
-            _skew_button("Across", "horizontally", "the top goes right"),
-            _skew_button("Up", "vertically", "the right side goes up"),
+            _skew_button("Across", "horizontally"),
+            _skew_button("Up", "vertically"),
         )
         self.form_row = FormRow(self._read)
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
@@ -222,15 +233,19 @@ class TransformPanel(FieldForm):
         shown = self._shown
         if shown is None or shown.bounds is None:
             return (0.0, 0.0, 0.0, 0.0)
-        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *shown.told, 1e-300)))
+        told = shown.readings.shown(shown.told)
+        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *told, 1e-300)))
         decimals = _CERTAIN - 1 - math.floor(math.log10(largest))
-        x, y, width, height = (round(value, decimals) + 0.0 for value in (*shown.told, *shown.bounds.size))
+        x, y, width, height = (round(value, decimals) + 0.0 for value in (*told, *shown.bounds.size))
         return (x, y, width, height)
 
     def render_situation(self, shown: Situated) -> None:
         """Show what transforms act on."""
         if self._shown is None or shown.what != self._shown.what:
             self.clear_refusal()
+        if self._shown is None or shown.readings.is_down != self._shown.readings.is_down:
+            self.turn_edit.setToolTip(_EACH_TIME.format(shown.readings.sense))
+            self.skew_edit.setToolTip(_SKEWS[shown.readings.is_down])
         self._shown = shown
         bounds, is_there = shown.bounds, shown.bounds is not None and not shown.problem
         self.what.setText(shown.what)
@@ -244,7 +259,7 @@ class TransformPanel(FieldForm):
                 edit.show_length(value)
         for edit, can_be in zip(edits, (True, True, *shown.grows), strict=True):
             edit.setEnabled(is_there and can_be)
-        self.angle_edit.show_angle(shown.angle)
+        self.angle_edit.show_angle(shown.readings.turn(shown.angle))
         self.turn_edit.show_angle(self._turn_by)
         self.skew_edit.show_angle(self._skew_by)
         turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons
@@ -290,8 +305,8 @@ def _angle(name: str, label: str, tip: str) -> NumberEdit:
     return NumberEdit(name, label, tip, lambda text: read_number(text.rstrip(" °")))
 
 
-def _skew_button(name: str, way: str, what: str) -> QToolButton:
-    tip = f"Skew by this angle: {what}, about the pivot"
+def _skew_button(name: str, way: str) -> QToolButton:
+    tip = f"Skew {way} by this angle, about the pivot"
     return tool_button(f"transformSkew{name}", f"Skew {way}", tip, icon_size=ICON)
 
 

@@ -15,6 +15,7 @@ from ...document.edits import EditError
 from ...document.form import FormField
 from ...document.model import Document, Vector
 from ...document.paper import DocumentKind, kind_of
+from ...document.readings import Readings, readings_of
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
 from ...document.words import number
@@ -122,7 +123,7 @@ class TransformPanelCommands(QObject):
         target, session = self._target, self._session
         if target.is_nothing:
             return transform.panel.Situated(
-                "Nothing chosen", None, (False, False), (0.0, 0.0), None, 0.0, "", ""
+                "Nothing chosen", None, (False, False), (0.0, 0.0), None, 0.0, "", "", self._readings
             )
         bounds, bare, pivot = target.bounds, target.bare_bounds.size, target.centre
         places = [at for at in NINE if bounds.place(*at) == pivot]
@@ -132,14 +133,20 @@ class TransformPanelCommands(QObject):
         return transform.panel.Situated(
             what, bounds, (bare[0] > 0.0, bare[1] > 0.0), self._told_place,
             places[len(places) // 2] if places else None, self._angle(),
-            session.document.unit, target.refusal_of_keys, tuple(now.form for now in self._formed().values()),
+            session.document.unit, target.refusal_of_keys, self._readings,
+            tuple(now.form for now in self._formed().values()),
         )  # fmt: skip
 
     @property
+    def _readings(self) -> Readings:
+        return readings_of(self._session.committed)
+
+    @property
     def _told_place(self) -> Vector:
-        """The place that X and Y are of: the pivot, or in drawings the upper left corner."""
-        is_drawing = kind_of(self._session.committed) is DocumentKind.DRAWING
-        return self._target.bounds.place(-1, 1) if is_drawing else self._target.centre
+        """The place that X and Y are of: the pivot, or in drawings the corner from which they grow."""
+        if kind_of(self._session.committed) is DocumentKind.SKETCH:
+            return self._target.centre
+        return self._target.bounds.place(-1, 1 if self._readings.is_down else -1)
 
     def _formed(self) -> dict[int, Formed]:
         """Return the curves that are acted on, with what they are of the forms that they were drawn as.
@@ -210,7 +217,8 @@ class TransformPanelCommands(QObject):
         self._change(f"Set {what} to {shown}", edit)
 
     def _place(self, axis: int, value: float) -> None:
-        group, way = self._target.for_keys, value - self._told_place[axis]
+        group = self._target.for_keys
+        way = self._readings.meant_at(axis, value) - self._told_place[axis]
         by = (way, 0.0) if axis == 0 else (0.0, way)
         text = f"Move {self._target.words} to {'xy'[axis]} {self._length(value)}"
         self._change(text, lambda document: moved(document, group, by))
@@ -230,7 +238,7 @@ class TransformPanelCommands(QObject):
 
     def _turn_to(self, degrees: float) -> None:
         centre = self._target.pivot or self._first_middle()
-        self._turn(degrees - self._angle(), centre, f"to {number(degrees, 6)}°")
+        self._turn(self._readings.turn(degrees) - self._angle(), centre, f"to {number(degrees, 6)}°")
 
     def _first_middle(self) -> Vector:
         """Return where the middle that it had at angle 0 is now: back at 0 nothing has moved."""
@@ -242,13 +250,13 @@ class TransformPanelCommands(QObject):
         return by.point(before.bounds.centre)
 
     def _turn_by(self, degrees: float) -> None:
-        self._turn(degrees, self._target.centre, f"by {number(degrees, 6)}°")
+        self._turn(self._readings.turn(degrees), self._target.centre, f"by {number(degrees, 6)}°")
 
     def _skew(self, axis: int, degrees: float) -> None:
-        group, about = self._target.for_keys, self._target.centre
+        group, about, by = self._target.for_keys, self._target.centre, self._readings.turn(degrees)
         self._change(
             f"Skew {self._target.words} by {number(degrees, 6)}° along {'xy'[axis]}",
-            lambda document: mapped(document, group, skewing(axis, degrees, about)),
+            lambda document: mapped(document, group, skewing(axis, by, about)),
         )
 
     def _turn(self, degrees: float, about: Vector, how: str) -> None:

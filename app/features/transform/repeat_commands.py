@@ -6,6 +6,7 @@ from ...actions.declaration import action
 from ...actions.needs import CHOSEN
 from ...actions.sections import EDIT_TRANSFORM_AGAIN
 from ...document.model import Vector
+from ...document.readings import readings_of
 from ...document.several_curves import add_copies, named, whole_curves
 from ...view_model.boxes.last_transform import Done, transform_between
 from ...workbench.context import WindowContext
@@ -40,7 +41,7 @@ class RepeatCommands:
         elif last is not None:
             group, transform = target.for_keys, last.transform
             about = target.pivot or last.about_for(group.curves, session.document.curves) or target.centre
-            text = transform.words.format(target.words)
+            text = transform.words(readings_of(session.document)).format(target.words)
             if session.change(f"{text} again", lambda document: transform.done(document, group, about)):
                 session.say(f"{text} again{f'; {group.stays}' if group.stays else ''}.")
 
@@ -64,7 +65,8 @@ class RepeatCommands:
         about = self._about(last, originals)
         added, transform = add_copies(session.document, originals), last.transform
         copies = whole_curves(added.document, added.places)
-        text = transform.words.format(f"a copy of {named(session.document, originals)}")
+        copy = f"a copy of {named(session.document, originals)}"
+        text = transform.words(readings_of(session.document)).format(copy)
         if session.change(
             text, lambda _: transform.done(added.document, copies, about), active=added.places[0]
         ):

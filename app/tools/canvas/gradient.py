@@ -11,6 +11,7 @@ from ...document import words
 from ...document.gradient import Gradient, GradientKind, with_stop_between
 from ...document.gradient_edits import fading, gradient_of, with_gradient, with_shape_styles, with_stops
 from ...document.model import Document, Vector
+from ...document.readings import Readings
 from ...document.several_curves import named
 from ...document.shapes import whole_shapes
 from ...document.style import NO_PAINT, Style
@@ -103,7 +104,7 @@ class MovePlace(Drag, frozen=True):
         moved = self._moved(pointer)
         if self.at.grip is Grip.STOP and self.at.stop is not None:
             return f"Stop at {words.number(100 * moved.stops[self.at.stop].offset)} %"
-        return _measure(moved)
+        return _measure(moved, self.readings)
 
 
 class LayGradient(Drag, frozen=True):
@@ -132,7 +133,7 @@ class LayGradient(Drag, frozen=True):
     def readout(self, pointer: Pointer) -> str:
         """Return how long it is, and its direction."""
         end = stepped_from(self.start, pointer, self.snapper)
-        return _measure(Gradient(fading(""), start=self.start, end=end))
+        return _measure(Gradient(fading(""), start=self.start, end=end), self.readings)
 
 
 def _paint_of(style: Style) -> str:
@@ -151,9 +152,9 @@ def _begun(style: Style, paint: str) -> Gradient:
     return Gradient(fading(style.colour if colour == NO_PAINT else colour))
 
 
-def _measure(gradient: Gradient) -> str:
-    x, y = gradient.axes[0]
-    return f"{words.number(math.hypot(x, y))} · {words.angle(math.degrees(math.atan2(y, x)))}"
+def _measure(gradient: Gradient, readings: Readings) -> str:
+    axis = gradient.axes[0]
+    return f"{words.number(math.hypot(*axis))} · {readings.direction_words(axis)}"
 
 
 class GradientTool(Tool):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from ...document import words
+from ...document.readings import readings_of
 from ..drag import minus
 from ..drags import stepped_from
 from ..marks import GestureMarks, Ruler
@@ -27,6 +28,7 @@ class Measuring(Gesture):
 
     def __init__(self, context: ToolContext) -> None:
         self._snapper, self._unit = context.snappers.for_new(-1), context.settings.unit
+        self._readings = readings_of(context.host.document)
         start = self._snapper.at(context.pointer)
         self.ruler = Ruler(start, start, "")
 
@@ -34,9 +36,10 @@ class Measuring(Gesture):
         """Measure up to the pointer."""
         start = self.ruler.start
         end = stepped_from(start, context.pointer, self._snapper)
-        dx, dy = minus(end, start)
+        way = minus(end, start)
+        dx, dy = self._readings.way(way)
         unit = f" {self._unit}" if self._unit else ""
-        direction = words.angle(math.degrees(math.atan2(dy, dx)))
+        direction = self._readings.direction_words(way)
         length = f"{words.number(math.hypot(dx, dy))}{unit}"
         text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
         self.ruler = Ruler(start, end, text)

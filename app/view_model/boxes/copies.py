@@ -7,6 +7,7 @@ from typing import Final, NamedTuple
 
 from ...document.edits import EditError
 from ...document.model import Document, Vector
+from ...document.readings import Readings
 from ...document.several_curves import add_copies, whole_curves
 from .last_transform import Move, Turn
 
@@ -35,13 +36,12 @@ class Copies(NamedTuple):
         """How many there are in all, the original among them."""
         return self.columns * self.rows
 
-    @property
-    def words(self) -> str:
-        """What a step of the history says: "5 of {}, each by 72°", "4 × 3 of {}, each by 20, 30"."""
+    def words(self, readings: Readings) -> str:
+        """Return what a step of the history says: "5 of {}, each by 72°", "4 × 3 of {}, each by 20, 30"."""
         step, count = self.step, str(self.columns)
         if self.rows > 1 and isinstance(step, Move):
             step, count = Move((step.by[0], self.row_step.by[1])), f"{self.columns} × {self.rows}"
-        _, _, apart = step.words.partition(" by ")
+        _, _, apart = step.words(readings).partition(" by ")
         return f"{count} of {{}}, each by {apart}"
 
     def placed(self, document: Document, curves: Collection[int], about: Vector, number: int) -> Document:

@@ -17,9 +17,10 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Curve, Document, Vector
 from ...document.point_group import PointGroup
+from ...document.readings import Readings
 from ...document.several_curves import mapped, moved, scaled_strokes
 from ...document.transforms import IDENTITY, Affine, rotation, scaling, skewing
-from ...document.words import number, vector
+from ...document.words import number
 from .pivot import map_between
 
 _DIGITS = 11
@@ -32,9 +33,8 @@ _NONE = 1e-9
 class Transform(Protocol):
     """A transform by its numbers."""
 
-    @property
-    def words(self) -> str:
-        """What it does, with a place for what it is done to: "Rotate {} by 72°"."""
+    def words(self, readings: Readings) -> str:
+        """Return what it does, with a place for what it is done to: "Rotate {} by 72°"."""
 
     def done(self, document: Document, group: PointGroup, about: Vector, times: int = 1) -> Document:
         """Return the document with a group transformed so many times about a place."""
@@ -45,10 +45,9 @@ class Move(msgspec.Struct, frozen=True):
 
     by: Vector
 
-    @property
-    def words(self) -> str:
-        """What it does."""
-        return f"Move {{}} by {vector(self.by)}"
+    def words(self, readings: Readings) -> str:
+        """Return what it does."""
+        return f"Move {{}} by {readings.way_words(self.by)}"
 
     def done(self, document: Document, group: PointGroup, about: Vector, times: int = 1) -> Document:
         """Return the document with a group moved."""
@@ -60,10 +59,9 @@ class Turn(msgspec.Struct, frozen=True):
 
     degrees: float
 
-    @property
-    def words(self) -> str:
-        """What it does."""
-        return f"Rotate {{}} by {number(self.degrees, 6)}°"
+    def words(self, readings: Readings) -> str:
+        """Return what it does."""
+        return f"Rotate {{}} by {number(readings.turn(self.degrees), 6)}°"
 
     def done(self, document: Document, group: PointGroup, about: Vector, times: int = 1) -> Document:
         """Return the document with a group rotated."""
@@ -77,9 +75,8 @@ class Scale(msgspec.Struct, frozen=True):
     y: float
     with_strokes: bool
 
-    @property
-    def words(self) -> str:
-        """What it does."""
+    def words(self, readings: Readings) -> str:
+        """Return what it does."""
         flip = {(-1.0, 1.0): "horizontally", (1.0, -1.0): "vertically"}.get((self.x, self.y))
         if flip is not None:
             return f"Flip {{}} {flip}"
@@ -99,10 +96,9 @@ class Skew(msgspec.Struct, frozen=True):
     axis: int
     degrees: float
 
-    @property
-    def words(self) -> str:
-        """What it does."""
-        return f"Skew {{}} by {number(self.degrees, 6)}° along {'xy'[self.axis]}"
+    def words(self, readings: Readings) -> str:
+        """Return what it does."""
+        return f"Skew {{}} by {number(readings.turn(self.degrees), 6)}° along {'xy'[self.axis]}"
 
     def done(self, document: Document, group: PointGroup, about: Vector, times: int = 1) -> Document:
         """Return the document with a group skewed."""
