@@ -30,7 +30,7 @@ from ..state.window_state import WindowState
 from .needs import NOTHING, Need
 from .sections import Section
 from .situation import Situation
-from .strips import Place
+from .strips import Place, Strip
 
 _DECLARED, _AT_PLACE = "declared_actions", "place_action"
 _ALSO, _WIDGET = "places_in_strips", "widget_in_strip"
@@ -89,6 +89,8 @@ class Action(msgspec.Struct, frozen=True):
         Whether it is on; makes it a switch.
     field
         The field of the window's state that it turns on and off; empty for none.
+    choices
+        The strip of switches that the arrow beside its button in the toolbar offers; None for no arrow.
     group
         Name of the group of which one is on; empty for a switch of its own.
     title
@@ -122,6 +124,7 @@ class Action(msgspec.Struct, frozen=True):
     on_sight: Callable[[Situation], Sight] | None = None
     field: str = ""
     drawing_key: str | None = None
+    choices: Strip | None = None
 
     def missing(self, is_met: Callable[[Need], bool]) -> Need | None:
         """Return the first of its needs that is not met, those of its section before its own."""

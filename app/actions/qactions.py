@@ -213,6 +213,11 @@ class Actions(QObject):
         groups = self.with_sections(strip).items()
         return {ten: [each for each in group if isinstance(each, QAction)] for ten, group in groups}
 
+    def choices_of(self, action: QAction) -> Strip | None:
+        """Return the strip of switches that the button of an action offers; None where it has none."""
+        declared = self._declared.get(action.objectName())
+        return declared.choices if declared is not None else None
+
     def with_sections(self, strip: Strip) -> dict[int, list[QAction | Section]]:
         """Return the actions of a strip, and the sections that are submenus there, by their tens."""
         places: list[tuple[Place, QAction | Section]]

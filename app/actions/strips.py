@@ -66,6 +66,7 @@ POINT_BAR = Bar(
 )
 BARS = (FAMILY_BAR, OBJECT_BAR, POINT_BAR)
 SHAPES_MENU = Strip("menu of further tools in the toolbar")
+SNAP_MENU = Strip("menu of the magnet in the toolbar")
 FAMILIES_MENU = Strip("menu of further families in the toolbar")
 POINT_MENU = Strip("menu of a point")
 CURVE_MENU = Strip("menu of a curve")

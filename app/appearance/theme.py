@@ -284,9 +284,9 @@ QToolBar QToolButton:pressed { background: $pressed }
 QToolBar QToolButton:checked { background: $checked; border-color: $accent; color: $accent }
 QToolBar QToolButton:focus { border-color: $accent }
 QToolBar QToolButton:disabled { color: $pale }
-QToolBar QToolButton[popupMode="1"] { padding-right: 16px }
+QToolBar QToolButton[popupMode="1"] { padding-right: 10px }
 ToolbarWidget QToolButton[popupMode="2"] { padding-right: 16px }
-QToolBar QToolButton::menu-button { border: none; width: 14px }
+QToolBar QToolButton::menu-button { border: none; width: 10px }
 ToolbarWidget QToolButton::menu-indicator {
     image: url("$icons/arrow-$name.svg"); width: 10px; subcontrol-origin: padding;
     subcontrol-position: center right; right: 4px

@@ -118,7 +118,7 @@ class Preferences:
         "Snap on pages to",
         "What is dragged in a document with a page snaps to this: {}",
         "page_snap_{}",
-        usual=tuple(kind for kind in SnapKind if kind not in (SnapKind.GRID, SnapKind.LEVEL)),
+        usual=tuple(kind for kind in SnapKind if kind is not SnapKind.LEVEL),
     )
     """Targets that they snap to in drawings."""
 

@@ -13,6 +13,8 @@ from PySide6.QtWidgets import QSizePolicy, QToolBar, QToolButton, QWidget, QWidg
 from ..actions.qactions import Actions
 from ..actions.strips import BARS, FAMILY_BAR, TOOLBAR, Bar, Place, Strip
 from ..qt.overrides import Guarded
+from ..widgets.choices_menu import ChoicesMenu
+from ..widgets.controls import named
 from ..widgets.toolbar_widget import ToolbarWidget
 from .menus import put_in
 
@@ -89,7 +91,20 @@ class Toolbar(Guarded, QToolBar):
                 self._add_bars()
             self.addActions(entries)
             self._follow(group)
+        self._add_choices()
         self._show_step(_STEPS[0])
+
+    def _add_choices(self) -> None:
+        """Give an arrow to each button whose action comes with choices."""
+        for action in self.actions():
+            button, strip = self.widgetForAction(action), self._actions.choices_of(action)
+            if strip is not None and isinstance(button, QToolButton):
+                menu = named(ChoicesMenu(button), f"{action.objectName()}Menu", strip.name)
+                menu.setToolTipsVisible(True)
+                for ten in self._actions.in_strip(strip).values():
+                    menu.addActions(ten)
+                button.setMenu(menu)
+                button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
 
     def _groups(self, strip: Strip, widgets: Mapping[Place, ToolbarWidget]) -> dict[int, list[QAction]]:
         """Return what stands in a strip by the tens of its places; of each ten, the widget comes last."""

@@ -264,7 +264,7 @@ def test_drawings_snap_when_asked_and_remember_their_own_choice(drawn):
     drawn.drag_point(1, (5.123 + 4 * drawn.pixel, 1.377))
     assert drawn.point(1)[0] != 5.123
     drawn.trigger("toggleSnap")
-    assert store.state.snapping.kinds == {*SnapKind} - {SnapKind.GRID, SnapKind.LEVEL}
+    assert store.state.snapping.kinds == {*SnapKind} - {SnapKind.LEVEL}
     drawn.drag_point(1, (5.123 + 4 * drawn.pixel, 1.733))
     assert drawn.point(1)[0] == 5.123
     store.change(kind=DocumentKind.SKETCH)

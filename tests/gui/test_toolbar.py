@@ -84,7 +84,7 @@ def is_as_said(editor, width, words, style):
             3,
             [
                 (1280, "Quintic Hermite", [BOTH] * 3),
-                (1024, "Quintic", [TEXT] * 3),
+                (1040, "Quintic", [TEXT] * 3),
                 (1000, "Quintic", [BOTH, ICON, ICON]),
                 (960, "Quintic", [ICON] * 3),
             ],
@@ -94,7 +94,7 @@ def is_as_said(editor, width, words, style):
             [
                 (1440, "Quintic Hermite", [BOTH] * 3),
                 (1280, "Quintic", [BOTH] * 3),
-                (1024, "Quintic", [BOTH, ICON, ICON]),
+                (1040, "Quintic", [BOTH, ICON, ICON]),
             ],
         ),
         (
@@ -102,7 +102,7 @@ def is_as_said(editor, width, words, style):
             [
                 (1440, "Quintic Hermite", [BOTH] * 3),
                 (1280, "Quintic", [BOTH] * 3),
-                (1024, "Quintic", [BOTH, ICON, ICON]),
+                (1040, "Quintic", [BOTH, ICON, ICON]),
                 (960, "Quintic", [ICON] * 3),
             ],
         ),
@@ -150,7 +150,7 @@ def combo_option(box):
 
 
 def test_the_words_go_with_the_family_in_use(editor_with):
-    editor = editor_with(4, 1024)
+    editor = editor_with(4, 1040)
     editor.trigger("familyHermite")
     assert styles(editor) == [ICON, BOTH, ICON]
     editor.trigger("undo")
@@ -195,7 +195,7 @@ def test_a_wider_window_says_more_again(editor_with):
     editor.settle()
     assert styles(editor) == [BOTH] * 3
     assert editor.action("familyQuinticHermite").iconText() == "Quintic Hermite"
-    editor.window.resize(1024, 800)
+    editor.window.resize(1040, 800)
     editor.settle()
     assert styles(editor) == [TEXT] * 3
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ...actions.declaration import action, also
-from ...actions.sections import VIEW_DRAWING
-from ...actions.strips import CANVAS_MENU, TOOLBAR
+from ...actions.declaration import Action, action, action_for_each, also
+from ...actions.sections import VIEW_SNAP, VIEW_SNAP_TO
+from ...actions.strips import CANVAS_MENU, SNAP_MENU, TOOLBAR
 from ...document.paper import DocumentKind
 from ...state.window_state import WindowState
 from ...tools.snapping import SnapKind
@@ -23,7 +23,8 @@ class SnapCommands:
 
     def _show_state(self, before: WindowState | None, state: WindowState) -> None:
         # Nobody would understand a snap to what is not seen.
-        hidden = frozenset() if state.guides_shown else {SnapKind.GUIDES}
+        shown = {SnapKind.GRID: state.grid, SnapKind.GUIDES: state.guides_shown}
+        hidden = {kind for kind, is_shown in shown.items() if not is_shown}
         snapping = replace(state.snapping, kinds=state.snapping.kinds - hidden)
         canvas = self._context.central.canvas
         canvas.change_tool_settings(snapping=snapping, nudge=state.nudge)
@@ -34,10 +35,11 @@ class SnapCommands:
     @action(
         "toggleSnap",
         "Snap",
-        VIEW_DRAWING,
+        VIEW_SNAP,
         "%",
         "magnet",
         checked=lambda now: now.state.snapping.on,
+        choices=SNAP_MENU,
     )
     @also(TOOLBAR(62), CANVAS_MENU(32))
     def _toggle(self) -> None:
@@ -46,12 +48,40 @@ class SnapCommands:
         # Another window may have remembered other kinds meanwhile.
         store.read_preferences()
         on = not store.state.snapping.on
-        store.change(**{"page_snap_on" if store.state.kind is DocumentKind.DRAWING else "snap_on": on})
+        self._change("on", on)
         self._context.session.say(
             "Points snap now; % again: they move freely."
             if on
             else "Points move freely now; % again: they snap."
         )
+
+    @action_for_each(
+        tuple(SnapKind),
+        lambda kind: Action(
+            f"snapTo{kind.value.capitalize()}",
+            kind.label,
+            VIEW_SNAP_TO,
+            tip=f"What snaps is drawn to this: {kind.label.lower()}",
+            full_name=f"Snap To: {kind.label}",
+            checked=lambda now: kind in now.state.snapping.kinds,
+            keywords="magnet",
+        ),
+    )
+    @also(SNAP_MENU(10))
+    def _toggle_kind(self, kind: SnapKind) -> None:
+        store = self._context.store
+        store.read_preferences()
+        kinds = store.state.snapping.kinds ^ {kind}
+        self._change("kinds", kinds)
+        is_on, what = kind in kinds, kind.label.lower()
+        does = f"Points snap to this now: {what}." if is_on else f"Points snap to this no longer: {what}."
+        self._context.session.say(does if store.state.snapping.on else f"{does} % turns snapping on.")
+
+    def _change(self, field: str, value: object) -> None:
+        """Choose something about snapping in documents of this kind."""
+        store = self._context.store
+        of_kind = "page_snap" if store.state.kind is DocumentKind.DRAWING else "snap"
+        store.change(**{f"{of_kind}_{field}": value})
 
 
 COMMAND_SETS = (SnapCommands,)
