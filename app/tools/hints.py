@@ -129,18 +129,27 @@ def to_add_on_part(
 
 
 def to_add(
-    act: PenAct, view: CurveView, document: Document, fresh: Curve, *, snaps: bool, corners: bool
+    act: PenAct,
+    view: CurveView,
+    document: Document,
+    fresh: Curve,
+    *,
+    snaps: bool,
+    corners: bool,
+    goes_on: bool = True,
 ) -> Hint:
     """Return the hint of the Add tool, on the curve or beside it.
 
-    `fresh` is a curve that would be begun; `corners` tells whether clicks make such.
+    `fresh` is a curve that would be begun; `corners` tells whether clicks make such, `goes_on` whether Shift
+    adds to the curve that is seen.
     """
     if act is PenAct.INSERT:
         return Hint("Click to insert a point here · Shift: add at the end")
     keys, index = _snap_key(snaps=snaps), len(view.source.points)
     if act is PenAct.BEGIN:
         other = "" if fresh.family == view.source.family else f", {fresh.family.title}"
-        return Hint(f"Click to begin another curve{other} · Shift: add point {index} to this one · {keys}")
+        shift = f" · Shift: add point {index} to this one" if goes_on else ""
+        return Hint(f"Click to begin another curve{other}{shift} · {keys}")
     what, finish = f"Click to add point {index}", _ENTER if can_finish(view) else ""
     if not view.source.family.derivatives:
         drag = "On the curve: insert between neighbours"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..document.model import Point
+from ..document.paper import DocumentKind, kind_of
 from . import hints
 from .drag_machine import EditingHost
 from .pointer import Hit
@@ -66,6 +67,12 @@ class PenSession:
     def finish(self, host: EditingHost) -> None:
         """Take note that the curve that is edited is finished."""
         self._finished.add(key_of(host))
+
+    def leaves(self, host: EditingHost) -> bool:
+        """Whether the curve that is seen is left alone but for open ends: on pages a finished one."""
+        if kind_of(host.document) is not DocumentKind.DRAWING:
+            return False
+        return host.active_view.source.is_closed or self.is_finished(host)
 
     def draw(self, key: _Key, count: int) -> None:
         """Take note that a curve is drawn, which has had so many points before."""

@@ -277,6 +277,10 @@ class Tool:
     def put_down(self, context: ToolContext) -> None:
         """End to be used: another tool is chosen."""
 
+    def takes_up(self, context: ToolContext) -> bool:
+        """Whether it works on the active curve where none is edited."""
+        return not self.finds_other_curves
+
     def take_over(self, context: ToolContext) -> None:
         """Begin to be used while no curve was edited: what is drawn from now on is another one."""
 

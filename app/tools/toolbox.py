@@ -114,7 +114,7 @@ class Toolbox:
         self.record = record
         self._chosen = self._of(record)
         self._chosen.pick_up()
-        if not self._chosen.finds_other_curves and not self._host.selected.is_editing:
+        if self._chosen.takes_up(self.context) and not self._host.selected.is_editing:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
             selected = self._host.selected
             layer = selected.layer

@@ -7,29 +7,27 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import fresh_curve, reverse_curve, without_last_point
+from ...document.curve_edits import reverse_curve, without_last_point
 from ...document.drawn_kinds import LINES
 from ...document.edits import EditError
 from ...document.layers import begun, layer_of
-from ...document.model import Curve, Document, Parametrization, Vector
+from ...document.model import Document, Vector
 from ...document.point_group import NO_POINTS, points_of
-from ...families import HERMITE
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.fitting.reshape import inserted_index
 from ...view_model.points.appending import (
-    Appending,
     closed_by_pen,
     is_quick,
     view_with_point,
-    with_point_appended,
 )
-from ...view_model.points.pen_corners import closed_by_handles, with_corner_appended, with_free_end
-from ...view_model.points.straight import closed_by_line, with_line_appended
+from ...view_model.points.pen_corners import closed_by_handles, with_free_end
+from ...view_model.points.straight import closed_by_line
 from .. import hints
 from ..drag_machine import EditingHost
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
+from ..pen_makes import appending, fresh, is_drawing, makes_corners
 from ..pen_session import PenSession, key_of
 from ..pointer import Hint, Hit
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
@@ -70,9 +68,13 @@ class AddTool(Tool):
         """Remove a curve that is left with one point: on paper nobody sees it."""
         host = context.host
         is_lone = len(host.active_view.source.points) == 1 == self._pen.own_points(host)
-        if is_lone and _makes_corners(context):
+        if is_lone and makes_corners(context):
             place = host.active_index
             host.change("Remove a lone point", lambda document: without_last_point(document, place))
+
+    def takes_up(self, context: ToolContext) -> bool:
+        """Whether it goes on from the active curve: in drawings a closed one is left alone."""
+        return not (context.view.source.is_closed and is_drawing(context))
 
     def take_over(self, context: ToolContext) -> None:
         """Leave the active curve as it is: nobody was editing it."""
@@ -116,7 +118,7 @@ class AddTool(Tool):
         def edit(document: Document) -> Document:
             document = without_last_point(document, place)
             # The handle for the segment that has gone would be shown, and what comes next is straight.
-            return with_free_end(document, place) if last and _makes_corners(context) else document
+            return with_free_end(document, place) if last and makes_corners(context) else document
 
         if not self._pen.own_points(host):
             host.say("There is nothing to take back; a click draws, V selects.")
@@ -151,8 +153,8 @@ class AddTool(Tool):
         """Begin what a press here does."""
         host, hit = context.host, context.hit
         self._pen.find_end(host)
-        if hit is not None and not hints.is_no_part(hit) and not _begins_anew(host):
-            self._press_on_part(context, hit)
+        if (part := self._part(context)) is not None:
+            self._press_on_part(context, part)
             return
         act = self._act(context)
         if act is PenAct.BEGIN:
@@ -163,6 +165,13 @@ class AddTool(Tool):
             _insert(context, hit)
         else:
             self._append(context)
+
+    def _part(self, context: ToolContext) -> Hit | None:
+        """Return the point or handle that a press is about; of a curve that is left alone, an open end."""
+        host, hit = context.host, context.hit
+        if hit is None or hints.is_no_part(hit) or _begins_anew(host):
+            return None
+        return hit if self._pen.goes_on_at(hit, host) or not self._pen.leaves(host) else None
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
         if self._pen.goes_on_at(hit, context.host):
@@ -175,7 +184,7 @@ class AddTool(Tool):
             press_on_part(context, hit)
 
     def _act(self, context: ToolContext) -> PenAct:
-        if _begins_anew(context.host):
+        if _begins_anew(context.host) or (self._pen.leaves(context.host) and not context.pointer.shift):
             return PenAct.BEGIN
         finished = self._pen.is_finished(context.host)
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
@@ -193,8 +202,8 @@ class AddTool(Tool):
             view,
             context.pointer,
             snapper,
-            _appending(context),
-            _makes_corners(context),
+            appending(context),
+            makes_corners(context),
         )
         # Only when it is done: Escape leaves a finished curve finished.
         done = partial(self._pen.draw, key, index)
@@ -203,11 +212,15 @@ class AddTool(Tool):
     def _close(self, context: ToolContext) -> None:
         """Close the curve that is edited, or say why it cannot be closed."""
         host = context.host
-        host.change(f"Close {host.active_view.source.name}", lambda _document: self._closed(context))
+        is_closed = host.change(
+            f"Close {host.active_view.source.name}", lambda _document: self._closed(context)
+        )
+        if is_closed and is_drawing(context):
+            host.selected.choose((host.active_index,))
 
     def _closed(self, context: ToolContext) -> Document:
         by_line, (document, view) = context.pointer.alt, self._start(context)
-        if _makes_corners(context):
+        if makes_corners(context):
             close = closed_by_pen if by_line else closed_by_handles
         else:
             close = closed_by_line if by_line else closed_by_pen
@@ -219,11 +232,11 @@ class AddTool(Tool):
         A click that makes a corner goes on straight from where no handle was drawn out for what comes.
         """
         host = context.host
-        is_free = _makes_corners(context) and not context.pointer.alt and self._pen.has_bare_end(host)
+        is_free = makes_corners(context) and not context.pointer.alt and self._pen.has_bare_end(host)
         document = with_free_end(host.document, host.active_index) if is_free else host.document
         if not context.view.source.points:
             place, layer = host.active_index, layer_of(document, host.active_index)
-            document = begun(document, place, layer, lambda: _fresh(context)).document
+            document = begun(document, place, layer, lambda: fresh(context)).document
         if document is host.document:
             return document, context.view
         return document, view_of(document.curves[host.active_index], context.view)
@@ -231,13 +244,11 @@ class AddTool(Tool):
     def _begin(self, context: ToolContext) -> None:
         """Begin another curve, or the empty one in another layer; it is edited from the press on."""
         host = context.host
-        document, place = begun(
-            host.document, host.active_index, host.selected.layer, lambda: _fresh(context)
-        )
-        fresh = document.curves[place]
-        done = partial(self._pen.draw, (place, fresh.name), 0)
-        view, snapper = view_of(fresh), context.snappers.for_new(-1)
-        how = _appending(context), _makes_corners(context)
+        document, place = begun(host.document, host.active_index, host.selected.layer, lambda: fresh(context))
+        begun_curve = document.curves[place]
+        done = partial(self._pen.draw, (place, begun_curve.name), 0)
+        view, snapper = view_of(begun_curve), context.snappers.for_new(-1)
+        how = appending(context), makes_corners(context)
         begin = BeginCurve(document, place, view, context.pointer, snapper, *how)
         context.drags.press_at_once(context.pointer, begin, on_done=done, active=place, makes=0)
 
@@ -245,9 +256,10 @@ class AddTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
-        hit, view, document = context.hit, context.view, context.host.document
+        view, document = context.view, context.host.document
         self._pen.find_end(context.host)
-        act = self._act(context) if hints.is_no_part(hit) or _begins_anew(context.host) else None
+        part = self._part(context)
+        act = self._act(context) if part is None else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         in_steps = act is PenAct.APPEND and place_in_steps(view, context.pointer) is not None
         if place is not None and not in_steps:
@@ -256,14 +268,15 @@ class AddTool(Tool):
         snaps = context.settings.snapping.on
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.seen_name))
-        corners = _makes_corners(context)
-        if act is not None or hit is None:
-            act = act or PenAct.APPEND
-            return hints.to_add(act, view, document, _fresh(context), snaps=snaps, corners=corners)
+        corners = makes_corners(context)
+        if part is None:
+            act, goes_on = act or PenAct.APPEND, not _begins_anew(context.host)
+            new = fresh(context)
+            return hints.to_add(act, view, document, new, snaps=snaps, corners=corners, goes_on=goes_on)
         pointer = context.pointer
-        dragged, goes_on = dragged_with(context, hit), self._pen.goes_on_at(hit, context.host)
+        dragged, goes_on = dragged_with(context, part), self._pen.goes_on_at(part, context.host)
         return hints.to_add_on_part(
-            hit, view, document, dragged, pointer, snaps=snaps, goes_on=goes_on, corners=corners
+            part, view, document, dragged, pointer, snaps=snaps, goes_on=goes_on, corners=corners
         )
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
@@ -283,7 +296,7 @@ class AddTool(Tool):
         place = place_in_steps(view, pointer) or free
         document, start = self._start(context)
         self._preview = view_with_point(
-            document, host.active_index, start, place, self._preview, append=_appending(context)
+            document, host.active_index, start, place, self._preview, append=appending(context)
         )
 
     def _view_closed(self, context: ToolContext) -> CurveView | None:
@@ -319,26 +332,6 @@ def _insert(context: ToolContext, hit: Hit) -> None:
     context.drags.press_at_once(
         context.pointer, insert, on_done=lambda: _say_outcome(host, insert), makes=hit.index
     )
-
-
-def _makes_corners(context: ToolContext) -> bool:
-    """Whether clicks make corners, where the curve has velocities."""
-    return context.settings.pen.makes_corners(context.host.document)
-
-
-def _appending(context: ToolContext) -> Appending:
-    """Return what a click makes; Alt makes the other."""
-    if _makes_corners(context):
-        return with_point_appended if context.pointer.alt else with_corner_appended
-    return with_line_appended if context.pointer.alt else with_point_appended
-
-
-def _fresh(context: ToolContext) -> Curve:
-    """Return another curve to begin: as the one that is edited, with velocities where clicks make corners."""
-    document, model = context.host.document, context.host.model
-    if model.family.derivatives or not _makes_corners(context):
-        return fresh_curve(document, model, model.parametrization)
-    return fresh_curve(document, model, Parametrization()).with_family(HERMITE)
 
 
 def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
