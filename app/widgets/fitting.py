@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QScreen, QShowEvent
-from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QWidget
+from PySide6.QtGui import QPaintEvent, QScreen, QShowEvent
+from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QScrollBar, QWidget
 
 from ..qt.overrides import Guarded
 from .boxes import column_of
@@ -27,6 +27,14 @@ def room_on(screen: QScreen) -> QSize:
     return screen.availableSize() - FRAME
 
 
+class _QuietBar(Guarded, QScrollBar):
+    """A scroll bar that is not seen where there is nothing to scroll, though it has its room."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self.maximum() > self.minimum():
+            super().paintEvent(event)
+
+
 class Scrolled(Guarded, QScrollArea, Generic[Content]):
     """Content that has the size it likes where there is room, and scrolls where there is not.
 
@@ -37,6 +45,8 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
         in it, everything would get its style anew.
     most
         What the content may ask for at least, whatever it needs.
+    is_steady
+        Whether its bar has room where nothing scrolls, too: when it comes, nothing moves under the pointer.
 
     Attributes
     ----------
@@ -45,7 +55,12 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
     """
 
     def __init__(
-        self, build: Callable[[QWidget], Content], most: QSize, parent: QWidget | None = None
+        self,
+        build: Callable[[QWidget], Content],
+        most: QSize,
+        parent: QWidget | None = None,
+        *,
+        is_steady: bool = False,
     ) -> None:
         super().__init__(parent)
         self.content, self._most = build(self.viewport()), most
@@ -54,6 +69,9 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
         self.setWidgetResizable(True)
         # Tab goes to what is inside, and that comes into sight by itself.
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        if is_steady:
+            self.setVerticalScrollBar(_QuietBar(self))
+            self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self.setWidget(self.content)
 
     def sizeHint(self) -> QSize:
@@ -61,7 +79,13 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
 
     def minimumSizeHint(self) -> QSize:
         least = self.content.minimumSizeHint().expandedTo(self.content.minimumSize())
-        return least.boundedTo(self._most)
+        return (least + self._beside).boundedTo(self._most)
+
+    @property
+    def _beside(self) -> QSize:
+        """The room of the bar, where that is held."""
+        is_steady = self.verticalScrollBarPolicy() == Qt.ScrollBarPolicy.ScrollBarAlwaysOn
+        return QSize(self.verticalScrollBar().sizeHint().width() if is_steady else 0, 0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.content and event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Show):

@@ -83,6 +83,8 @@ class PaintField(FollowsTheme, QWidget):
         self._popup: ColourPopup | None = None
         tip = f"{label}: choose any colour; it is seen at once, Escape cancels"
         self._button = tool_button(f"{name}Button", f"{label}, choose a colour", tip, icon_size=_PICTURE)
+        # The same with a colour and with the dots of several.
+        self._button.setFixedSize(_PICTURE + 13, _PICTURE + 7)
         self._button.clicked.connect(self.open_popup)
         tip = f"{label}: #rrggbb, a name, “ink” or “none” (Enter to set)"
         self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)

@@ -19,6 +19,11 @@ _IN_DOCK = QSize(350, 96)
 class Dock(Guarded, QDockWidget):
     """A dock that is empty until it is filled; `build` makes its content in the parent that it gets.
 
+    Attributes
+    ----------
+    is_steady
+        Whether what stands in it stays there when its scroll bar comes and goes.
+
     Signals
     -------
     closed
@@ -30,6 +35,7 @@ class Dock(Guarded, QDockWidget):
     def __init__(self, title: str, build: Callable[[QWidget], QWidget], window: QMainWindow) -> None:
         super().__init__(title, window)
         self._build, self._window = build, window
+        self.is_steady = False
         # What it covered when it was brought up; that comes back when it goes.
         self._covered: list[QDockWidget] = []
         self.topLevelChanged.connect(self._follow_place)
@@ -41,7 +47,7 @@ class Dock(Guarded, QDockWidget):
         """Build the title and the content, if there is none."""
         if self.widget() is None:
             self.setTitleBarWidget(DockTitle(self))
-            self.setWidget(Scrolled(self._build, _IN_DOCK, self))
+            self.setWidget(Scrolled(self._build, _IN_DOCK, self, is_steady=self.is_steady))
 
     def bring_up(self) -> None:
         """Show it, in front of the other tabs."""

@@ -104,6 +104,9 @@ class Docks:
         self._docks = {
             each.name: each.dock_class(each.title, partial(build, each.name), window) for each in panels
         }
+        for each in panels:
+            # What one draws with changes with every click on the canvas.
+            self._docks[each.name].is_steady = each.for_drawings
         fronts: dict[Stack, QDockWidget] = {}
         for each in panels:
             self._place(self[each.name], each, fronts)

@@ -55,7 +55,7 @@ class GradientField(QWidget):
     spread_chosen = Signal(object)
     picked = Signal(int)
 
-    def __init__(self, paint: str, label: str, tool: QAction) -> None:
+    def __init__(self, paint: str, label: str, tool: QAction, colour: QWidget) -> None:
         super().__init__()
         self._paint, self._chosen = paint, 0
         self._stops: tuple[Stop, ...] = ()
@@ -83,7 +83,8 @@ class GradientField(QWidget):
             spacing=4,
             parent=self._gradient,
         )
-        column_of(self._kind, self._gradient, margins=0, spacing=4, parent=self)
+        # The colour stands above the stops: it stays under the pointer when they come and go.
+        column_of(self._kind, colour, self._gradient, margins=0, spacing=4, parent=self)
 
     def connect_fields(self) -> None:
         """Tell what is wanted; whoever has to watch the fields does so before."""
@@ -110,7 +111,8 @@ class GradientField(QWidget):
         """Show the paint that styles have in common; of a gradient `chosen` is the stop that is chosen."""
         kinds = {paint_kind(style, self._paint) for style in styles}
         self._kind.render_value(kinds.pop() if len(kinds) == 1 else None)
-        self.setEnabled(bool(styles))
+        for part in (self._kind, self._gradient):
+            part.setEnabled(bool(styles))
         gradients = [gradient_of(style, self._paint) for style in styles]
         stops = {None if gradient is None else gradient.stops for gradient in gradients}
         self.is_mixed = len(stops) > 1

@@ -109,8 +109,8 @@ class StylePanel(FieldForm):
         self.fill = PaintField("fillPaint", "Fill", "stroke", tools.droppers["fill"])
         self.stroke = PaintField("strokePaint", "Stroke", "fill", tools.droppers["stroke"])
         self.gradients = {
-            "fill": GradientField("fill", "Fill", tools.gradient),
-            "stroke": GradientField("stroke", "Stroke", tools.gradient),
+            "fill": GradientField("fill", "Fill", tools.gradient, self.fill),
+            "stroke": GradientField("stroke", "Stroke", tools.gradient, self.stroke),
         }
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
@@ -163,11 +163,11 @@ class StylePanel(FieldForm):
             ("Overall", self.opacities["opacity"]),
             ("Blur", self.blur),
             ("", _rule_line()),
-            ("Fill", column_of(self.gradients["fill"], self.fill, margins=0, spacing=4)),
+            ("Fill", self.gradients["fill"]),
             ("Inside", self._rule),
             ("Opacity", self.opacities["fill_opacity"]),
             ("", row_of((_rule_line(), 1), action_button(swap, flat=True), spacing=6)),
-            ("Stroke", column_of(self.gradients["stroke"], self.stroke, margins=0, spacing=4)),
+            ("Stroke", self.gradients["stroke"]),
             ("Width", self._width),
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
