@@ -18,6 +18,9 @@ _SIDE = 16
 """Pixels along the sides of the picture: headers and menus scale what is smaller than their icons are."""
 
 
+_GAP = 3
+
+
 @lru_cache(maxsize=512)
 def swatch(colour: str, size: int) -> QPixmap:
     """Return a disc of `size` pixels in the middle of a picture."""
@@ -42,6 +45,27 @@ def paint_picture(paint: str, theme: Theme, paper: Theme, size: int = _SIDE) -> 
     with QPainter(picture) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         _draw_paint(painter, QRectF(0, 0, size, size), paint, theme, paper)
+    return picture
+
+
+def paints_picture(fill: str | None, stroke: str | None, theme: Theme, paper: Theme) -> QPixmap:
+    """Return a square of a fill and, beside it, a frame of a stroke; None for several."""
+    picture = QPixmap(2 * (2 * _SIDE + _GAP), 2 * _SIDE)
+    picture.setDevicePixelRatio(2)
+    picture.fill(Qt.GlobalColor.transparent)
+    with QPainter(picture) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for left, paint in ((0, fill), (_SIDE + _GAP, stroke)):
+            rect = QRectF(left, 0, _SIDE, _SIDE)
+            if paint is None:
+                painter.setPen(QPen(theme.muted, 1.0))
+                painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, "…")
+            else:
+                _draw_paint(painter, rect, paint, theme, paper)
+        if stroke not in (None, NO_PAINT):
+            painter.setPen(QPen(rim(theme), 1.0))
+            painter.setBrush(theme.surface)
+            painter.drawRect(rect.adjusted(5, 5, -5, -5))
     return picture
 
 

@@ -183,8 +183,6 @@ class Tool:
         the picture can.
     shows_new_handle
         Whether the selected point shows the handle that a press there would pull out.
-    takes_objects
-        Whether, where there is a page, what was edited is chosen whole when it begins to be used.
     lasts_one_gesture
         Whether it gives way to the tool below it when its gesture has ended.
     gesture
@@ -196,7 +194,6 @@ class Tool:
     finds_guides = False
     finds_image = False
     shows_new_handle = False
-    takes_objects = False
     lasts_one_gesture = False
     gesture: Gesture | None = None
 
@@ -280,6 +277,10 @@ class Tool:
     def takes_up(self, context: ToolContext) -> bool:
         """Whether it works on the active curve where none is edited."""
         return not self.finds_other_curves
+
+    def takes_objects(self, context: ToolContext) -> bool:
+        """Whether, where there is a page, what was edited is chosen whole when it begins to be used."""
+        return False
 
     def take_over(self, context: ToolContext) -> None:
         """Begin to be used while no curve was edited: what is drawn from now on is another one."""

@@ -73,6 +73,7 @@ def test_the_edge_of_a_rectangle_begins_a_curve(paper, between):
     if between:
         paper.trigger(between)
     paper.trigger("addTool")
+    assert not paper.session.selected.is_editing
     paper.click((60, 20))
     paper.click((60, 50))
     assert sizes(paper) == [2, 4, 2]

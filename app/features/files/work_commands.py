@@ -8,8 +8,6 @@ from ...actions.sections import FILE_WORK
 from ...workbench.context import WindowContext
 from .job_bar import JobBar
 
-_AFTER_HINT = 1
-
 
 class WorkCommands:
     """Shows in the status line what goes on beside the window, and stops it."""
@@ -38,7 +36,7 @@ class WorkCommands:
     def _show_bar(self, title: str) -> None:
         if self._bar is None:
             self._bar = JobBar(self._context.actions["cancelWork"])
-            self._context.status_line.insertPermanentWidget(_AFTER_HINT, self._bar)
+            self._context.status_line.put_after(self._bar)
         self._bar.begin(title)
 
     def _hide_bar(self) -> None:

@@ -13,7 +13,6 @@ from ...actions.declaration import action, also
 from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
-from ...document.content import Picture
 from ...document.contents import has_paints
 from ...document.gradient import Spread, Stop
 from ...document.gradient_edits import (
@@ -26,8 +25,9 @@ from ...document.gradient_edits import (
 )
 from ...document.group_opacity import opacities_of, with_looks
 from ...document.model import Document, make_curve
+from ...document.paper import DocumentKind
 from ...document.several_curves import named
-from ...document.shapes import shape_of, whole_shapes
+from ...document.shapes import shape_of
 from ...document.style import GRADIENTS, Style
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
@@ -43,7 +43,9 @@ from ...workbench.slider_gesture import SliderGesture
 from ...workbench.typed_letters import Painter
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
+from .indicator import StyleIndicator
 from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
+from .subject import Shown, StyleSubject
 from .used_colours import UsedColours
 from .view_commands import StyleViewCommands
 
@@ -63,7 +65,10 @@ class StyleCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
-        self._dock = context.docks["styleDock"]
+        self._dock, self._subject = context.docks["styleDock"], StyleSubject(context)
+        self._indicator = StyleIndicator()
+        context.status_line.put_before(self._indicator)
+        self._indicator.clicked.connect(context.actions["showStyle"].trigger)
         self._panel: StylePanel | None = None
         self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
@@ -128,29 +133,11 @@ class StyleCommands:
 
     @property
     def _letters(self) -> Painter | None:
-        """The letters that are typed, whose style is meant before all others."""
-        return self._context.letters.painter
+        return self._subject.letters
 
     @property
     def _curves(self) -> frozenset[int]:
-        """The curves whose style is meant; none where it is that of what is drawn next.
-
-        An empty curve is what is drawn next.
-        """
-        session, selected = self._session, self._session.selected
-        if self._letters is not None:
-            return frozenset()
-        is_begun = bool(session.active_curve.points)
-        if selected.next_style.is_own(session.document) and not is_begun:
-            return selected.marked - {session.active_index}
-        if selected.next_style.is_of_active(selected.marked):
-            return selected.marked
-        return frozenset() if is_begun else frozenset({session.active_index})
-
-    @property
-    def _next(self) -> str:
-        """What is drawn next."""
-        return self._session.selected.next_style.kind_in(self._session.document).subject
+        return self._subject.curves
 
     def render(self, view: CurveView) -> None:
         """Show how the selected curves look."""
@@ -167,31 +154,28 @@ class StyleCommands:
         self._render()
 
     def _render(self, *_: object) -> None:
-        panel = self._panel
-        if panel is None or not panel.isVisibleTo(self._context.window):
-            return
-        session = self._session
-        curves = sorted(whole_shapes(session.document, self._curves))
-        chosen = [session.document.curves[place] for place in curves]
-        # A gradient is laid over a shape, and there is none yet.
-        pictures = [each.style for each in chosen if isinstance(each.form, Picture)]
-        styles = [each.style for each in (filter(has_paints, chosen) if pictures else chosen)]
-        if not chosen:
-            styles = [session.model.style.flat]
-        if self._letters is not None:
-            styles = [*self._letters.styles]
-        is_next = not any(each.points for each in chosen)
-        subject = self._next if is_next else named(session.document, curves)
-        state, is_next_only = self._context.store.state, not curves and self._letters is None
+        session, state = self._session, self._context.store.state
+        is_drawing = state.kind is DocumentKind.DRAWING
+        self._indicator.setVisible(is_drawing)
+        has_panel = self._panel is not None and self._panel.isVisibleTo(self._context.window)
+        if is_drawing or has_panel:
+            shown, paper = self._subject.now(), state.paper(session.document, self._theme)
+            self._indicator.render_styles(shown, paper)
+            if self._panel is not None and has_panel:
+                self._render_panel(self._panel, shown, paper)
+
+    def _render_panel(self, panel: StylePanel, shown: Shown, paper: Theme) -> None:
+        session, state = self._session, self._context.store.state
+        curves, styles = shown.curves, shown.styles
+        is_next_only = not curves and self._letters is None
         note = HOW_TO_CHOOSE if is_next_only else note_on(styles, state, session.document, self._theme)
-        if self._letters is not None:
-            subject = self._letters.subject
-        panel.show_paper(state.paper(session.document, self._theme))
+        panel.show_paper(paper)
         panel.show_recent(self._colours.recent, self._colours.in_document)
         unit, stops = session.document.unit, self._stops(curves)
-        overall = opacities_of(session.document, curves) if chosen else None
-        panel.render_styles(subject, styles, unit, note, stops, pictures, overall)
-        self._blur.render([*styles, *pictures], is_sharp=is_next or self._letters is not None)
+        overall = opacities_of(session.document, curves) if curves else None
+        panel.render_styles(shown.words, styles, unit, note, stops, shown.pictures, overall)
+        is_sharp = shown.is_next or self._letters is not None
+        self._blur.render([*styles, *shown.pictures], is_sharp=is_sharp)
 
     # Changes
 
@@ -293,7 +277,8 @@ class StyleCommands:
 
     def _words(self, fields: Iterable[str], what: str = "") -> str:
         what = what or " and ".join(STYLE_WORDS[name] for name in fields)
-        return f"{what} of {named(self._session.committed, self._curves) if self._curves else self._next}"
+        curves, committed = self._curves, self._session.committed
+        return f"{what} of {named(committed, curves) if curves else self._subject.next}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
         if self._letters is not None:

@@ -76,6 +76,10 @@ class AddTool(Tool):
         """Whether it goes on from the active curve: in drawings a closed one is left alone."""
         return not (context.view.source.is_closed and is_drawing(context))
 
+    def takes_objects(self, context: ToolContext) -> bool:
+        """Whether what was edited is chosen whole: its points would only be in the way."""
+        return not self.takes_up(context)
+
     def take_over(self, context: ToolContext) -> None:
         """Leave the active curve as it is: nobody was editing it."""
         if hints.can_finish(context.view):

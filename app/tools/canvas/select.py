@@ -36,7 +36,6 @@ class SelectTool(Tool):
     cursor = Cursor.ARROW
     finds_other_curves = True
     finds_guides = True
-    takes_objects = True
 
     def __init__(self) -> None:
         self._picker, self._guides = CurvePicker(), GuidePicker()
@@ -45,6 +44,10 @@ class SelectTool(Tool):
         # The line that the last press was on, and where: a double click is of two there, though the first
         # has brought handles and a box.
         self._pressed: tuple[CurveView, Hit] | None = None
+
+    def takes_objects(self, context: ToolContext) -> bool:
+        """Whether what was edited is chosen whole when it begins to be used: whole objects are meant."""
+        return True
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
