@@ -28,7 +28,8 @@ class Below(NamedTuple):
 def find_below(context: ToolContext) -> Below | None:
     """Return what Alt+click means at the pointer, None where it is a click like any."""
     pointer, host = context.pointer, context.host
-    if not pointer.alt or pointer.shift or pointer.ctrl:
+    is_added = pointer.shift and not host.selected.is_editing
+    if not pointer.alt or (pointer.shift and not is_added) or pointer.ctrl:
         return None
     places = context.surface.curves_at(pointer)
     # Several curves of one group are one thing to choose; to edit, each shape is one.
@@ -55,7 +56,8 @@ def click_below(context: ToolContext, below: Below) -> None:
         edit_curve(context, below.curve)
         said = f"Editing “{host.active_view.source.seen_name}” now"
     else:
-        host.selected.choose(below.meant)
+        before = host.selected.chosen if context.pointer.shift else frozenset()
+        host.selected.choose(before | below.meant)
         said = chosen_curves(host)
     host.say(f"{said} · {below.words} · Alt+click: the next below.")
 

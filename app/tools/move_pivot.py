@@ -17,7 +17,7 @@ _REACH = 7.0
 """Pixels from the mark within which a press takes it."""
 
 PIVOT_HINT = Hint(
-    "Drag the pivot: what is turned, scaled and mirrored is so about it · Double click: back to the middle",
+    "Drag the pivot: what is turned, scaled and mirrored is so about it · Shift+click: back to the middle",
     cursor=Cursor.MOVE,
 )
 
@@ -28,7 +28,7 @@ def is_on_pivot(place: Vector, pointer: Pointer) -> bool:
 
 
 class MovePivot(Gesture):
-    """Drag of the pivot; it changes nothing in the document. A double click puts the pivot back.
+    """Drag of the pivot; it changes nothing in the document. A double click or Shift+click puts it back.
 
     Parameters
     ----------
@@ -60,6 +60,8 @@ class MovePivot(Gesture):
         self.move(context)
         if not self._is_moving and self._on_click is not None:
             self._on_click()
+        elif not self._is_moving and self._press.shift:
+            context.target.pivot = None
 
     def cancel(self, context: ToolContext) -> None:
         """Put it where it was."""

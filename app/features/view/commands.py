@@ -55,12 +55,22 @@ class ViewCommands:
         self._before_folding = b""
         self._before_canvas_only = _AROUND
         self._store.changed.connect(self._show_state)
+        self._tool_before: ToolRecord | None = None
+        context.central.canvas.space_tapped.connect(self._swap_tool)
         self._show_numbers(self._store.state)
 
     def _show_numbers(self, state: WindowState) -> None:
         self._context.central.canvas.drawing.set_plain(not state.numbered)
 
+    def _swap_tool(self) -> None:
+        """Take the tool that selects, or from there the one that was used before."""
+        tool = SELECT if self._store.state.tool is not SELECT else self._tool_before
+        if tool is not None:
+            self._context.actions[tool.action].trigger()
+
     def _show_state(self, before: WindowState, after: WindowState) -> None:
+        if before.tool is not SELECT and before.tool is not after.tool:
+            self._tool_before = before.tool
         if after.grid != before.grid:
             self._context.central.canvas.drawing.grid.set_visible(after.grid)
         if after.numbered != before.numbered:

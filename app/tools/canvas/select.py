@@ -63,13 +63,18 @@ class SelectTool(Tool):
         self._press(context)
         if below is not None:
             context.drags.mean_by_click(lambda: click_below(context, below))
-            if isinstance(self.gesture, Marquee):
+            if isinstance(self.gesture, Band):
                 self.gesture.mean_by_click(lambda context: click_below(context, below))
 
     def _press(self, context: ToolContext) -> None:
         context = self._picker.entered(context)
         hit, grip = context.hit, self._grip_at(context)
-        if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
+        if (carried := self._carried(context)) is not None:
+            click = (
+                partial(self._picker.unpick, context) if hit is None else partial(click_curve, context, hit)
+            )
+            context.drags.press(context.pointer, moving(context, carried), click)
+        elif hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
         elif hit is not None and not _is_below_grips(hit):
             press_on_part(context, hit, toggling(context, hit))
@@ -83,6 +88,13 @@ class SelectTool(Tool):
             self._press_on_curve(context, hit)
         else:
             self._press_beside(context)
+
+    def _carried(self, context: ToolContext) -> PointGroup | None:
+        """Return what a drag with Alt moves from anywhere: the curves that are chosen whole."""
+        pointer, selected = context.pointer, context.host.selected
+        is_meant = pointer.alt and not pointer.shift and bool(selected.chosen) and not selected.is_editing
+        is_free = is_meant and (context.hit is None or context.hit.part is Part.OTHER_CURVE)
+        return context.target.group if is_free and self._grip_at(context) is None else None
 
     def _press_within(self, context: ToolContext, area: Hit) -> None:
         """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
@@ -113,9 +125,11 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove a guide with Delete; edit what is chosen with Enter."""
+        """Remove a guide with Delete; edit what is chosen with Enter; leave a copy of it with Space."""
         if self._guides.key(context, key):
             return True
+        if key == "space":
+            return context.drags.stamp(context.pointer)
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
@@ -200,7 +214,11 @@ class SelectTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
-        hint, below = self._hint(context), find_below(context)
+        hint, below, carried = self._hint(context), find_below(context), self._carried(context)
+        if carried is not None:
+            hint = Hint(
+                f"{hints.to_move(carried.quoted, context.pointer)}, from anywhere", cursor=Cursor.MOVE
+            )
         if below is None:
             return hint
         return replace(hint, text=" · ".join(filter(None, (words_below(context, below), hint.text))))
@@ -336,7 +354,10 @@ SELECT = ToolRecord(
         GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
         GestureRow("Click a guide", "choose it: arrow keys move it, Del removes it"),
         GestureRow(
-            "Drag the cross in the box", "move the pivot; double click: back", selected=True, curves=True
+            "Drag the cross in the box",
+            "move the pivot; double click, Shift+click: back",
+            selected=True,
+            curves=True,
         ),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
         GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
@@ -348,6 +369,9 @@ SELECT = ToolRecord(
         GestureRow("Shift+click another curve", "choose it too, or no longer"),
         GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
         GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),
+        GestureRow("Shift+Alt+click, no curve edited", "choose the curve below too"),
+        GestureRow("Alt+drag, no curve edited", "move what is chosen, wherever the pointer is"),
+        GestureRow("Space while dragging curves", "leave a copy here, and go on", curves=True),
         GestureRow("Click within a fill", "as on the line around it; the topmost is meant"),
         GestureRow("Rubber band, no curve edited", "choose curves inside; Alt: also those touched"),
     ),
