@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..document.model import Document
+from ..document.paper import object_word
 from ..document.point_group import PointGroup
 from ..document.several_curves import is_blank
 from ..document.shape_edits import objects
@@ -29,6 +30,16 @@ class Situation:
     def state(self) -> WindowState:
         """The window's state."""
         return self._store.state
+
+    @property
+    def thing(self) -> str:
+        """What people call whatever is drawn, as it stands in titles: "Curve", on a page "Object"."""
+        return object_word(self.session.document).title()
+
+    @property
+    def things(self) -> str:
+        """The same of several."""
+        return object_word(self.session.document, many=True).title()
 
     @property
     def view(self) -> CurveView:

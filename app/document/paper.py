@@ -41,6 +41,11 @@ def vector_word(document: Document, order: int, *, many: bool = False) -> str:
     return derivative.plural if many else derivative.name
 
 
+def object_word(document: Document, *, many: bool = False) -> str:
+    """Return what people call whatever is drawn: on a page it is an object, be it a curve or not."""
+    return f"{'object' if kind_of(document) is DocumentKind.DRAWING else 'curve'}{'s' * many}"
+
+
 _LINES: Final = {"mm": 0.3, "cm": 0.03, "in": 0.01, "pt": 0.75, "pc": 0.06, "px": 1.0}
 """Width of a new line by the unit of paper: about that of one of 96 to the inch."""
 

@@ -19,6 +19,7 @@ from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import moving
 from .layers import front_of, within, without
 from .model import Curve, Document, Vector
+from .paper import DocumentKind, kind_of
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
@@ -302,8 +303,10 @@ def named(document: Document, curves: Collection[int]) -> str:
 
 
 def counted(document: Document, curves: Collection[int]) -> str:
-    """Return "3 curves"; with whole shapes, groups or texts among them what a person sees: "2 objects"."""
-    if any(is_content(document.curves[curve]) for curve in curves):
+    """Return "3 curves"; on a page, or with whole shapes, groups or texts among them, "2 objects"."""
+    if kind_of(document) is DocumentKind.DRAWING or any(
+        is_content(document.curves[curve]) for curve in curves
+    ):
         return count_of(len(whole_nodes(document.curves, curves, document.layers)), "object")
     if any(document.curves[curve].shape or document.curves[curve].groups for curve in curves):
         return counted_nodes(whole_nodes(document.curves, curves, document.layers))

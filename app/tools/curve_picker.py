@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from ..document.clones import words_of_clones
 from ..document.contents import is_content, refusal_of
+from ..document.paper import object_word
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
 from ..document.shape_edits import pressed
@@ -93,8 +94,9 @@ class CurvePicker:
             return Hint(f"{chosen_curves(host)}{clone} · G moves, S scales, R turns · Click here: {after}")
         if host.selected.is_editing:
             return None
+        things = object_word(host.document, many=True)
         return Hint(
-            "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits one"
+            f"Drag to choose {things} inside, Alt: those touched too · Shift adds · Double-click edits one"
         )
 
 
@@ -241,7 +243,11 @@ def chosen_curves(host: EditingHost) -> str:
     if not host.selected.is_editing:
         if name := name_of(host.document, chosen):
             return f"“{name}” is chosen"
-        return f"{named(host.document, chosen)} chosen" if chosen else "No curve is chosen"
+        return (
+            f"{named(host.document, chosen)} chosen"
+            if chosen
+            else f"No {object_word(host.document)} is chosen"
+        )
     if not chosen:
         return f"Only “{active}” is chosen"
     return f"{named(host.document, chosen)} chosen, “{active}” is edited"

@@ -118,3 +118,20 @@ def test_shift_click_puts_the_pivot_back(paper):
     assert target.pivot == pytest.approx((70, 90), abs=2 * paper.pixel)
     paper.click((70, 90), keys=SHIFT)
     assert target.pivot is None
+
+
+def test_on_a_page_words_are_of_objects_and_of_what_they_are(paper):
+    """They were “Delete Curve”, “2 curves chosen” and “No curve is chosen” for rectangles."""
+    paper.session.selected.choose([0])
+    paper.settle()
+    assert paper.action("deleteCurve").text() == "Delete Rectangle"
+    assert paper.action("selectAllCurves").text() == "Select All Objects"
+    paper.session.selected.choose([0, 2])
+    paper.settle()
+    assert paper.action("duplicateCurve").text() == "Duplicate 2 Objects"
+    paper.key(Key.Key_Right)
+    assert paper.session.undo_stack.undoText() == "Nudge 2 objects"
+    paper.escape()
+    assert paper.status == "No object is chosen."
+    paper.new()
+    assert paper.action("selectAllCurves").text() == "Select All Curves"

@@ -43,7 +43,7 @@ def test_the_transform_panel_shows_names_as_they_are(drawing):
     drawing.session.selected.choose({0})
     assert label.text() == "r1"
     drawing.session.selected.choose({0, 1})
-    assert label.text() == "2 curves"
+    assert label.text() == "2 objects"
     drawing.session.selected.activate(0)
     drawing.settle()
     assert label.text() == "All 3 points"

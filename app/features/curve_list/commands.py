@@ -26,7 +26,7 @@ from ...actions.strips import (
     LAYER_MENU,
 )
 from ...appearance.theme import LIGHT, Theme
-from ...document.curve_tree import Node, NodeKind, counted_nodes, whole_nodes
+from ...document.curve_tree import Node, NodeKind, whole_nodes
 from ...document.layers import all_shown, all_unlocked, begun_again, layer_node
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
@@ -295,6 +295,7 @@ class CurveListCommands:
         EDIT_SELECT,
         "Ctrl+Shift+A",
         needs=SOME_CURVE,
+        title=lambda now: f"Select All {now.things}",
     )
     @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
     def _choose_all(self) -> None:
@@ -317,6 +318,7 @@ class CurveListCommands:
         "Only This Curve",
         EDIT_SELECT,
         needs=Need("several chosen curves", lambda now: len(now.selected) > 1),
+        title=lambda now: f"Only This {now.thing}",
     )
     @also(CURVE_LIST_MENU(25))
     def _choose_one(self) -> None:
@@ -325,13 +327,15 @@ class CurveListCommands:
 
 
 def _curves(now: Situation) -> str:
-    """Return what the highlight is, as a title: "3 Curves", "Shape"; of a shape one alone is a contour."""
+    """Return what the highlight is, as a title: "3 Curves", "Star"; of a shape one alone is a contour."""
     document, selected = now.session.document, now.session.selected
     meant = selected.highlight(whole_curves=True).curves or selected.whole
     nodes = whole_nodes(document.curves, meant, document.layers)
     if len(nodes) > 1:
-        return counted_nodes(nodes).title()
+        return counted(document, meant).title()
     (node,) = nodes
+    if node.kind is NodeKind.CURVE and (form := document.curves[node.places.start].form) is not None:
+        return form.word.title()
     is_contour = node.kind is NodeKind.CURVE and node.around.shape
     return "Contour" if is_contour else node.kind.name.title()
 

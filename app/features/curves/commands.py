@@ -160,12 +160,26 @@ class CurveCommands:
         if session.change(name.format(what), lambda _: document, active=active):
             session.say(f"{what}: {where}.")
 
-    @action("nextCurve", "Next Curve", CURVE_WALK, "Ctrl+PgDown", needs=SECOND_CURVE)
+    @action(
+        "nextCurve",
+        "Next Curve",
+        CURVE_WALK,
+        "Ctrl+PgDown",
+        needs=SECOND_CURVE,
+        title=lambda now: f"Next {now.thing}",
+    )
     def _go_on(self) -> None:
         """Edit the next curve down the list."""
         self._walk(-1)
 
-    @action("previousCurve", "Previous Curve", CURVE_WALK, "Ctrl+PgUp", needs=SECOND_CURVE)
+    @action(
+        "previousCurve",
+        "Previous Curve",
+        CURVE_WALK,
+        "Ctrl+PgUp",
+        needs=SECOND_CURVE,
+        title=lambda now: f"Previous {now.thing}",
+    )
     def _go_back(self) -> None:
         """Edit the next curve up the list."""
         self._walk(1)

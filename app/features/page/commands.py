@@ -30,6 +30,7 @@ class PageCommands:
         "Page Around the Curves",
         EDIT_PAGE,
         needs=CURVE_THROUGH_TWO,
+        title=lambda now: f"Page Around the {now.things}",
         keywords="resize fit artboard canvas size drawing export area",
     )
     def _put_around(self) -> None:
