@@ -100,6 +100,30 @@ def test_a_mirror_image_is_no_rotation(two, degrees, flips, point_locale):
     assert points(two) - points(two)[0] == pytest.approx(before, abs=CLOSE)
 
 
+def test_mirror_images_both_ways_turn_nothing(two, point_locale):
+    """Half a turn was told: 180 for what stood at 0, and −165 for what stood at 15."""
+    choose_both(two)
+    two.trigger("openTransform")
+    angle = two.window.findChild(QLineEdit, "transformAngle")
+    told = []
+    for name in (
+        "flipHorizontally",
+        "flipVertically",
+        "rotateLeftStep",
+        "flipHorizontally",
+        "flipVertically",
+    ):
+        two.trigger(name)
+        two.settle()
+        told.append(float(angle.text().replace("−", "-")))
+    assert told == [0.0, 0.0, 15.0, -15.0, 15.0]
+    for _ in range(4):
+        two.trigger("undo")
+        two.settle()
+        told.append(float(angle.text().replace("−", "-")))
+    assert told[5:] == [-15.0, 15.0, 0.0, 0.0]
+
+
 def test_selected_points_are_mirrored_alone(two):
     two.select([1, 2, 3])
     two.key(Key.Key_H)

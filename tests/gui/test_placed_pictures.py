@@ -240,3 +240,16 @@ def test_it_takes_no_paint_that_nothing_would_show(sheet, imported, tmp_path):
     session.selected.choose({place})
     sheet.trigger("pasteStyle")
     assert session.document.curves[place].style == msgspec.structs.replace(begun, opacity=0.4)
+
+
+def test_a_style_that_is_pasted_to_a_picture_is_told_to_be_none(imported, sheet, tmp_path):
+    """Nothing happened, and nothing was said."""
+    sheet.trigger("rectangleTool")
+    sheet.drag((20, 200), (60, 240))
+    sheet.trigger("selectTool")
+    sheet.trigger("copyStyle")
+    imported(picture(tmp_path / "a.png"))
+    document = sheet.session.document
+    sheet.trigger("pasteStyle")
+    assert sheet.session.document is document
+    assert sheet.status == "A picture has neither fill nor stroke."

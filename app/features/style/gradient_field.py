@@ -111,8 +111,7 @@ class GradientField(QWidget):
         """Show the paint that styles have in common; of a gradient `chosen` is the stop that is chosen."""
         kinds = {paint_kind(style, self._paint) for style in styles}
         self._kind.render_value(kinds.pop() if len(kinds) == 1 else None)
-        for part in (self._kind, self._gradient):
-            part.setEnabled(bool(styles))
+        self.setEnabled(bool(styles))
         gradients = [gradient_of(style, self._paint) for style in styles]
         stops = {None if gradient is None else gradient.stops for gradient in gradients}
         self.is_mixed = len(stops) > 1

@@ -131,8 +131,8 @@ class Pivot(msgspec.Struct, frozen=True, eq=False):
 class Turning:
     """The angle at which a group stands, from when it was selected on; a mirror image is no rotation.
 
-    What is mirrored sideways and turned by 180° is what is mirrored upside down: the angle before says which
-    of the two it is.
+    What is mirrored sideways and turned by 180° is what is mirrored upside down, and to mirror both ways is
+    half a turn, though nobody turned anything: the angle before says which of the two it is.
 
     Attributes
     ----------
@@ -144,8 +144,8 @@ class Turning:
         self.anchor, self._then, self._last = anchor, degrees, degrees
         # The group as it was when it was asked for last.
         self._before = anchor
-        # Of a mirror image what is added to the rotation after one sideways.
-        self._more: float | None = None
+        # Whether it was a mirror image, and what is added since it became one, or none again.
+        self._is_mirrored, self._more = False, 0.0
 
     def at(self, now: Anchor) -> float | None:
         """Return the angle now, from −180 to 180; None where the group is another one."""
@@ -157,14 +157,12 @@ class Turning:
         if by is None:
             return None
         degrees = turn_of(by) + self._then
-        if not mirrors(by):
-            self._more = None
-        else:
+        if mirrors(by):
             degrees -= 2.0 * self._then
-            if self._more is None:
-                self._more = 180.0 if abs(_wrapped(degrees + self._last)) > 90.0 else 0.0
-            degrees += self._more
-        self._last = _wrapped(degrees)
+        if mirrors(by) is not self._is_mirrored:
+            self._is_mirrored = not self._is_mirrored
+            self._more = 180.0 if abs(_wrapped(degrees + self._last)) > 90.0 else 0.0
+        self._last = _wrapped(degrees + self._more)
         return self._last
 
 
