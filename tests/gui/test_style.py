@@ -702,7 +702,7 @@ def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor,
     QTest.keyClick(child(panel, QSlider, "styleOpacitySlider"), Qt.Key.Key_Home)
     enter(editor, panel, "fillOpacity", "50 %")
     click(panel, "fillKind_linear")
-    assert editor.status == "A gradient is laid over a shape; draw or choose one first."
+    assert editor.status == "A gradient or a pattern is laid over a shape; draw or choose one first."
     assert editor.session.document is before
     assert editor.session.undo_stack.count() == steps
     editor.trigger("rectangleTool")

@@ -20,6 +20,7 @@
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``filters``: those that are a blur.
 - ``patterns``: those of fills and strokes, each with a body of its own out of ``tiles``.
+  ``tile_documents``: documents as such, and back.
 - ``cascade``, ``properties``, ``paint``, ``gradients``, ``markers``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.

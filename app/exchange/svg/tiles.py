@@ -43,6 +43,11 @@ class TileBody:
         defs = "".join(self._defined.values())
         return f"{f'<defs>{defs}</defs>' if defs else ''}<g{declared}{around}>{drawn}</g>"
 
+    def of_elements(self, holder: ET.Element) -> str:
+        """Return all that is drawn of a file."""
+        drawn = "".join(self._copied(child, ()) for child in holder if tag_of(child) not in _SERVERS)
+        return f"<defs>{''.join(self._defined.values())}</defs>{drawn}" if self._defined else drawn
+
     def _copied(self, element: ET.Element, within: tuple[str, ...], name: str = "", depth: int = 0) -> str:
         tag, reference = tag_of(element), reference_of(element)
         if depth > _DEEPEST or not speaks_to_us(element):

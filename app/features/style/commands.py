@@ -14,7 +14,7 @@ from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
 from ...document.contents import has_paints
-from ...document.gradient import Spread, Stop
+from ...document.gradient import Spread, Stop, Tile
 from ...document.gradient_edits import (
     PaintedStop,
     PaintKind,
@@ -22,6 +22,7 @@ from ...document.gradient_edits import (
     with_gradient,
     with_paint_kind,
     with_stops,
+    with_tile,
 )
 from ...document.group_opacity import opacities_of, with_looks
 from ...document.model import Document, make_curve
@@ -45,15 +46,16 @@ from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .indicator import StyleIndicator
 from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
+from .pattern_commands import PatternCommands
 from .subject import Shown, StyleSubject
-from .used_colours import UsedColours
+from .used_colours import UsedColours, UsedPatterns
 from .view_commands import StyleViewCommands
 
 if TYPE_CHECKING:
     from .gradient_field import GradientField
     from .panel import StylePanel
 
-_NO_SHAPE_YET = "A gradient is laid over a shape; draw or choose one first."
+_NO_SHAPE_YET = "A gradient or a pattern is laid over a shape; draw or choose one first."
 _FLAT_LETTERS = "Letters have one colour while they are typed; Enter ends the text."
 
 _StopsAt = Callable[[int], tuple[Stop, ...]]
@@ -73,6 +75,7 @@ class StyleCommands:
         self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
         self._colours = UsedColours(context.session, context.preferences)
+        self._patterns = UsedPatterns(context.session)
         context.session.selected_curves_changed.connect(self._render)
         context.session.stop_changed.connect(self._render)
         context.session.stop_changed.connect(context.central.canvas.show_marks)
@@ -97,6 +100,7 @@ class StyleCommands:
         panel.stops_looked_at.connect(self._look_at_stops)
         panel.stop_picked.connect(self._choose_stop)
         panel.spread_wanted.connect(self._choose_spread)
+        panel.tile_wanted.connect(self._choose_tile)
         panel.coloured.connect(self._colours.remember)
         panel.given_up.connect(self._give_up)
         panel.shown.connect(self._render)
@@ -171,6 +175,8 @@ class StyleCommands:
         note = HOW_TO_CHOOSE if is_next_only else note_on(styles, state, session.document, self._theme)
         panel.show_paper(paper)
         panel.show_recent(self._colours.recent, self._colours.in_document)
+        for field in panel.gradients.values():
+            field.show_tiles(self._patterns.in_document)
         unit, stops = session.document.unit, self._stops(curves)
         overall = opacities_of(session.document, curves) if curves else None
         panel.render_styles(shown.words, styles, unit, note, stops, shown.pictures, overall)
@@ -232,6 +238,12 @@ class StyleCommands:
             lambda document, curves: with_gradient(
                 document, curves, paint, lambda gradient: msgspec.structs.replace(gradient, spread=spread)
             ),
+        )
+
+    def _choose_tile(self, paint: str, tile: Tile) -> None:
+        box_of = partial(box_of_shape, self._session.views)
+        self._edit(
+            [GRADIENTS[paint]], lambda document, curves: with_tile(document, curves, paint, tile, box_of)
         )
 
     def _edit(
@@ -370,4 +382,4 @@ def _edited(edit: Callable[[Document, frozenset[int]], Document], style: Style) 
     return edit(Document((model,)), frozenset({0})).curves[0].style
 
 
-COMMAND_SETS = (StyleCommands, StyleClipboardCommands, StyleViewCommands)
+COMMAND_SETS = (StyleCommands, StyleClipboardCommands, PatternCommands, StyleViewCommands)

@@ -1,22 +1,26 @@
-"""Fields of a paint beside its colour: its kind and, of a gradient, its stops and what lies beyond them."""
+"""Fields of a paint beside its colour: its kind, the stops of a gradient, which pattern it is."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
-from ...document.gradient import Spread, Stop, with_stop_at
+from ...document.gradient import Spread, Stop, Tile, with_stop_at
 from ...document.gradient_edits import PaintKind, gradient_of, paint_kind
 from ...document.style import Style
 from ...widgets.boxes import column_of, row_of
 from ...widgets.choice_row import ChoiceRow
 from ...widgets.percent_field import PercentField
 from ...widgets.tool_buttons import action_button, tool_button
+from .pattern_row import PatternRow
 from .stop_bar import StopBar
+
+_ICONS = ("paint-none", "paint-flat", "paint-linear", "paint-radial", "paint-pattern")
+"""Of the kinds of paint."""
 
 
 class GradientField(QWidget):
@@ -33,13 +37,15 @@ class GradientField(QWidget):
         Other stops are wanted, or looked at, or no more.
     spread_chosen
         What lies beyond the stops.
+    tile_chosen
+        Another pattern.
     picked
         Another stop shall be chosen.
 
     Attributes
     ----------
-    bar
-        The stops.
+    bar, patterns
+        The stops, and the patterns.
     opacity
         The field of the opacity of the chosen stop.
     offset
@@ -53,6 +59,7 @@ class GradientField(QWidget):
     stops_looked_at = Signal(object)
     given_up = Signal()
     spread_chosen = Signal(object)
+    tile_chosen = Signal(object)
     picked = Signal(int)
 
     def __init__(self, paint: str, label: str, tool: QAction, colour: QWidget) -> None:
@@ -60,7 +67,9 @@ class GradientField(QWidget):
         self._paint, self._chosen = paint, 0
         self._stops: tuple[Stop, ...] = ()
         self.is_mixed = False
-        self._kind = ChoiceRow(f"{paint}Kind", label, f"{label}, kind of paint", PaintKind)
+        self._kind = ChoiceRow(f"{paint}Kind", label, f"{label}, kind of paint", PaintKind, _ICONS)
+        self._tiles: tuple[Tile, ...] = ()
+        self.patterns = PatternRow(paint, label)
         self.bar = StopBar(f"{paint}Stops", label)
         self.offset = PercentField(f"{paint}StopOffset", f"{label}, place of the stop", "Where the stop lies")
         self.opacity = PercentField(
@@ -84,12 +93,13 @@ class GradientField(QWidget):
             parent=self._gradient,
         )
         # The colour stands above the stops: it stays under the pointer when they come and go.
-        column_of(self._kind, colour, self._gradient, margins=0, spacing=4, parent=self)
+        column_of(self._kind, colour, self.patterns, self._gradient, margins=0, spacing=4, parent=self)
 
     def connect_fields(self) -> None:
         """Tell what is wanted; whoever has to watch the fields does so before."""
         self._kind.chosen.connect(self.kind_chosen)
         self._spread.chosen.connect(self.spread_chosen)
+        self.patterns.chosen.connect(self.tile_chosen)
         self._reverse.clicked.connect(self._turn_round)
         self.bar.picked.connect(self.picked)
         self.bar.looked_at.connect(self.stops_looked_at)
@@ -118,9 +128,19 @@ class GradientField(QWidget):
         self._stops = (stops.pop() or ()) if len(stops) == 1 else ()
         spreads = {gradient.spread for gradient in gradients if gradient is not None}
         self._spread.render_value(spreads.pop() if len(spreads) == 1 else None)
-        self._gradient.setVisible(bool(self._stops))
+        tiles = {None if gradient is None else gradient.tile for gradient in gradients}
+        are_patterns = bool(tiles) and None not in tiles
+        self.patterns.setVisible(are_patterns)
+        self._gradient.setVisible(bool(self._stops) and not are_patterns)
+        if are_patterns:
+            colour = self._stops[0].colour if self._stops else ""
+            self.patterns.render_pattern(tiles.pop() if len(tiles) == 1 else None, colour, self._tiles)
         if self._stops:
             self._render_stop(min(chosen, len(self._stops) - 1))
+
+    def show_tiles(self, tiles: Iterable[Tile]) -> None:
+        """Offer these patterns, too, when there is one to be shown."""
+        self._tiles = tuple(tiles)
 
     def _render_stop(self, chosen: int) -> None:
         self._chosen = chosen

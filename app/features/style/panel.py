@@ -64,8 +64,8 @@ class StylePanel(FieldForm):
         Gradients of "fill" or "stroke" shall have other stops, or are to be seen with them.
     stop_picked
         Another stop of "fill" or "stroke" shall be chosen.
-    spread_wanted
-        Likewise, what lies beyond their stops.
+    spread_wanted, tile_wanted
+        Likewise, what lies beyond their stops; another pattern.
     coloured
         A colour was chosen for a stop.
     given_up
@@ -91,6 +91,7 @@ class StylePanel(FieldForm):
     stops_looked_at = Signal(str, object)
     stop_picked = Signal(str, int)
     spread_wanted = Signal(str, object)
+    tile_wanted = Signal(str, object)
     coloured = Signal(str)
     given_up = Signal()
     shown = Signal()
@@ -218,6 +219,7 @@ class StylePanel(FieldForm):
         field.stops_wanted.connect(lambda stops: self.stops_wanted.emit(paint, stops))
         field.stops_looked_at.connect(lambda stops: self.stops_looked_at.emit(paint, stops))
         field.spread_chosen.connect(lambda spread: self.spread_wanted.emit(paint, spread))
+        field.tile_chosen.connect(lambda tile: self.tile_wanted.emit(paint, tile))
         field.given_up.connect(self.given_up)
         field.picked.connect(lambda stop: self.stop_picked.emit(paint, stop))
 
