@@ -55,6 +55,10 @@ def _paint_text(
 ) -> None:
     area = QRectF(0, 0, shown.width, shown.height)
     for path, own in inked(text, corners_of(curve), to_pixels(shown), style, area):
+        wide = width if own is style or own.width is None else own.width * shown.sx
+        pen = _pen(own, style.opacity, shown, theme, wide) if own.has_stroke and wide > 0 else None
+        if pen is not None and own.has_covered_stroke:
+            painter.strokePath(path, pen)
         if own.has_fill:
             opacity = own.fill_opacity * style.opacity
             painter.fillPath(
@@ -63,18 +67,20 @@ def _paint_text(
                 if own.fill_gradient is None
                 else brush_of(own.fill_gradient, theme.curve, opacity, lambda place: shown.point(*place)),
             )
-        wide = width if own is style or own.width is None else own.width * shown.sx
-        if own.has_stroke and wide > 0:
-            opacity = own.stroke_opacity * style.opacity
-            colour = with_opacity(_seen(own.stroke, theme), opacity)
-            pen = pen_of(own, colour, wide, is_dashed=sum(own.dash) * wide >= _SHORTEST_DASHES)
-            if own.stroke_gradient is not None:
-                pen.setBrush(
-                    brush_of(own.stroke_gradient, theme.curve, opacity, lambda place: shown.point(*place))
-                )
+        if pen is not None and not own.has_covered_stroke:
             painter.strokePath(path, pen)
     if is_overset(text):
         _paint_overset(painter, [QPointF(*shown.point(*place)) for place in corners_of(curve)], theme)
+
+
+def _pen(style: Style, whole: float, shown: PixelMap, theme: Theme, width: float) -> QPen:
+    """Return the pen of letters, of a text whose `whole` opacity is this."""
+    opacity = style.stroke_opacity * whole
+    colour = with_opacity(_seen(style.stroke, theme), opacity)
+    pen = pen_of(style, colour, width, is_dashed=sum(style.dash) * width >= _SHORTEST_DASHES)
+    if style.stroke_gradient is not None:
+        pen.setBrush(brush_of(style.stroke_gradient, theme.curve, opacity, lambda place: shown.point(*place)))
+    return pen
 
 
 def _paint_overset(painter: QPainter, corners: Sequence[QPointF], theme: Theme) -> None:

@@ -64,6 +64,13 @@ class FillRule(NamedEnum):
     EVENODD = "evenodd", "Even-odd"
 
 
+class PaintOrder(NamedEnum):
+    """Which of fill and stroke covers the other; markers cover both. The values are those of SVG."""
+
+    STROKE_ABOVE = "normal", "Stroke on top"
+    FILL_ABOVE = "stroke", "Fill on top"
+
+
 class Style(Value, frozen=True):
     """Stroke and fill. A paint is `INK`, `NO_PAINT` or "#rrggbb"; opacities are from 0, invisible, to 1.
 
@@ -88,6 +95,8 @@ class Style(Value, frozen=True):
         What paints in place of the colour, which stands for it where there are no gradients.
     clips
         Areas beyond each of which nothing of it is seen.
+    paint_order
+        Which of fill and stroke covers the other.
     start_marker, end_marker
         At the ends of an open line, in its colour, as large as the line is wide.
     """
@@ -110,6 +119,7 @@ class Style(Value, frozen=True):
     start_marker: Annotated[MarkerKind, "Start marker"] = MarkerKind.NONE
     end_marker: Annotated[MarkerKind, "End marker"] = MarkerKind.NONE
     blur: Annotated[float, at_least(0), LENGTH, "Blur"] = 0.0
+    paint_order: Annotated[PaintOrder, "Paint order"] = PaintOrder.STROKE_ABOVE
 
     @property
     def has_stroke(self) -> bool:
@@ -127,6 +137,11 @@ class Style(Value, frozen=True):
     def has_fill(self) -> bool:
         """Whether the inside is painted."""
         return self.fill != NO_PAINT
+
+    @property
+    def has_covered_stroke(self) -> bool:
+        """Whether its fill lies over its line."""
+        return self.paint_order is PaintOrder.FILL_ABOVE and self.has_stroke and self.has_fill
 
     @property
     def dashes_and_gaps(self) -> tuple[float, ...]:

@@ -77,7 +77,7 @@ def paint_printed(
     shown: PixelMap,
     line: RoundLine | None = None,
 ) -> None:
-    """Paint a shape: its fill, and its line over that; with `line`, which may be kept for the next shape."""
+    """Paint a shape: its fill, its line, and markers; with `line`, which may be kept for the next shape."""
     if style.clips:
         whole, way = msgspec.structs.replace(style, clips=()), to_pixels(shown)
         with clipped(painter, style.clips, way, QRectF(0, 0, shown.width, shown.height)):
@@ -87,10 +87,15 @@ def paint_printed(
     if style.opacity < 1.0 and is_both:
         _paint_together(painter, parts, style, ink, shown)
         return
+    is_lined = style.has_stroke and ink.width > 0
+    if is_lined and style.has_covered_stroke:
+        _stroke(painter, parts, style, ink, shown, line or RoundLine())
     if style.has_fill:
         _fill(painter, parts, style, ink, shown)
-    if style.has_stroke and ink.width > 0:
+    if is_lined and not style.has_covered_stroke:
         _stroke(painter, parts, style, ink, shown, line or RoundLine())
+    if is_lined and style.has_markers:
+        _mark(painter, parts, style, ink, shown)
 
 
 def to_pixels(shown: PixelMap) -> QTransform:
@@ -141,18 +146,11 @@ def _brush(gradient: Gradient, ink: Ink, opacity: float, shown: PixelMap) -> QBr
 def _stroke(
     painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap, line: RoundLine
 ) -> None:
-    width = min(ink.width, _WIDEST)
-    opacity = style.stroke_opacity * style.opacity
-    is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
-    if style.dash and not is_dashed:
-        opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)
-    pen = pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
-    is_opaque = opacity == 1.0
-    if style.stroke_gradient is not None:
-        # Its stops may let through what pieces that overlap have twice.
-        is_opaque = False
-        _smoothly(painter, style.stroke_gradient)
-        pen.setBrush(_brush(style.stroke_gradient, ink, opacity, shown))
+    _smoothly(painter, style.stroke_gradient)
+    pen, width = _pen(style, ink, shown), min(ink.width, _WIDEST)
+    # Stops may let through what pieces that overlap have twice.
+    is_opaque = pen.color().alphaF() == 1.0 and style.stroke_gradient is None
+    is_dashed = bool(pen.dashPattern())
     reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
     if is_dashed:
         _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
@@ -172,9 +170,25 @@ def _stroke(
         for part in parts:
             _add_line(path, part, shown, reach)
         painter.strokePath(path, pen)
-    if style.has_markers:
-        first, last = (_ends_in_pixels(parts[at].ends, shown) for at in (0, -1))
-        painter.fillPath(path_of(markers_of(style, first, last, width)), pen.brush())
+
+
+def _pen(style: Style, ink: Ink, shown: PixelMap) -> QPen:
+    """Return the pen of a line; where its dashes are too short to be seen it is paler in place of them."""
+    width = min(ink.width, _WIDEST)
+    opacity = style.stroke_opacity * style.opacity
+    is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
+    if style.dash and not is_dashed:
+        opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)
+    pen = pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
+    if style.stroke_gradient is not None:
+        pen.setBrush(_brush(style.stroke_gradient, ink, opacity, shown))
+    return pen
+
+
+def _mark(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
+    first, last = (_ends_in_pixels(parts[at].ends, shown) for at in (0, -1))
+    markers = path_of(markers_of(style, first, last, min(ink.width, _WIDEST)))
+    painter.fillPath(markers, _pen(style, ink, shown).brush())
 
 
 def _ends_in_pixels(ends: Ends | None, shown: PixelMap) -> Ends | None:

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from app.document.guide_edits import place_words
 from app.document.model import Document, Page, empty_document, make_curve
 from app.document.readings import readings_of
-from app.document.style import FillRule, LineCap, LineJoin, Style
+from app.document.style import FillRule, LineCap, LineJoin, PaintOrder, Style
 from app.exchange.options import Options
 from app.exchange.rescaled import in_unit
 from app.exchange.svg.matrices import fitted_box
@@ -256,8 +256,9 @@ MISSED = [
         "<path> (element 2): it has markers; it comes in without them.",
     ),
     (
-        '<path d="M0 0H9V9Z" stroke="red" paint-order="stroke"/>',
-        "<path> (element 2): its fill lies over its stroke; the stroke lies over the fill.",
+        '<path d="M0 0H9" stroke="red" paint-order="markers" marker-end="url(#curvebench-arrow)"/>'
+        '<defs><marker id="curvebench-arrow"/></defs>',
+        "<path> (element 2): its markers lie below; they lie on top.",
     ),
     (
         '<path d="M0 0H9V9Z" style="mix-blend-mode:multiply"/>',
@@ -451,3 +452,22 @@ def test_guides_of_inkscape_come_in_slanted_ones_too_and_go_out_again():
     assert intake(empty_document(), found.document).document.guides == found.document.guides
     assert [each.element for each in found.missed] == ["<guide>"]
     assert "does not say where it lies" in found.missed[0].sentence
+
+
+@pytest.mark.parametrize(
+    ("text", "order"),
+    [
+        ("normal", PaintOrder.STROKE_ABOVE),
+        ("fill stroke markers", PaintOrder.STROKE_ABOVE),
+        ("stroke", PaintOrder.FILL_ABOVE),
+        ("markers stroke fill", PaintOrder.FILL_ABOVE),
+        ("markers", PaintOrder.STROKE_ABOVE),
+    ],
+)
+def test_the_order_of_fill_and_stroke_is_read_and_written(text, order):
+    """SVG 2, section 13.8: what is not named comes last, in the usual order."""
+    (curve,) = curves(f'<path d="M0 0H9V9Z" stroke="red" paint-order="{text}"/>')
+    assert curve.style.paint_order is order
+    written = svg_of(Document((curve,))).text
+    assert read_svg(written.encode()).document.curves[0].style.paint_order is order
+    assert ('paint-order="stroke"' in written) is (order is PaintOrder.FILL_ABOVE)

@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QRect, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QBrush,
     QColor,
@@ -18,11 +18,8 @@ from PySide6.QtGui import (
     QPainterPath,
     QPainterPathStroker,
     QPen,
-    QPolygonF,
     QTransform,
 )
-
-from curvecore.arrays import FloatArray
 
 from ...document.content import Lettering, Picture
 from ...document.gradient import Gradient
@@ -35,7 +32,8 @@ from ...qt.gradients import brush_of
 from ...qt.markers import path_of
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...tasks.progress import Report, told
-from .drawing import POINT_RADIUS, Annotation, Drawing
+from .annotation_painting import paint_annotations, paint_points
+from .drawing import Drawing
 from .grouped import units_of
 from .outlines import Outline, markers_at
 from .styles import PictureStyle
@@ -80,13 +78,13 @@ class Painting:
         frame = self._drawing.frame
         if self._style.paper:
             self._painter.fillRect(QRectF(0, 0, frame.width, frame.height), QColor(self._style.paper))
-        self._paint_annotations("grid")
+        paint_annotations(self._painter, self._drawing, self._style, "grid")
         for look, run in told(units_of(self._drawing.shapes, 0), report, "Painting"):
             self._paint_unit(look, run, 0)
-        self._paint_annotations("handles")
+        paint_annotations(self._painter, self._drawing, self._style, "handles")
         if points:
-            self._paint_points()
-        self._paint_annotations("basis")
+            paint_points(self._painter, self._drawing, self._style)
+        paint_annotations(self._painter, self._drawing, self._style, "basis")
 
     # Shapes
 
@@ -163,16 +161,34 @@ class Painting:
             return
         pen = self._pen(style, _length(shape))
         brush = self._brush(style) if style.has_fill else None
+        if is_together and pen is not None:
+            self._paint_apart(style, path, markers, pen, brush)
+            return
         if style.opacity < 1 and pen is not None:
             markers = markers.subtracted(QPainterPathStroker(pen).createStroke(path))
-        if is_together and pen is not None:
-            # As outlines: what lies below the stroke is taken out of the area.
-            path_below = path.subtracted(QPainterPathStroker(pen).createStroke(path)).subtracted(markers)
-            self._fill_and_stroke(self._painter, path_below, None, brush)
-            brush = None
-        self._fill_and_stroke(self._painter, path, pen, brush)
+        self._fill_and_stroke(self._painter, path, pen, brush, style)
         if pen is not None and not markers.isEmpty():
             self._fill(self._painter, markers, pen.brush())
+
+    def _paint_apart(
+        self,
+        style: Style,
+        path: QPainterPath,
+        markers: QPainterPath,
+        pen: QPen,
+        brush: QBrush | QColor | None,
+    ) -> None:
+        """Paint fill, stroke and markers as outlines that do not overlap: all have one opacity."""
+        painter, line = self._painter, QPainterPathStroker(pen).createStroke(path)
+        if style.has_covered_stroke:
+            line, path = line.subtracted(path).subtracted(markers), path.subtracted(markers)
+        else:
+            markers = markers.subtracted(line)
+            path = path.subtracted(line).subtracted(markers)
+        if brush is not None:
+            self._fill(painter, path, brush)
+        for each in (line, markers):
+            self._fill(painter, each, pen.brush())
 
     def _paint_blurred(self, shape: tuple[Outline, ...]) -> None:
         """Paint a shape as a picture of it that is blurred, which all formats have."""
@@ -218,19 +234,28 @@ class Painting:
         elif isinstance(content, Lettering):
             for path, style in self._inked(frame, content):
                 brush = self._brush(style) if style.has_fill else None
-                self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush)
+                self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush, style)
 
     def _inked(self, frame: Outline, text: Lettering) -> Iterator[tuple[QPainterPath, Style]]:
         way, area = QTransform(1, 0, 0, -1, 0, self._height), self._frame
         return iter(inked(text, frame.corners, way, frame.style, area))
 
     def _fill_and_stroke(
-        self, painter: QPainter, path: QPainterPath, pen: QPen | None, brush: QBrush | QColor | None
+        self,
+        painter: QPainter,
+        path: QPainterPath,
+        pen: QPen | None,
+        brush: QBrush | QColor | None,
+        style: Style,
     ) -> None:
+        if pen is not None and style.has_covered_stroke:
+            self._stroke(painter, path, pen)
         if brush is not None:
             self._fill(painter, path, brush)
-        if pen is None:
-            return
+        if pen is not None and not style.has_covered_stroke:
+            self._stroke(painter, path, pen)
+
+    def _stroke(self, painter: QPainter, path: QPainterPath, pen: QPen) -> None:
         if _has_alpha(pen.brush()) and not _is_raster(painter):
             self._fill(painter, QPainterPathStroker(pen).createStroke(path), pen.brush())
         else:
@@ -267,7 +292,7 @@ class Painting:
             brush = self._brush(style) if style.has_fill else None
             painter.save()
             painter.setOpacity(opacity)
-            painter.drawImage(place.topLeft(), self._layer(place, path, markers, pen, brush))
+            painter.drawImage(place.topLeft(), self._layer(place, path, markers, pen, brush, style))
             painter.restore()
 
     def _bounds(self, path: QPainterPath, markers: QPainterPath, pen: QPen) -> QRect:
@@ -285,6 +310,7 @@ class Painting:
         markers: QPainterPath,
         pen: QPen | None,
         brush: QBrush | QColor | None,
+        style: Style,
     ) -> QImage:
         """Return a picture of one shape in a part of the device."""
         layer = QImage(place.size(), _PICTURE)
@@ -292,7 +318,7 @@ class Painting:
         with QPainter(layer) as painter:
             painter.setRenderHints(self._painter.renderHints())
             painter.translate(-place.topLeft())
-            self._fill_and_stroke(painter, path, pen, brush)
+            self._fill_and_stroke(painter, path, pen, brush, style)
             if pen is not None:
                 painter.fillPath(markers, pen.brush())
         return layer
@@ -337,43 +363,6 @@ class Painting:
     def _served(self, gradient: Gradient, opacity: float) -> QBrush | QColor:
         ink = QColor(self._style.ink)
         return brush_of(gradient, ink, opacity, lambda place: (place[0], self._height - place[1]))
-
-    # What goes with them
-
-    def _paint_points(self) -> None:
-        radius = POINT_RADIUS * self._drawing.frame.side
-        self._painter.setPen(Qt.PenStyle.NoPen)
-        for outline in self._drawing.outlines:
-            self._painter.setBrush(QColor(self._style.seen(outline.colour)))
-            for place in self._places(outline.points):
-                self._painter.drawEllipse(place, radius, radius)
-
-    def _paint_annotations(self, name: str) -> None:
-        for each in self._drawing.annotations:
-            if each.name == name:
-                self._painter.save()
-                self._paint_annotation(each)
-                self._painter.restore()
-
-    def _paint_annotation(self, annotation: Annotation) -> None:
-        colour = QColor(self._style.seen(annotation.colour))
-        painter = self._painter
-        painter.setOpacity(annotation.opacity)
-        path = QPainterPath()
-        for line in annotation.lines:
-            path.addPolygon(QPolygonF(self._places(line)))
-        if annotation.filled:
-            painter.fillPath(path, colour)
-            return
-        pen = QPen(colour, annotation.width)
-        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-        if annotation.dash:
-            pen.setDashPattern([each / annotation.width for each in annotation.dash])
-        painter.strokePath(path, pen)
-
-    def _places(self, points: FloatArray) -> list[QPointF]:
-        return [QPointF(x, self._height - y) for x, y in points.tolist()]
 
 
 def _do_any_meet(boxes: Sequence[QRectF]) -> bool:

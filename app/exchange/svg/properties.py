@@ -10,8 +10,9 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
+from ...document.marker import MarkerKind
 from ...document.model import MAX_MAGNITUDE
-from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
+from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, PaintOrder, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
 from .elements import Elements
@@ -26,6 +27,7 @@ DECORATIONS = ("underline", "line-through")
 
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
+_UNMARKED = (MarkerKind.NONE, MarkerKind.NONE)
 _SIZES = {
     "xx-small": 9.0,
     "x-small": 10.0,
@@ -149,9 +151,11 @@ class StyleReader:
         if not 0 < width <= MAX_MAGNITUDE:
             stroke = Paint("none")
         flaws = [Flaw(each.why, each.instead) for each in (fill, stroke) if each.why]
-        flaws += _flaws(values)
         start, end, told = self._markers.of(values)
         flaws += told
+        order, has_markers_below = _paint_order(values["paint-order"])
+        if has_markers_below and stroke.colour != "none" and (start, end) != _UNMARKED:
+            flaws.append(Flaw("its markers lie below", "they lie on top"))
         style = Style(
             stroke=stroke.colour,
             fill=fill.colour,
@@ -159,6 +163,7 @@ class StyleReader:
             fill_opacity=_rounded(fill.opacity * share_of(values["fill-opacity"])),
             opacity=properties.share,
             fill_gradient=fill.gradient,
+            paint_order=order,
         )
         if stroke.colour == "none":
             return style, tuple(flaws)
@@ -186,12 +191,12 @@ def _with_stroke(
     )
 
 
-def _flaws(values: Mapping[str, str]) -> list[Flaw]:
-    flaws = []
-    order = values["paint-order"].lower().split()
-    if "stroke" in order[:1] and values["stroke"].lower() != "none" != values["fill"].lower():
-        flaws.append(Flaw("its fill lies over its stroke", "the stroke lies over the fill"))
-    return flaws
+def _paint_order(text: str) -> tuple[PaintOrder, bool]:
+    """Return which of fill and stroke covers the other, and whether either covers the markers."""
+    words = text.lower().split()
+    first = next((word for word in words if word in _PAINTS), "fill")
+    order = PaintOrder.FILL_ABOVE if first == "stroke" else PaintOrder.STROKE_ABOVE
+    return order, "markers" in words[:2]
 
 
 def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float:

@@ -30,6 +30,8 @@ def style_attributes(
         pairs += [
             (name, markers.reference(kind)) for name, kind in ends.items() if kind is not MarkerKind.NONE
         ]
+    if style.has_covered_stroke:
+        pairs.append(("paint-order", str(style.paint_order.value)))
     if style.opacity < 1:
         pairs.append(("opacity", number(style.opacity)))
     return "".join(f' {name}="{value}"' for name, value in pairs)

@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ....document.gradient import Gradient, GradientKind
 from ....document.model import Vector
-from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, Style
+from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, PaintOrder, Style
 from ....document.value import Value
 from ....view_model.geometry.extents import extent_of
 from ....view_model.geometry.stroked import farthest_reach
@@ -52,6 +52,7 @@ _PARTS = (
     Part(("cap",), ("stroke-linecap",)),
     Part(("join", "miter_limit"), ("stroke-linejoin", "stroke-miterlimit")),
     Part(("opacity",), ("opacity",), ""),
+    Part(("paint_order",), ("paint-order",), ""),
     _START,
     _END,
     _CLIP,
@@ -109,6 +110,8 @@ class Looks:
         for name, gradient in style.gradients.items():
             stops = tuple(replace(stop, colour=stop.colour or self._picture.ink) for stop in gradient.stops)
             style = replace(style, **{name: _plainest(replace(gradient, stops=stops))})
+        if not style.has_covered_stroke:
+            style = replace(style, paint_order=PaintOrder.STROKE_ABOVE)
         # The colour that stands for a gradient is not drawn.
         flat = {name: "" for name, field in GRADIENTS.items() if getattr(style, field) is not None}
         return replace(style, **flat)
@@ -167,7 +170,7 @@ class Looks:
         style
             The style.
         parts
-            What is asked for: of the rest there are no markers.
+            What is asked for: what the rest refers to is not put anywhere.
         inverse
             (2, 3), from the plane of the file to that of the element.
         scale
@@ -185,7 +188,8 @@ class Looks:
         blur = math.sqrt(max(style.blur**2 - around.blur**2, 0.0)) * mean_scale(inverse)
         paints = {"fill": style.fill, "stroke": style.stroke}
         for name, field in GRADIENTS.items():
-            if (gradient := getattr(style, field)) is not None:
+            is_asked = any(field in part.fields for part in parts)
+            if is_asked and (gradient := getattr(style, field)) is not None:
                 paints[name] = made.gradients.reference(gradient.mapped(there))
         ends = {_START: style.start_marker, _END: style.end_marker}
         markers = {
@@ -199,13 +203,16 @@ class Looks:
             "fill-opacity": number(style.fill_opacity),
             "fill-rule": str(style.fill_rule.value),
             "stroke": paints["stroke"],
+            "paint-order": str(style.paint_order.value),
             **_stroke_properties(style, scale),
             **markers,
             "opacity": number(style.opacity / opacity if opacity else style.opacity),
             "filter": made.filters.reference(blur, corners, farthest_reach(style) / scale)
             if _BLUR in parts
             else "none",
-            "clip-path": made.clips.reference(tuple(each.mapped(there) for each in style.clips)),
+            "clip-path": made.clips.reference(tuple(each.mapped(there) for each in style.clips))
+            if _CLIP in parts
+            else "none",
         }
 
 
