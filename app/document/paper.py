@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from ..families import HERMITE
 from .derivatives import DERIVATIVES
 from .model import Document
-from .style import Style
+from .style import INK, LineCap, LineJoin, Style
 from .words import NamedEnum
 
 PAPER_UNITS: Final = frozenset({"mm", "cm", "in", "pt", "pc", "px"})
@@ -71,16 +71,27 @@ def line_width(document: Document) -> float | None:
     return None if document.page is None else float(f"{document.page.usual_width / 2:.0e}")
 
 
+_BLACK: Final = "#000000"
+
+
 def drawn_style(document: Document, style: Style) -> Style:
     """Return a style as new curves of a document have it: on paper a line is as wide as it prints."""
-    return style if style.width is not None else replace(style, width=line_width(document))
+    if style.width is not None:
+        return style
+    style = replace(style, width=line_width(document))
+    if kind_of(document) is not DocumentKind.DRAWING:
+        return style
+    # Nobody has chosen another: black on paper, with the ends and corners that SVG has.
+    inked = {paint: _BLACK for paint in ("stroke", "fill") if getattr(style, paint) == INK}
+    ends = {"cap": LineCap.BUTT, "join": LineJoin.MITER} if "stroke" in inked else {}
+    return replace(style, **inked, **ends)
 
 
 def begun_for_paper(before: Document, after: Document) -> Document:
     """Return a document of another unit or page; as long as nothing is drawn, its curve is of that kind.
 
     On paper it has handles: a polynomial through all points, which new documents may begin with, leaves any
-    page. The width of its line, where nobody has chosen another, is that of new lines.
+    page. Its line, where nobody has chosen another, is that of new lines.
     """
     first, *others = after.curves
     if others or first.points:
@@ -88,5 +99,5 @@ def begun_for_paper(before: Document, after: Document) -> Document:
     becomes = is_for_paper(after) and not is_for_paper(before)
     curve = first.with_family(HERMITE) if becomes and not first.family.derivatives else first
     if first.style.width in (None, line_width(before)):
-        curve = replace(curve, style=replace(curve.style, width=line_width(after)))
+        curve = replace(curve, style=drawn_style(after, replace(curve.style, width=None)))
     return after.with_curve(0, curve)

@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QMessageBox, QUndoView
 
 from app.document.model import Document, make_curve
-from app.document.style import PLAIN_STYLE, Style
+from app.document.style import PLAIN_STYLE, LineCap, LineJoin, Style
 from app.families import HERMITE
 from app.features.text.commands import TextCommands
 
@@ -81,7 +81,8 @@ def drawn_with(editor, tool):
     return style
 
 
-TOOLS = {"addTool": PLAIN_STYLE, "pencilTool": PLAIN_STYLE, "rectangleTool": None}
+LINE = Style(stroke="#000000", cap=LineCap.BUTT, join=LineJoin.MITER)
+TOOLS = {"addTool": LINE, "pencilTool": LINE, "rectangleTool": None}
 """With the style that is a tool's own in drawings; None where it is the last one."""
 
 
@@ -89,7 +90,7 @@ TOOLS = {"addTool": PLAIN_STYLE, "pencilTool": PLAIN_STYLE, "rectangleTool": Non
 def test_what_is_drawn_takes_no_colour_of_one_that_nobody_chose(drawing, tool, own):
     """It took that of the first object of the file."""
     before = drawing.session.document.curves
-    assert drawn_with(drawing, tool) == replace(PLAIN_STYLE, width=0.3)
+    assert drawn_with(drawing, tool) == replace(LINE, width=0.3)
     drawing.escape()
     drawing.escape()
     first, last = (replace(each.style, width=each.style.width or 0.3) for each in before)
@@ -164,7 +165,7 @@ def test_nor_of_one_that_nobody_can_choose(editor):
     assert editor.session.model.style == PLAIN_STYLE
 
 
-def test_a_text_begins_in_ink_whatever_was_chosen_last(drawing):
+def test_a_text_begins_in_black_whatever_was_chosen_last(drawing):
     def written():
         drawing.trigger("textTool")
         drawing.click((6, 15))
@@ -178,9 +179,9 @@ def test_a_text_begins_in_ink_whatever_was_chosen_last(drawing):
         drawing.trigger("selectTool")
         return style.fill, style.stroke
 
-    assert written() == ("", "none")
+    assert written() == ("#000000", "none")
     drawing.session.selected.choose({1})
-    assert written() == ("", "none")
+    assert written() == ("#000000", "none")
 
 
 def test_all_of_the_page_is_in_sight_and_of_the_curves_and_fit_shows_the_curves_alone(drawing):

@@ -8,12 +8,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
-from app.document.style import PLAIN_STYLE
+from app.document.style import LineCap, LineJoin, Style
 from app.features.text.commands import TextCommands
 
 BLUE, RED = "#0000ff", "#ff0000"
-LINE = replace(PLAIN_STYLE, width=0.3)
-TEXT = replace(LINE, fill="", stroke="none")
+LINE = Style(stroke="#000000", cap=LineCap.BUTT, join=LineJoin.MITER, width=0.3)
+TEXT = Style(fill="#000000", stroke="none", width=0.3)
 
 
 @pytest.fixture
@@ -105,7 +105,7 @@ def test_a_style_set_while_a_tool_is_in_use_is_that_of_what_it_draws(drawing):
     assert shown(drawing) == ("The next line", "none")
     style_set(drawing, "strokePaintHex", RED)
     drawing.trigger("textTool")
-    assert shown(drawing) == ("The next text", "ink")
+    assert shown(drawing) == ("The next text", "#000000")
     style_set(drawing, "fillPaintHex", RED)
     assert drawing.session.undo_stack.count() == steps
     assert line(drawing, 20) == replace(LINE, stroke=RED)

@@ -13,7 +13,8 @@ from app.appearance.colours import point_colours
 from app.appearance.theme import DARK, LIGHT, PRINTED, PRINTED_IN_DARK, ThemeMode
 from app.document.model import Axis, Document, Guide, Page, make_curve
 from app.document.paper import DocumentKind, kind_of
-from app.document.style import Style
+from app.document.style import INK, Style
+from app.document.style_edits import with_style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.export_commands import ExportCommands
@@ -284,6 +285,8 @@ def test_in_the_dark_only_the_paper_is_light_and_ink_is_black_wherever_it_is_sho
     try:
         editor.trigger("rectangleTool")
         editor.drag((50, 200), (90, 240))
+        editor.session.change("Ink", lambda document: with_style(document, [0], stroke=INK))
+        editor.settle()
         canvas = editor.window.canvas
         picture, corner = canvas.grab().toImage(), canvas.camera.origin.toPoint()
         ratio = picture.devicePixelRatio()

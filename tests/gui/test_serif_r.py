@@ -76,7 +76,7 @@ def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sh
     # It is chosen, and lies where the letter is drawn: locked it is out of the way.
     (placed,) = sheet.session.document.curves
     assert isinstance(placed.form, Picture)
-    hands.press(Key.Key_L, CTRL)
+    hands.press(Key.Key_L, ALT)
     # Nothing snaps to the page.
     hands.press(Key.Key_Percent)
     trace(hands, OUTER)

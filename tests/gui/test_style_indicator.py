@@ -38,15 +38,15 @@ def click(editor, name):
 
 def test_what_is_chosen_with_nothing_chosen_is_seen_and_drawn(paper):
     assert button(paper).isVisible()
-    assert button(paper).toolTip().startswith("What is drawn next: fill none · stroke ink")
+    assert button(paper).toolTip().startswith("What is drawn next: fill none · stroke #000000")
     paper.trigger("showStyle")
     click(paper, "fillPaint_Blue")
-    assert button(paper).toolTip().startswith(f"What is drawn next: fill {BLUE} · stroke ink")
+    assert button(paper).toolTip().startswith(f"What is drawn next: fill {BLUE} · stroke #000000")
     assert colours(paper)[0] == BLUE
     paper.trigger("rectangleTool")
     paper.drag((20, 20), (60, 60))
     assert paper.curve.style.fill == BLUE
-    assert button(paper).toolTip().startswith(f"Rectangle 1: fill {BLUE} · stroke ink")
+    assert button(paper).toolTip().startswith(f"Rectangle 1: fill {BLUE} · stroke #000000")
 
 
 def test_what_was_styled_last_is_drawn_next_and_a_line_has_its_own(paper):
@@ -62,7 +62,7 @@ def test_what_was_styled_last_is_drawn_next_and_a_line_has_its_own(paper):
     paper.escape()
     paper.escape()
     paper.trigger("addTool")
-    assert button(paper).toolTip().startswith("The next line: fill none · stroke ink")
+    assert button(paper).toolTip().startswith("The next line: fill none · stroke #000000")
 
 
 def test_of_several_it_says_that_they_differ(paper):
@@ -76,7 +76,7 @@ def test_of_several_it_says_that_they_differ(paper):
     paper.trigger("selectTool")
     paper.session.selected.choose([0, 1])
     paper.settle()
-    assert "fill mixed · stroke ink" in button(paper).toolTip()
+    assert "fill mixed · stroke #000000" in button(paper).toolTip()
 
 
 def test_a_click_opens_the_panel_and_a_sketch_has_none(paper):

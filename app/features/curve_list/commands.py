@@ -222,7 +222,7 @@ class CurveListCommands:
         "Ctrl+L",
         "lock",
         full_name="Curve Locked",
-        drawing_key="",
+        drawing_key="Alt+L",
         checked=lambda now: now.view.source.locked,
     )
     @also(CURVE_MENU(22), CHOSEN_MENU(51), CURVE_LIST_MENU(13))
