@@ -523,9 +523,9 @@ def paper(editor):
 
 
 def off_grid(editor, x, y):
-    """A place a few pixels beside a crossing of the visible grid, and that crossing."""
-    step = editor.window.canvas.tools.grid()
-    at = (grid_value(x, step), grid_value(y, step))
+    """A place a few pixels beside a crossing of the grid, which begins at the top of the page, and that."""
+    step, page = editor.window.canvas.tools.grid(), editor.session.document.page
+    at = (grid_value(x, step), page.y + page.height - grid_value(page.y + page.height - y, step))
     return near(editor, at), at
 
 
