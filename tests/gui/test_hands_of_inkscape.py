@@ -154,3 +154,12 @@ def test_a_double_click_enters_a_group_and_in_it_the_next_edits(paper):
     paper.double_click((110, 20))
     assert selected.is_editing
     assert paper.session.active_index == 1
+
+
+def test_ctrl_alt_click_on_a_line_inserts_a_point_there(paper):
+    paper.session.selected.choose([0])
+    paper.session.selected.edit_chosen()
+    paper.click((40, 20), keys=ALT | Qt.KeyboardModifier.ControlModifier)
+    assert len(paper.curve.points) == 5
+    (index,) = paper.session.selection
+    assert paper.point(index) == pytest.approx((40, 20), abs=2 * paper.pixel)
