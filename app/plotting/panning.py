@@ -40,7 +40,7 @@ class Panning:
         means_it = event.button() == Qt.MouseButton.MiddleButton or (
             event.button() == Qt.MouseButton.LeftButton and self._space_down
         )
-        self._was_used |= means_it
+        self._was_used |= means_it and self._space_down
         if means_it and not self.is_active:
             self._from, self._button = event.position(), event.button()
             self._viewport.setCursor(Qt.CursorShape.ClosedHandCursor)
@@ -73,10 +73,8 @@ class Panning:
         if event.key() != Qt.Key.Key_Space or event.isAutoRepeat():
             return False
         is_tap = self._space_down and not down and not self._was_used and self._since.elapsed() < _TAP_MS
-        if down:
-            self._was_used = False
-            self._since.start()
-        self._space_down = down
+        self._since.start()
+        self._space_down, self._was_used = down, False
         self._show_cursor()
         return is_tap
 

@@ -6,10 +6,10 @@ from msgspec.structs import replace
 
 from ..document.clones import words_of_clones
 from ..document.contents import is_content, refusal_of
-from ..document.paper import object_word
+from ..document.paper import DocumentKind, kind_of, object_word
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
-from ..document.shape_edits import pressed
+from ..document.shape_edits import entered, pressed
 from ..document.shapes import shape_of, whole_shapes
 from ..document.texts import text_around
 from . import hints
@@ -121,6 +121,8 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
         if text_around(host.document, hit.index):
             return f"{click}Double-click to edit its words · Shift: one axis, a click takes it out"
         edit = "" if is_whole else f"Double-click to edit “{name}” · "
+        if _entered(context, hit):
+            edit = f"Double-click to choose within “{name}” · "
         return f"{click}{edit}Shift: one axis, a click takes it out"
     later = "" if is_editing or is_whole else ", double-click to edit it"
     return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
@@ -186,6 +188,10 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
     elif _opens_text(context, hit):
         context.surface.open_text(hit.index, context.pointer.position)
         return
+    elif context.pointer.is_double and (inner := _entered(context, hit)):
+        selected.choose(inner)
+        host.say(f"{chosen_curves(host)}, within its group; Escape, and a click chooses that again.")
+        return
     elif selected.is_editing or context.pointer.is_double:
         edit_curve(context, hit.index)
         return
@@ -205,6 +211,15 @@ def _opens_text(context: ToolContext, hit: Hit) -> bool:
         return False
     letters = frozenset(text_around(host.document, hit.index))
     return bool(letters) and letters <= _meant(context, hit)
+
+
+def _entered(context: ToolContext, hit: Hit) -> frozenset[int]:
+    """Return what a double click chooses in a group that is chosen whole; on a page alone, else nothing."""
+    host, pointer = context.host, context.pointer
+    is_drawing = kind_of(host.document) is DocumentKind.DRAWING
+    if pointer.ctrl or host.selected.is_editing or not is_drawing:
+        return frozenset()
+    return entered(host.document, hit.index, host.selected.choice)
 
 
 def _turns_grips(context: ToolContext, hit: Hit) -> bool:

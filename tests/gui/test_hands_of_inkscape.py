@@ -135,3 +135,31 @@ def test_on_a_page_words_are_of_objects_and_of_what_they_are(paper):
     assert paper.status == "No object is chosen."
     paper.new()
     assert paper.action("selectAllCurves").text() == "Select All Curves"
+
+
+def test_a_double_click_enters_a_group_and_in_it_the_next_edits(paper):
+    """It edited the points of the rectangle at once."""
+    paper.session.selected.choose([0, 1])
+    paper.trigger("groupCurves")
+    paper.session.selected.choose([0, 1, 2])
+    paper.trigger("groupCurves")
+    paper.session.selected.choose([])
+    selected = paper.session.selected
+    paper.double_click((40, 20))
+    assert (selected.chosen, selected.is_editing) == ({0, 1}, False)
+    paper.double_click((40, 20))
+    assert (selected.chosen, selected.is_editing) == ({0}, False)
+    paper.click((110, 20))
+    assert selected.chosen == {1}
+    paper.double_click((110, 20))
+    assert selected.is_editing
+    assert paper.session.active_index == 1
+
+
+def test_ctrl_alt_click_on_a_line_inserts_a_point_there(paper):
+    paper.session.selected.choose([0])
+    paper.session.selected.edit_chosen()
+    paper.click((40, 20), keys=ALT | Qt.KeyboardModifier.ControlModifier)
+    assert len(paper.curve.points) == 5
+    (index,) = paper.session.selection
+    assert paper.point(index) == pytest.approx((40, 20), abs=2 * paper.pixel)

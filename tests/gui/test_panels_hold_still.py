@@ -81,3 +81,10 @@ def test_the_colour_stays_under_the_pointer_when_the_fill_becomes_a_gradient(pap
     kept = {name for name in before if name.startswith(("fillKind", "fillPaint"))}
     assert len(kept) > 12
     assert moved(before, after).isdisjoint(kept)
+
+
+def test_neither_panel_scrolls_sideways(paper):
+    """With a fifth word for kinds of paint the Style panel was 390 pixels wide, and it has 336."""
+    for panel in ("styleDock", "transformDock"):
+        area = paper.window.findChild(QWidget, panel).findChild(QScrollArea)
+        assert area.horizontalScrollBar().maximum() == 0, panel

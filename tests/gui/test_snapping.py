@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
@@ -523,9 +523,9 @@ def paper(editor):
 
 
 def off_grid(editor, x, y):
-    """A place a few pixels beside a crossing of the visible grid, and that crossing."""
-    step = editor.window.canvas.tools.grid()
-    at = (grid_value(x, step), grid_value(y, step))
+    """A place a few pixels beside a crossing of the grid, which begins at the top of the page, and that."""
+    step, page = editor.window.canvas.tools.grid(), editor.session.document.page
+    at = (grid_value(x, step), page.y + page.height - grid_value(page.y + page.height - y, step))
     return near(editor, at), at
 
 
@@ -563,6 +563,10 @@ def test_a_guide_and_an_object_that_is_moved_snap_to_the_grid_of_a_page(paper):
     end, at = off_grid(paper, 60, 240)
     paper.drag(held, end)
     assert at in places(paper)
+    canvas, (end, at) = paper.window.canvas, off_grid(paper, 130, 100)
+    ruler = QPoint(canvas.to_pixel(*end).x(), int(canvas.camera.origin.y()) - 10)
+    paper.drag_pixels(canvas, ruler, canvas.to_pixel(*end))
+    assert [guide.position for guide in paper.session.document.guides] == [at[1]]
 
 
 def test_what_snaps_is_chosen_beside_the_magnet_and_remembered_for_drawings(paper):

@@ -12,6 +12,7 @@ from ...appearance.swatches import paints_picture
 from ...appearance.theme import LIGHT, Theme
 from ...appearance.themed import FollowsTheme
 from ...document.style import GRADIENTS, NO_PAINT, Style
+from ...qt.labels import tip_of
 from ...widgets.boxes import row_of
 from ...widgets.controls import named
 from ...widgets.percent_field import MIXED
@@ -56,10 +57,10 @@ class StyleIndicator(FollowsTheme, QWidget):
         styles = {*shown.styles}
         looks = (_common(styles, "fill"), _common(styles, "stroke"))
         words = " · ".join(f"{paint} {_words(styles, paint)}" for paint in GRADIENTS)
-        tip = f"{shown.words}: {words}; a click opens the Style panel"
-        if tip != self._button.toolTip():
-            self._button.setToolTip(tip)
-            self._button.setAccessibleName(tip.partition(";")[0])
+        told = f"{shown.words}: {words}"
+        if told != self._button.accessibleName():
+            self._button.setAccessibleName(told)
+            self._button.setToolTip(tip_of(f"{told}; a click opens the Style panel"))
         if (looks, paper) != (self._looks, self._paper):
             self._looks, self._paper = looks, paper
             self._draw()

@@ -190,7 +190,8 @@ class SelectTool(Tool):
         self._pressed = (context.view, hit)
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
         inserting = partial(insert_at, host, hit.t)
-        click = inserting if is_second else partial(click_segment, host, hit, pointer)
+        inserts = is_second or (pointer.ctrl and pointer.alt)
+        click = inserting if inserts else partial(click_segment, host, hit, pointer)
         context.drags.press(pointer, unless_locked(context, bend), on_click=click)
 
     def _line_clicked_twice(self, context: ToolContext) -> Hit | None:
@@ -340,7 +341,7 @@ SELECT = ToolRecord(
         GestureRow("Click a small ring", "select a point of another curve of the shape, as any other"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
-        GestureRow("Click the curve", "select both ends of the segment; Shift: too; double click: insert"),
+        GestureRow("Click the curve", "select both ends; Shift: too; double click, Ctrl+Alt+click: insert"),
         GestureRow(
             "Drag inside the box", "move all in it; Shift+drag: rubber band", selected=True, curves=True
         ),
