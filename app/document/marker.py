@@ -20,6 +20,7 @@ class MarkerKind(NamedEnum):
     OPEN = "open", "Chevron"
     DOT = "dot", "Dot"
     SQUARE = "square", "Square"
+    DIAMOND = "diamond", "Diamond"
     BAR = "bar", "Bar"
 
 
@@ -61,6 +62,7 @@ RINGS: Final[dict[MarkerKind, Ring]] = {
     ),
     MarkerKind.DOT: _disc(1.75),
     MarkerKind.SQUARE: _polygon((1.5, 1.5), (-1.5, 1.5), (-1.5, -1.5), (1.5, -1.5)),
+    MarkerKind.DIAMOND: _polygon((2.1, 0.0), (0.0, 2.1), (-2.1, 0.0), (0.0, -2.1)),
     MarkerKind.BAR: _polygon((0.5, 2.5), (-0.5, 2.5), (-0.5, -2.5), (0.5, -2.5)),
 }
 """Outlines in widths of the line: the end is the origin, and x runs on as the line would.

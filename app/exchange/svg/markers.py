@@ -19,6 +19,7 @@ _STOCK = {
     r"RoundedArrow": MarkerKind.ARROW,
     r"Dot[LMS]?": MarkerKind.DOT,
     r"Square[LMS]?": MarkerKind.SQUARE,
+    r"Diamond[LMS]?": MarkerKind.DIAMOND,
     r"Stop[LMS]?": MarkerKind.BAR,
 }
 """Inkscape's names, without the end that they are for."""
