@@ -201,7 +201,10 @@ class Lettering(_Content, frozen=True):
     along: Along | None = None
 
     noun, icon = "text", "type"
-    fields = (*_Content.fields, FormField("start", "Start", "Where along its path it begins"))
+    fields = (
+        *_Content.fields,
+        FormField("start", "Start", "Where along its path it begins", share="start_share"),
+    )
 
     @property
     def inner(self) -> Inner:
@@ -241,6 +244,8 @@ class Lettering(_Content, frozen=True):
         """Return the text with a number that was typed: words that fill a frame wrap anew."""
         if name == "start" and self.along is not None:
             return replace(self, along=replace(self.along, start=value / self._unit, is_share=False))
+        if name == "start_share" and self.along is not None:
+            return replace(self, along=replace(self.along, start=value, is_share=True))
         if self.flow is None or value <= 0:
             return super().with_number(name, value)
         if name == "width":
@@ -265,8 +270,15 @@ class Lettering(_Content, frozen=True):
             return 0.0
         return self._unit * (along.start * along.length if along.is_share else along.start)
 
+    @property
+    def start_share(self) -> float:
+        """The same as a share of the length of its path."""
+        return self.along.start if self.along is not None and self.along.is_share else 0.0
+
     def has_number(self, name: str) -> bool:
-        """Whether it has a number: where it begins only along a path."""
+        """Whether it has a number: where it begins only along a path, as a share if that is kept so."""
+        if name == "start_share":
+            return self.along is not None and self.along.is_share
         return name != "start" or self.along is not None
 
     @property

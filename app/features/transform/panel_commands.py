@@ -213,7 +213,9 @@ class TransformPanelCommands(QObject):
         what = f"{field.words[0].lower()}{field.words[1:]}"
         if len(forms) > 1:
             what = f"{field.label} of {len(forms)} {type(next(iter(forms.values()))).noun}s"
-        shown = self._length(value) if field.is_length else number(value)
+        is_share = field.name in {each.share for form in forms.values() for each in form.fields}
+        plain = f"{number(100 * value)}%" if is_share else number(value)
+        shown = self._length(value) if field.is_length else plain
         self._change(f"Set {what} to {shown}", edit)
 
     def _place(self, axis: int, value: float) -> None:
