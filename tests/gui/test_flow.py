@@ -6,12 +6,12 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.canvas import content_ink
 from app.document.content import Anchor
 from app.document.contents import corners_of
-from app.document.wrapping import is_overset, laid_out
+from app.document.wrapping import is_overset, laid_out, words_without_room
 from app.features.text.commands import TextCommands
 from app.qt.contents import painted_letters
 from app.qt.glyphs import weights_of
@@ -180,11 +180,19 @@ def test_words_without_room_are_kept_and_the_frame_tells(drawing, monkeypatch):
     assert is_overset(text_of(drawing))
     assert "".join(lines_of(drawing)) == WORDS
     assert told
+    many = words_without_room(text_of(drawing))
+    assert 0 < many < len(WORDS.split())
+    sentence = f"{many} words do not fit into the frame."
+    assert sentence in drawing.window.status_line.text
+    drawing.trigger("openTransform")
+    problem = drawing.window.findChild(QLabel, "transformProblem")
+    assert problem.text() == f"⚠ {sentence}"
     drawing.drag((25, 45), (58, 10))
     told.clear()
     drawing.window.context.central.canvas.viewport().grab()
     assert not is_overset(text_of(drawing))
     assert not told
+    assert not problem.isVisible()
 
 
 def test_lines_flow_into_a_frame_or_a_rectangle_and_back(drawing):
