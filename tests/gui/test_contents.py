@@ -552,3 +552,27 @@ def test_no_panel_takes_its_frame_for_a_curve(drawing):
     drawing.click((80, 55))
     assert session.document.curves[TEXT].form is not None
     assert len(session.document.curves) == 4
+
+
+def test_circles_that_are_combined_become_a_path_as_one_circle_does(open_drawing):
+    """They were refused: “Choose a text, or a shape such as a rectangle.”"""
+    circle = '<circle cx="{}" cy="30" r="{}"/>'
+    editor = open_drawing(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
+        f"{circle.format(30, 20)}{circle.format(45, 10)}{circle.format(80, 5)}</svg>"
+    )
+    session = editor.session
+    session.selected.choose({0, 1})
+    editor.trigger("combineCurves")
+    before = session.document
+    session.selected.choose({1})
+    editor.trigger("objectToPath")
+    assert editor.status == "Shape 1 is a path now."
+    assert [curve.form is None for curve in session.document.curves] == [True, True, False]
+    assert [curve.shape for curve in session.document.curves] == ["Shape 1", "Shape 1", ""]
+    assert [curve.points for curve in session.document.curves] == [curve.points for curve in before.curves]
+    editor.trigger("breakApart")
+    assert [curve.form is None for curve in session.document.curves] == [True, True, False]
+    session.selected.choose({2})
+    editor.trigger("objectToPath")
+    assert session.document.curves[2].form is None
