@@ -97,7 +97,9 @@ class TextRun(Value, frozen=True):
     underline, strike
         Whether there is a line under it, and through it.
     right, down
-        By how much it is moved from where it would follow.
+        By how much it is moved from where it would follow, and what follows with it.
+    raised
+        By how much it alone lies above the line.
     paint
         How it is painted; None for the style of the text.
     """
@@ -114,6 +116,7 @@ class TextRun(Value, frozen=True):
     word_spacing: float = 0.0
     underline: bool = False
     strike: bool = False
+    raised: float = 0.0
 
     def resized(self, by: float) -> TextRun:
         """Return the run so many times as large, with its ways and spaces; its paint stays."""
@@ -121,7 +124,7 @@ class TextRun(Value, frozen=True):
         return replace(self, **lengths)
 
 
-_LENGTHS: Final = ("size", "spacing", "word_spacing", "right", "down")
+_LENGTHS: Final = ("size", "spacing", "word_spacing", "right", "down", "raised")
 """The fields of a run that are in units of its text."""
 
 
@@ -348,7 +351,8 @@ def rough_box(lines: Iterable[TextLine]) -> Inner:
         x, y, low, high = 0.0, line.y, line.y, line.y
         for run in line.runs:
             x, y = x + run.right, y + run.down
-            low, high = min(low, y - _ASCENT * run.size), max(high, y + _DESCENT * run.size)
+            own = y - run.raised
+            low, high = min(low, own - _ASCENT * run.size), max(high, own + _DESCENT * run.size)
             x += rough_length(run)
         left = line.x - x * line.anchor.share
         boxes.append((left, low, left + max(x, 1e-6), high))

@@ -160,7 +160,7 @@ def placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
     found, x, y = list[tuple[TextRun, Vector]](), 0.0, 0.0
     for run in line.runs:
         x, y = x + run.right, y + run.down
-        found.append((run, (x, y)))
+        found.append((run, (x, y - run.raised)))
         x += QFontMetricsF(font_of(run)).horizontalAdvance(run.words) * run.size / EM
     # What follows the last letter is none of the text: so Inkscape has it.
     x -= line.runs[-1].spacing if line.runs else 0.0

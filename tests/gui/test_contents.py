@@ -576,3 +576,23 @@ def test_circles_that_are_combined_become_a_path_as_one_circle_does(open_drawing
     session.selected.choose({2})
     editor.trigger("objectToPath")
     assert session.document.curves[2].form is None
+
+
+def test_chosen_letters_become_superscripts_and_subscripts_and_are_letters_again(writing):
+    editor, field = writing
+    size = begun_runs(editor)[0].size
+    choose_letters(field, 2, 1)
+    QTest.mouseClick(field.superscript, Qt.MouseButton.LeftButton)
+    small = begun_runs(editor)[1]
+    assert (small.size, small.raised) == (pytest.approx(0.65 * size), pytest.approx(0.4 * size))
+    assert {run.raised for run in begun_runs(editor) if run is not small} == {0.0}
+    assert (field.superscript.isChecked(), field.subscript.isChecked()) == (True, False)
+    QTest.mouseClick(field.subscript, Qt.MouseButton.LeftButton)
+    small = begun_runs(editor)[1]
+    assert (small.size, small.raised) == (pytest.approx(0.65 * size), pytest.approx(-0.2 * size))
+    QTest.mouseClick(field.subscript, Qt.MouseButton.LeftButton)
+    assert begun_runs(editor)[1].size == pytest.approx(size)
+    assert {run.raised for run in begun_runs(editor)} == {0.0}
+    choose_letters(field, 0, 1)
+    assert not field.superscript.isChecked()
+    finish(editor)

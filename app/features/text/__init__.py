@@ -4,7 +4,8 @@
   ``font_box``: its fonts.  ``first_size``: that of the first one.
   ``words_edit``: the letters, each with its look; ``words_on_page``: keys, clicks and the caret where they
   are drawn; ``caret``: where it stands in what is typed.  ``remarks``: what is said of that.
-- ``letter_paint``: colours for them.  ``weight_box``: weights that their font has.  ``size_box``: their size.
+- ``letter_paint``: colours for them.  ``letter_button``: their looks.  ``raised``: above and below the line.
+  ``weight_box``: weights that their font has.  ``size_box``: their size.
 - ``setting_row``: alignment, and spaces between letters and lines.
 - ``type_commands``, ``type_bar``: font and size of all texts that are chosen.
 - ``outline_commands``, ``outlined``: texts of opened drawings made into outlines.
