@@ -504,7 +504,7 @@ def test_a_font_that_is_pointed_at_is_seen_in_the_chosen_letters_and_forgotten(w
     choose_letters(field, 0, 5)
     field.font_box.setFocus()
     field.font_box.showPopup()
-    QTest.keyClick(field.font_box.view(), Qt.Key.Key_Up)
+    QTest.keyClick(field.font_box.view(), Qt.Key.Key_Down)
     fonts = [run.font for run in editor.session.document.curves[0].form.lines[0].runs]
     assert fonts[0] != fonts[1] == fonts[3] == ("Curvebench Blocks",)
     QTest.keyClick(field.font_box.view(), Qt.Key.Key_Escape)

@@ -1,7 +1,7 @@
 """Texts: words are typed on the canvas; in sketches the outlines of their letters become shapes.
 
 - ``commands``: the preview and the step of the history.  ``field``: what is asked beside the text;
-  ``font_box``: its fonts.  ``first_size``: that of the first one.
+  ``font_box``: its fonts, ``fonts_before``: those offered first.  ``first_size``: that of the first one.
   ``words_edit``: the letters, each with its look; ``words_on_page``: keys, clicks and the caret where they
   are drawn; ``caret``: where it stands in what is typed.  ``remarks``: what is said of that.
 - ``letter_paint``: colours for them.  ``letter_button``: their looks.  ``raised``: above and below the line.

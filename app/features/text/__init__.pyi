@@ -4,6 +4,7 @@ from . import caret as caret
 from . import field as field
 from . import first_size as first_size
 from . import flowing as flowing
+from . import fonts_before as fonts_before
 from . import letter_paint as letter_paint
 from . import letters as letters
 from . import outlined as outlined
