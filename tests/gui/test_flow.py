@@ -336,3 +336,25 @@ def test_a_weight_that_the_font_has_is_chosen_for_letters(drawing):
         for weight in (200.0, 400.0)
     )
     assert light != regular
+
+
+def test_the_caret_stays_where_what_is_seen_ends_and_the_view_with_it(drawing):
+    """It went on below the frame, and the view followed it to where nothing is."""
+    write(drawing, to=(25, 45))
+    words, shown = field(drawing).words, drawing.window.canvas.camera
+    drawing.settle()
+    seen = laid_out(text_of(drawing)).seen
+    assert 0 < seen < len(lines_of(drawing))
+    left, low, right, top = box_of(drawing)
+    caret = words.caret
+    (x, y), (_, lower) = map(shown.to_plane, (caret.p1(), caret.p2()))
+    # A blank at the end of a line reaches beyond.
+    assert left < x <= right + 2
+    assert low - 1 < lower < y <= top + 1
+    QTest.keyClick(words, Qt.Key.Key_Home, Qt.KeyboardModifier.ControlModifier)
+    assert shown.to_plane(words.caret.p1())[0] == pytest.approx(left, abs=0.2)
+    # What is typed there is in sight, and pushes others out.
+    many = words_without_room(text_of(drawing))
+    QTest.keyClicks(words, "more and more ")
+    assert words_without_room(text_of(drawing)) > many
+    assert lines_of(drawing)[0].startswith("more")
