@@ -72,6 +72,13 @@ def test_enter_takes_the_first_and_what_is_no_font_is_none(box):
     assert (box.family, box.currentText()) == ("DejaVu Serif", "DejaVu Serif")
 
 
+def test_a_name_that_stands_for_another_font_is_shown_as_it_is_kept(box):
+    """“Noto Sans Mono” was shown, and “Monospace” written."""
+    for family in ("Monospace", "No Such Font", "DejaVu Serif"):
+        box.take(family)
+        assert (box.family, box.currentText()) == (family, family)
+
+
 def test_some_are_listed_before_all_others_once(box):
     before = listed(box)
     box.offer_first(["DejaVu Serif", "No Such Font", "DejaVu Sans Mono", "DejaVu Serif"])

@@ -80,6 +80,10 @@ class FontBox(Guarded, QFontComboBox):
         with QSignalBlocker(self):
             self.setCurrentFont(QFont(self._family))
         self._name_each_once()
+        # Of a name that stands for another font Qt shows that one.
+        if self._family and self.currentText() != self._family:
+            with QSignalBlocker(self):
+                self.setEditText(self._family)
         self._pointed_at = ""
         if (line := self.lineEdit()) is not None:
             # Of a long name the beginning is seen.
