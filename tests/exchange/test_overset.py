@@ -6,7 +6,9 @@ import shutil
 import subprocess
 import xml.etree.ElementTree as ET
 
+import numpy as np
 import pytest
+from PySide6.QtGui import QImage
 
 from app.document.contents import corners_of
 from app.document.wrapping import laid_out, lines_of, words_about_room, words_without_room
@@ -81,3 +83,31 @@ def test_one_word_is_one_and_blanks_are_none():
     )
     assert words_about_room(read(drawing(70, words="One two three four five six \n\n")).form) == ""
     assert not laid_out(read(drawing(70, words="One two three four five six\n\n")).form).is_overset
+
+
+def last_row(program, text, folder):
+    """How far down a picture of a drawing of 400 there is ink."""
+    (folder / "a.svg").write_text(text)
+    background = ["-b", "white"] if program == "rsvg-convert" else ["--export-background=white"]
+    command = [program, folder / "a.svg", "-o", folder / "a.png", *background]
+    subprocess.run(command, check=True, capture_output=True, timeout=60)
+    image = QImage(str(folder / "a.png")).convertToFormat(QImage.Format.Format_Grayscale8)
+    rows = np.frombuffer(bytes(image.constBits()), np.uint8).reshape(image.height(), -1)
+    return np.nonzero((rows[:, : image.width()] < 128).any(axis=1))[0].max() * 400 / image.height()
+
+
+@pytest.mark.parametrize("program", ["inkscape", "rsvg-convert"])
+def test_programs_show_of_what_is_written_what_has_room(program, tmp_path):
+    """Those who wrap no words, as browsers, showed all, down to 169."""
+    if shutil.which(program) is None:
+        pytest.skip(f"{program} is not installed")
+    document = read_svg(drawing(70).encode()).document
+    written = svg_of(document).text
+    # The third line, “five six”, has nothing below its baseline.
+    assert last_row(program, written, tmp_path) == pytest.approx(64.2, abs=1)
+    if program == "inkscape":
+        # Given more room it shows all.
+        more = written.replace('height="70"', 'height="300"')
+        assert last_row(program, more, tmp_path) == pytest.approx(164.2, abs=1)
+    again = read_svg(written.encode()).document
+    assert again.curves[0].form.lines == document.curves[0].form.lines

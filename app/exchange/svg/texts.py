@@ -122,8 +122,10 @@ class Texts:
         if on is None and room is None and tag_of(element) != "text":
             return None
         if on is None:
-            ends = room is not None
-            all_of_it = _collapsed(self._letters(element, state.properties, (element,), 0.0), keeps_ends=ends)
+            # In a frame what is hidden is what has no room there, to those who wrap no words.
+            passed = "visibility" if room is not None and room.frame is not None else ""
+            found = self._letters(element, state.properties, (element,), 0.0, passed=passed)
+            all_of_it = _collapsed(found, keeps_ends=room is not None)
         else:
             inner = state.properties.entered(self._elements.declared(on.element))
             all_of_it = _collapsed(self._letters(on.element, inner, (element, on.element), 0.0))
@@ -156,8 +158,15 @@ class Texts:
         return TextFound(form, first) if _is_within(box) else None
 
     def _letters(
-        self, element: ET.Element, properties: Properties, around: tuple[ET.Element, ...], raised: float
+        self,
+        element: ET.Element,
+        properties: Properties,
+        around: tuple[ET.Element, ...],
+        raised: float,
+        *,
+        passed: str = "",
     ) -> Iterator[_Letter]:
+        """Yield the letters within an element, whose spans do not count as declaring what is passed over."""
         white = properties.values["white-space"].lower()
         is_spaced = white.startswith("pre") or around[-1].get(_SPACE, around[0].get(_SPACE)) == "preserve"
 
@@ -171,12 +180,13 @@ class Texts:
                 yield _Letter("\n", properties, around, is_spaced=True, raised=raised)
             if tag_of(child) in _SPANS:
                 is_first = is_first and tag_of(child) not in PARAGRAPHS
-                declared = self._elements.declared(child)
+                said_there = self._elements.declared(child)
+                declared = {name: value for name, value in said_there.items() if name != passed}
                 inner = properties.entered(declared)
                 # Of one that is hidden as a whole all is, and it is a text still.
                 if inner.is_displayed or not properties.is_displayed:
                     shift = _raised(declared.get("baseline-shift", "0").lower(), inner, properties)
-                    yield from self._letters(child, inner, (*around, child), raised + shift)
+                    yield from self._letters(child, inner, (*around, child), raised + shift, passed=passed)
             yield from said(child.tail if tag_of(element) != FLOW_ROOT else None)
 
     # Places
