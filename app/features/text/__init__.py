@@ -8,6 +8,7 @@
   ``weight_box``: weights that their font has.  ``size_box``: their size.
 - ``setting_row``: alignment, and spaces between letters and lines.
 - ``type_commands``, ``type_bar``: font and size of all texts that are chosen.
+- ``replace_commands``, ``replace_bar``, ``replacing``: words of texts replaced by others.
 - ``outline_commands``, ``outlined``: texts of opened drawings made into outlines.
 - ``along_commands``, ``along``: texts of drawings put on paths, and taken off.
 - ``wording``: texts of drawings, which stay texts, written and edited.  ``flowing``, ``flow_commands``:

@@ -9,6 +9,8 @@ from . import letter_paint as letter_paint
 from . import letters as letters
 from . import outlined as outlined
 from . import remarks as remarks
+from . import replace_bar as replace_bar
+from . import replacing as replacing
 from . import rewriting as rewriting
 from . import type_bar as type_bar
 from . import wording as wording

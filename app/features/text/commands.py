@@ -34,6 +34,7 @@ from .. import text
 from .along_commands import AlongCommands
 from .flow_commands import FlowCommands
 from .outline_commands import OutlineCommands
+from .replace_commands import ReplaceCommands
 from .type_commands import TypeCommands
 
 _KEYS = "Enter: another line · Ctrl+Enter or a click elsewhere: "
@@ -392,4 +393,4 @@ def _slice(places: range) -> slice:
     return slice(places.start, places.stop)
 
 
-COMMAND_SETS = (TextCommands, TypeCommands, OutlineCommands, AlongCommands, FlowCommands)
+COMMAND_SETS = (TextCommands, TypeCommands, ReplaceCommands, OutlineCommands, AlongCommands, FlowCommands)
