@@ -166,6 +166,7 @@ CURVE_WALK = CURVE.section("Arrange", needs=NOTHING)
 
 TEXT = Menu("Text", interrupts=True, needs=CHOSEN)
 TEXT_WORDS = TEXT.section()
+TEXT_ALL = TEXT.section(is_separated=False, needs=NOTHING)
 TEXT_PATH = TEXT.section()
 TEXT_FRAME = TEXT.section()
 TEXT_OUTLINES = TEXT.section()

@@ -97,7 +97,9 @@ class TextRun(Value, frozen=True):
     underline, strike
         Whether there is a line under it, and through it.
     right, down
-        By how much it is moved from where it would follow.
+        By how much it is moved from where it would follow, and what follows with it.
+    raised
+        By how much it alone lies above the line.
     paint
         How it is painted; None for the style of the text.
     """
@@ -114,6 +116,7 @@ class TextRun(Value, frozen=True):
     word_spacing: float = 0.0
     underline: bool = False
     strike: bool = False
+    raised: float = 0.0
 
     def resized(self, by: float) -> TextRun:
         """Return the run so many times as large, with its ways and spaces; its paint stays."""
@@ -121,7 +124,7 @@ class TextRun(Value, frozen=True):
         return replace(self, **lengths)
 
 
-_LENGTHS: Final = ("size", "spacing", "word_spacing", "right", "down")
+_LENGTHS: Final = ("size", "spacing", "word_spacing", "right", "down", "raised")
 """The fields of a run that are in units of its text."""
 
 
@@ -201,7 +204,10 @@ class Lettering(_Content, frozen=True):
     along: Along | None = None
 
     noun, icon = "text", "type"
-    fields = (*_Content.fields, FormField("start", "Start", "Where along its path it begins"))
+    fields = (
+        *_Content.fields,
+        FormField("start", "Start", "Where along its path it begins", share="start_share"),
+    )
 
     @property
     def inner(self) -> Inner:
@@ -241,6 +247,8 @@ class Lettering(_Content, frozen=True):
         """Return the text with a number that was typed: words that fill a frame wrap anew."""
         if name == "start" and self.along is not None:
             return replace(self, along=replace(self.along, start=value / self._unit, is_share=False))
+        if name == "start_share" and self.along is not None:
+            return replace(self, along=replace(self.along, start=value, is_share=True))
         if self.flow is None or value <= 0:
             return super().with_number(name, value)
         if name == "width":
@@ -265,8 +273,15 @@ class Lettering(_Content, frozen=True):
             return 0.0
         return self._unit * (along.start * along.length if along.is_share else along.start)
 
+    @property
+    def start_share(self) -> float:
+        """The same as a share of the length of its path."""
+        return self.along.start if self.along is not None and self.along.is_share else 0.0
+
     def has_number(self, name: str) -> bool:
-        """Whether it has a number: where it begins only along a path."""
+        """Whether it has a number: where it begins only along a path, as a share if that is kept so."""
+        if name == "start_share":
+            return self.along is not None and self.along.is_share
         return name != "start" or self.along is not None
 
     @property
@@ -336,7 +351,8 @@ def rough_box(lines: Iterable[TextLine]) -> Inner:
         x, y, low, high = 0.0, line.y, line.y, line.y
         for run in line.runs:
             x, y = x + run.right, y + run.down
-            low, high = min(low, y - _ASCENT * run.size), max(high, y + _DESCENT * run.size)
+            own = y - run.raised
+            low, high = min(low, own - _ASCENT * run.size), max(high, own + _DESCENT * run.size)
             x += rough_length(run)
         left = line.x - x * line.anchor.share
         boxes.append((left, low, left + max(x, 1e-6), high))

@@ -51,6 +51,8 @@ class FormField(NamedTuple):
         Whether it may have a unit.
     limits
         The least and the largest that it can be; None for any length that there is.
+    share
+        Of a length: the name of the same as a share of a whole, which per cent set; empty without one.
     """
 
     name: str
@@ -58,6 +60,12 @@ class FormField(NamedTuple):
     words: str
     is_length: bool = True
     limits: tuple[float, float] | None = None
+    share: str = ""
+
+    @property
+    def as_share(self) -> FormField:
+        """The same as a share of a whole."""
+        return FormField(self.share, self.label, self.words, is_length=False)
 
 
 class Form(Value, frozen=True, tag_field="kind", tag=str.lower):

@@ -12,9 +12,13 @@ from msgspec.structs import replace
 
 from .content import Anchor, Inner, Lettering, TextLine, TextRun, rough_length
 from .flow import Flow
+from .words import count_of
 
 _ROOM = 1e-6
 """Of the width of a frame by which words may be wider: a frame may be as wide as they are."""
+
+_BELOW = 1 / 8
+"""Of an em by which a line may end below its frame and is shown: so Inkscape has it."""
 
 _LEAST_BLANK = 0.5
 """Of a blank that is counted: a line of one word has none."""
@@ -83,6 +87,8 @@ class Laid(NamedTuple):
         Where the first begins, and where the last ends.
     is_overset
         Whether they take more room than the frame has.
+    seen
+        How many of the lines have room in it; the others are not shown.
     """
 
     lines: tuple[TextLine, ...]
@@ -91,16 +97,36 @@ class Laid(NamedTuple):
     top: float
     bottom: float
     is_overset: bool
+    seen: int
 
 
 def lines_of(text: Lettering) -> tuple[TextLine, ...]:
-    """Return the lines of a text as they are seen."""
-    return text.lines if text.flow is None else laid_out(text).lines
+    """Return the lines of a text as they are seen: in a frame those that have room."""
+    if text.flow is None:
+        return text.lines
+    laid = laid_out(text)
+    return laid.lines[: laid.seen]
 
 
 def is_overset(text: Lettering) -> bool:
     """Whether not all words of a text fit into its frame."""
     return text.flow is not None and _measure.has_fonts() and laid_out(text).is_overset
+
+
+def words_without_room(text: Lettering) -> int:
+    """Return how many words of a text do not fit into its frame."""
+    if text.flow is None or not _measure.has_fonts():
+        return 0
+    laid = laid_out(text)
+    ends = zip(laid.lines[laid.seen :], laid.ends[laid.seen :], strict=True)
+    rest = "".join(line.words + (" " if is_end else "") for line, is_end in ends)
+    return len(rest.split())
+
+
+def words_about_room(text: Lettering) -> str:
+    """Return the sentence about words that do not fit into a frame; empty where all do."""
+    many = words_without_room(text)
+    return f"{count_of(many, 'word')} {'does' if many == 1 else 'do'} not fit into the frame." if many else ""
 
 
 def laid_out(text: Lettering) -> Laid:
@@ -110,9 +136,9 @@ def laid_out(text: Lettering) -> Laid:
 
 
 @lru_cache(maxsize=256)
-def _laid(paragraphs: tuple[TextLine, ...], flow: Flow, box: Inner, _has_fonts: bool) -> Laid:
+def _laid(paragraphs: tuple[TextLine, ...], flow: Flow, box: Inner, has_fonts: bool) -> Laid:
     left, top, right, bottom = box
-    width, y, widest = right - left, top, 0.0
+    width, y, widest, seen = right - left, top, 0.0, 0
     if flow.grows:
         first, _ = next(_broken(paragraphs[0], width))
         y = top = paragraphs[0].y - _heights(first, flow)[0]
@@ -127,9 +153,11 @@ def _laid(paragraphs: tuple[TextLine, ...], flow: Flow, box: Inner, _has_fonts: 
             stretches.append(stretch)
             ends.append(is_end)
             y, widest = y + above + below, max(widest, long)
-    room = _ROOM * width
-    is_overset = widest > width + room or (not flow.grows and y > bottom + room)
-    return Laid(tuple(lines), tuple(stretches), tuple(ends), top, y, is_overset)
+            has_room = y <= bottom + _BELOW * max(run.size for run in runs) + _ROOM * width
+            if seen == len(lines) - 1 and (flow.grows or not has_fonts or has_room):
+                seen = len(lines)
+    is_overset = widest > width * (1 + _ROOM) or any(line.words.strip() for line in lines[seen:])
+    return Laid(tuple(lines), tuple(stretches), tuple(ends), top, y, is_overset, seen)
 
 
 def _heights(runs: Sequence[TextRun], flow: Flow) -> tuple[float, float]:

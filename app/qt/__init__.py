@@ -11,6 +11,7 @@
 - ``contents``: texts and pictures in their frames.  ``picture_data``: what is in PNG and JPEG files.
 - ``run_fonts``: fonts of parts of a text, and what they measure.
 - ``letters_along``: letters along a course.  ``decorations``: lines under and through letters.
+- ``written``: letters as glyphs of fonts in a PDF.
 - ``caret_places``: where a caret stands between letters.
 - ``sources``: imports without a search through the source of every module.
 """

@@ -143,15 +143,22 @@ def places_of(text: Lettering, way: QTransform) -> CaretPlaces:
     """Return the places of a text whose units a way leads from; its lines may be without letters."""
     if text.along is not None:
         return CaretPlaces(list(_rows_along(text.lines, text.along, way)), is_bent=True)
-    lines, ends = text.lines, (True,) * len(text.lines)
+    lines, ends, seen = text.lines, (True,) * len(text.lines), len(text.lines)
     if text.flow is not None:
         laid = laid_out(text)
-        lines, ends = laid.lines, laid.ends
+        lines, ends, seen = laid.lines, laid.ends, laid.seen
     rows, start = list[Row](), 0
-    for line, is_end in zip(lines, ends, strict=True):
-        rows.append(tuple(_pieces(line, start, way)))
+    for at, (line, is_end) in enumerate(zip(lines, ends, strict=True)):
+        row = tuple(_pieces(line, start, way))
+        rows.append(row if at < max(seen, 1) else tuple(_hidden(row, rows[-1][-1])))
         start = rows[-1][-1].end + is_end
     return CaretPlaces(rows)
+
+
+def _hidden(row: Row, last: Piece) -> Iterator[Piece]:
+    """Yield a line that has no room: a caret in it stands where what is seen ends."""
+    for piece in row:
+        yield last._replace(start=piece.start, stops=(last.stops[-1],) * len(piece.stops))
 
 
 def _pieces(line: TextLine, start: int, way: QTransform) -> Iterator[Piece]:

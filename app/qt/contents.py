@@ -32,7 +32,7 @@ from ..document.style import Style
 from ..document.wrapping import laid_out, lines_of
 from . import glyphs
 from .decorations import Decoration, decorations_of
-from .glyphs import Cluster, Glyph, has_fonts
+from .glyphs import Cluster, Glyph, clusters_of, has_fonts
 from .letters_along import placed_letters
 from .picture_data import ImageFileError, decoded
 from .run_fonts import EM, font_of
@@ -93,7 +93,7 @@ def painted_letters(
         paths = (
             (run.paint, way.map(path))
             for run, cluster, way in placed
-            for path in (*(each.path for each in _with_cluster(run, cluster)), cluster.path)
+            for path in (*(each.path for each in decorated(run, (cluster,))), cluster.path)
         )
         return tuple((paint, path) for paint, path in paths if not path.isEmpty())
     runs = (each for line in lines for each in _seen_runs(line))
@@ -117,9 +117,22 @@ def _with_run(run: TextRun) -> Iterator[Decoration]:
     return decorations_of(run, font, 0.0, QFontMetricsF(font).horizontalAdvance(run.words))
 
 
-def _with_cluster(run: TextRun, cluster: Cluster) -> Iterator[Decoration]:
-    font = font_of(run)
-    return decorations_of(run, font, cluster.x, cluster.width + font.letterSpacing())
+def decorated(run: TextRun, clusters: Sequence[Cluster]) -> Iterator[Decoration]:
+    """Yield the lines that go with letters of a run that stand side by side."""
+    if not clusters:
+        return
+    font, first, last = font_of(run), clusters[0], clusters[-1]
+    yield from decorations_of(run, font, first.x, last.x + last.width + font.letterSpacing() - first.x)
+
+
+def clusters_in(text: Lettering) -> Iterator[tuple[TextRun, Sequence[Cluster], QTransform]]:
+    """Yield letters that lie alike, and the way from the pixels of their font to the units of the text."""
+    if text.along is not None:
+        for run, cluster, way in placed_letters(text.lines, text.along, font_of) if has_fonts() else ():
+            yield run, (cluster,), way
+        return
+    for run, place in (each for line in lines_of(text) for each in _seen_runs(line)):
+        yield run, clusters_of(run.words, font_of(run)), _way_of_run(run, place)
 
 
 def _runs_left(letter: str) -> bool:
@@ -147,7 +160,7 @@ def placed_runs(line: TextLine) -> list[tuple[TextRun, Vector]]:
     found, x, y = list[tuple[TextRun, Vector]](), 0.0, 0.0
     for run in line.runs:
         x, y = x + run.right, y + run.down
-        found.append((run, (x, y)))
+        found.append((run, (x, y - run.raised)))
         x += QFontMetricsF(font_of(run)).horizontalAdvance(run.words) * run.size / EM
     # What follows the last letter is none of the text: so Inkscape has it.
     x -= line.runs[-1].spacing if line.runs else 0.0
@@ -190,7 +203,7 @@ def _letters_on_course(
         whole = way * way_of(plane)
         # Outlines have y upwards, texts downwards.
         linear = np.array([[whole.m11(), whole.m12()], [-whole.m21(), -whole.m22()]])
-        found = [(each.name, (each.contour,)) for each in _with_cluster(run, cluster)]
+        found = [(each.name, (each.contour,)) for each in decorated(run, (cluster,))]
         for name, drawn in (*found, (cluster.letters, cluster.contours)):
             if contours := tuple(each @ linear + (whole.dx(), whole.dy()) for each in drawn):
                 yield Glyph(name, contours), lettered_style(style, run.paint, plane.scale)

@@ -138,7 +138,7 @@ def _rows(
     for run in line.runs:
         x, y, font = x + run.right, y + run.down, font_of(run)
         clusters = clusters_of(run.words, font)
-        found += [(run, each, x, y) for each in clusters]
+        found += [(run, each, x, y - run.raised) for each in clusters]
         if clusters:
             last = clusters[-1]
             x += (last.x + last.width + font.letterSpacing()) * run.size / font.pixelSize()

@@ -214,6 +214,9 @@ class Preferences:
     text_font = SavedText("text/font")
     """The family of the font that text was last written in; empty for none."""
 
+    text_fonts = SavedText("text/fonts")
+    """The families that were chosen last, a line for each."""
+
     text_bold = SwitchOfAction("text/bold", default=False)
     """Whether it was bold."""
 

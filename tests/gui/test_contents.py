@@ -504,7 +504,7 @@ def test_a_font_that_is_pointed_at_is_seen_in_the_chosen_letters_and_forgotten(w
     choose_letters(field, 0, 5)
     field.font_box.setFocus()
     field.font_box.showPopup()
-    QTest.keyClick(field.font_box.view(), Qt.Key.Key_Up)
+    QTest.keyClick(field.font_box.view(), Qt.Key.Key_Down)
     fonts = [run.font for run in editor.session.document.curves[0].form.lines[0].runs]
     assert fonts[0] != fonts[1] == fonts[3] == ("Curvebench Blocks",)
     QTest.keyClick(field.font_box.view(), Qt.Key.Key_Escape)
@@ -552,3 +552,47 @@ def test_no_panel_takes_its_frame_for_a_curve(drawing):
     drawing.click((80, 55))
     assert session.document.curves[TEXT].form is not None
     assert len(session.document.curves) == 4
+
+
+def test_circles_that_are_combined_become_a_path_as_one_circle_does(open_drawing):
+    """They were refused: “Choose a text, or a shape such as a rectangle.”"""
+    circle = '<circle cx="{}" cy="30" r="{}"/>'
+    editor = open_drawing(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">'
+        f"{circle.format(30, 20)}{circle.format(45, 10)}{circle.format(80, 5)}</svg>"
+    )
+    session = editor.session
+    session.selected.choose({0, 1})
+    editor.trigger("combineCurves")
+    before = session.document
+    session.selected.choose({1})
+    editor.trigger("objectToPath")
+    assert editor.status == "Shape 1 is a path now."
+    assert [curve.form is None for curve in session.document.curves] == [True, True, False]
+    assert [curve.shape for curve in session.document.curves] == ["Shape 1", "Shape 1", ""]
+    assert [curve.points for curve in session.document.curves] == [curve.points for curve in before.curves]
+    editor.trigger("breakApart")
+    assert [curve.form is None for curve in session.document.curves] == [True, True, False]
+    session.selected.choose({2})
+    editor.trigger("objectToPath")
+    assert session.document.curves[2].form is None
+
+
+def test_chosen_letters_become_superscripts_and_subscripts_and_are_letters_again(writing):
+    editor, field = writing
+    size = begun_runs(editor)[0].size
+    choose_letters(field, 2, 1)
+    QTest.mouseClick(field.superscript, Qt.MouseButton.LeftButton)
+    small = begun_runs(editor)[1]
+    assert (small.size, small.raised) == (pytest.approx(0.65 * size), pytest.approx(0.4 * size))
+    assert {run.raised for run in begun_runs(editor) if run is not small} == {0.0}
+    assert (field.superscript.isChecked(), field.subscript.isChecked()) == (True, False)
+    QTest.mouseClick(field.subscript, Qt.MouseButton.LeftButton)
+    small = begun_runs(editor)[1]
+    assert (small.size, small.raised) == (pytest.approx(0.65 * size), pytest.approx(-0.2 * size))
+    QTest.mouseClick(field.subscript, Qt.MouseButton.LeftButton)
+    assert begun_runs(editor)[1].size == pytest.approx(size)
+    assert {run.raised for run in begun_runs(editor)} == {0.0}
+    choose_letters(field, 0, 1)
+    assert not field.superscript.isChecked()
+    finish(editor)

@@ -6,12 +6,12 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.canvas import content_ink
 from app.document.content import Anchor
 from app.document.contents import corners_of
-from app.document.wrapping import is_overset, laid_out
+from app.document.wrapping import is_overset, laid_out, words_without_room
 from app.features.text.commands import TextCommands
 from app.qt.contents import painted_letters
 from app.qt.glyphs import weights_of
@@ -180,11 +180,19 @@ def test_words_without_room_are_kept_and_the_frame_tells(drawing, monkeypatch):
     assert is_overset(text_of(drawing))
     assert "".join(lines_of(drawing)) == WORDS
     assert told
+    many = words_without_room(text_of(drawing))
+    assert 0 < many < len(WORDS.split())
+    sentence = f"{many} words do not fit into the frame."
+    assert sentence in drawing.window.status_line.text
+    drawing.trigger("openTransform")
+    problem = drawing.window.findChild(QLabel, "transformProblem")
+    assert problem.text() == f"⚠ {sentence}"
     drawing.drag((25, 45), (58, 10))
     told.clear()
     drawing.window.context.central.canvas.viewport().grab()
     assert not is_overset(text_of(drawing))
     assert not told
+    assert not problem.isVisible()
 
 
 def test_lines_flow_into_a_frame_or_a_rectangle_and_back(drawing):
@@ -328,3 +336,25 @@ def test_a_weight_that_the_font_has_is_chosen_for_letters(drawing):
         for weight in (200.0, 400.0)
     )
     assert light != regular
+
+
+def test_the_caret_stays_where_what_is_seen_ends_and_the_view_with_it(drawing):
+    """It went on below the frame, and the view followed it to where nothing is."""
+    write(drawing, to=(25, 45))
+    words, shown = field(drawing).words, drawing.window.canvas.camera
+    drawing.settle()
+    seen = laid_out(text_of(drawing)).seen
+    assert 0 < seen < len(lines_of(drawing))
+    left, low, right, top = box_of(drawing)
+    caret = words.caret
+    (x, y), (_, lower) = map(shown.to_plane, (caret.p1(), caret.p2()))
+    # A blank at the end of a line reaches beyond.
+    assert left < x <= right + 2
+    assert low - 1 < lower < y <= top + 1
+    QTest.keyClick(words, Qt.Key.Key_Home, Qt.KeyboardModifier.ControlModifier)
+    assert shown.to_plane(words.caret.p1())[0] == pytest.approx(left, abs=0.2)
+    # What is typed there is in sight, and pushes others out.
+    many = words_without_room(text_of(drawing))
+    QTest.keyClicks(words, "more and more ")
+    assert words_without_room(text_of(drawing)) > many
+    assert lines_of(drawing)[0].startswith("more")

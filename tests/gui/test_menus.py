@@ -62,7 +62,8 @@ def test_what_is_done_to_texts_has_a_menu_of_its_own_and_no_other(editor):
     ]  # fmt: skip
     text = bar[3].menu()
     assert [plain(action.text()) for action in text.actions()] == [
-        "Edit Text", "Font and Size…", "", "Put on Path", "Remove from Path", "Other Side of Path", "",
+        "Edit Text", "Font and Size…", "Replace Words…", "", "Put on Path", "Remove from Path",
+        "Other Side of Path", "",
         "Flow into Frame", "Unflow to Lines", "", "Object to Path",
     ]  # fmt: skip
     (properties,) = [

@@ -197,3 +197,30 @@ def test_it_is_saved_as_a_text_on_a_path(drawing):
         here, there = along_of(again[TEXT]), along_of(document.curves[TEXT])
         assert here.of == again[ARC].identity != ""
         assert np.array(here.pieces)[0, 0] - np.array(there.pieces)[0, 0] == pytest.approx((0, 60), abs=1e-6)
+
+
+def test_where_it_starts_is_typed_in_per_cent_of_its_path_and_stays_so(drawing):
+    """50% was half of what there was: of nothing, nothing."""
+    session = drawing.session
+    drawing.trigger("openTransform")
+    panel = drawing.window.findChild(TransformPanel)
+    edit = panel.findChild(QLineEdit, "formTextStart")
+    put(drawing)
+    drawing.settle()
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "50%")
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    along = along_of(session.document.curves[TEXT])
+    assert (along.start, along.is_share) == (0.5, True)
+    assert session.undo_stack.undoText() == "Set where along its path it begins to 50%"
+    # The curve is its own mirror image about 50.
+    assert frame(session.document.curves[TEXT])[0] == pytest.approx(50, abs=1.5)
+    assert edit.text() == "50%"
+    assert 'startOffset="50%"' in svg_of(session.document).text
+    edit.selectAll()
+    QTest.keyClicks(edit, "5")
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    along = along_of(session.document.curves[TEXT])
+    assert (along.start, along.is_share) == (pytest.approx(5), False)
+    assert edit.text() == "5"

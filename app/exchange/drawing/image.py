@@ -21,7 +21,7 @@ from ...document.words import names_of
 from ...tasks.progress import Report, part, silent
 from ..errors import ExchangeError
 from ..formats import Written
-from ..options import Options
+from ..options import TEXT_AS_OUTLINES, Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing
@@ -160,7 +160,8 @@ def _painted(drawing: Drawing, size: tuple[int, int], style: PictureStyle, optio
 
 def _paint(fitted: Drawing, painter: QPainter, style: PictureStyle, options: Options) -> None:
     report = part(options.report, _DRAWN, 1.0)
-    paint_drawing(fitted, painter, style, points=options.points, report=report)
+    writes = not options[TEXT_AS_OUTLINES]
+    paint_drawing(fitted, painter, style, points=options.points, report=report, writes=writes)
 
 
 def png_file(document: Document, options: Options) -> Written:
@@ -201,7 +202,7 @@ def _buffer() -> QBuffer:
 
 
 def pdf_file(document: Document, options: Options) -> Written:
-    """Return a document as a PDF of one page, as outlines.
+    """Return a document as a PDF of one page, whose letters are those of fonts unless outlines are wanted.
 
     `options.width` is in points of 1/72 inch.
 
@@ -307,10 +308,16 @@ def _png_drawing(document: Document, options: Options, style: PictureStyle) -> D
 
 
 def paint_drawing(
-    fitted: Drawing, painter: QPainter, style: PictureStyle, *, points: bool, report: Report = silent
+    fitted: Drawing,
+    painter: QPainter,
+    style: PictureStyle,
+    *,
+    points: bool,
+    report: Report = silent,
+    writes: bool = True,
 ) -> None:
-    """Paint a drawing whose frame is the painter's whole device."""
-    Painting(fitted, painter, style).paint(points=points, report=report)
+    """Paint a drawing whose frame is the painter's whole device, with letters as such if it holds those."""
+    Painting(fitted, painter, style, writes=writes).paint(points=points, report=report)
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from itertools import groupby
 from operator import attrgetter
 
 import msgspec
+import numpy as np
 from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
@@ -115,3 +116,8 @@ def with_markers_seen(style: Style, shape: Sequence[Outline]) -> Style:
         return style
     hidden = {"start_marker": shape[0].closed, "end_marker": shape[-1].closed}
     return replace(style, **{name: MarkerKind.NONE for name, is_hidden in hidden.items() if is_hidden})
+
+
+def length_within(shape: Iterable[Outline]) -> float:
+    """Return a length that no outline of a shape is longer than."""
+    return float(sum(np.hypot(*np.diff(each.control_points, axis=1).T).sum() for each in shape))

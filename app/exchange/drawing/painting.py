@@ -6,14 +6,12 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
-import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QRect, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QBrush,
     QColor,
     QImage,
-    QPaintEngine,
     QPainter,
     QPainterPath,
     QPainterPathStroker,
@@ -31,11 +29,13 @@ from ...qt.contents import inked, paint_picture
 from ...qt.gradients import brush_of
 from ...qt.markers import path_of
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
+from ...qt.written import CLEAR, Writing, write, writings_of
 from ...tasks.progress import Report, told
 from .annotation_painting import paint_annotations, paint_points
+from .devices import has_alpha, holds_words, is_raster
 from .drawing import Drawing
 from .grouped import units_of
-from .outlines import Outline, markers_at
+from .outlines import Outline, length_within, markers_at
 from .styles import PictureStyle
 
 _MOST_DASHES = 100_000
@@ -64,10 +64,14 @@ class Painting:
         With nothing set but, perhaps, antialiasing.
     style
         The colours.
+    writes
+        Whether letters are written as such where the device holds them, and not as outlines.
     """
 
-    def __init__(self, drawing: Drawing, painter: QPainter, style: PictureStyle) -> None:
-        self._drawing, self._painter, self._style = drawing, painter, style
+    def __init__(
+        self, drawing: Drawing, painter: QPainter, style: PictureStyle, *, writes: bool = True
+    ) -> None:
+        self._drawing, self._painter, self._style, self._writes = drawing, painter, style, writes
         # Tiles of patterns do not lie on the grid of the pixels.
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         self._height = drawing.frame.height
@@ -102,7 +106,7 @@ class Painting:
         """
         painter = self._painter
         boxes = [self._reach(shape) for shape in shapes]
-        if not _is_raster(painter) and not _do_any_meet(boxes):
+        if not is_raster(painter) and not _do_any_meet(boxes):
             for shape in shapes:
                 share = opacity * math.prod(each.opacity for each in shape[0].group_looks[depth:])
                 style = replace(shape[0].style, opacity=shape[0].style.opacity * share)
@@ -113,7 +117,7 @@ class Painting:
             place = place.united(box.intersected(self._frame))
         if place.isEmpty():
             return
-        fine = 1.0 if _is_raster(painter) else BLUR_DPI / 72
+        fine = 1.0 if is_raster(painter) else BLUR_DPI / 72
         fine *= min(1.0, math.sqrt(_MOST_BLURRED / (place.width() * place.height() * fine * fine)))
         place = QRectF(QRectF(place).toAlignedRect())
         picture = QImage((place.size() * fine).toSize().expandedTo(QSize(1, 1)), _PICTURE)
@@ -156,10 +160,10 @@ class Painting:
             return
         style, path, markers = shape[0].style, self._path(shape), self._markers(shape)
         is_together = style.opacity < 1 and style.has_fill and style.has_stroke
-        if _is_raster(self._painter) and (is_together or (style.opacity < 1 and not markers.isEmpty())):
-            self._paint_layer(path, markers, replace(style, opacity=1.0), _length(shape), style.opacity)
+        if is_raster(self._painter) and (is_together or (style.opacity < 1 and not markers.isEmpty())):
+            self._paint_layer(path, markers, replace(style, opacity=1.0), length_within(shape), style.opacity)
             return
-        pen = self._pen(style, _length(shape))
+        pen = self._pen(style, length_within(shape))
         brush = self._brush(style) if style.has_fill else None
         if is_together and pen is not None:
             self._paint_apart(style, path, markers, pen, brush)
@@ -213,9 +217,9 @@ class Painting:
             inner.translate(-part.topLeft())
             Painting(self._drawing, inner, self._style)._paint_shape((sharp, *shape[1:]))
 
-        scale = 1.0 if _is_raster(painter) else BLUR_DPI / 72
+        scale = 1.0 if is_raster(painter) else BLUR_DPI / 72
         picture = blurred(paint, place, style.blur, scale=scale, most=_MOST_BLURRED, opacity=style.opacity)
-        if not _is_raster(painter):
+        if not is_raster(painter):
             # Readers of PDF files show the pixels of a picture as squares.
             finest = min(scale, FINEST / max(place.width(), place.height()))
             smooth = Qt.TransformationMode.SmoothTransformation
@@ -231,10 +235,26 @@ class Painting:
         content, way = frame.content, QTransform(1, 0, 0, -1, 0, self._height)
         if isinstance(content, Picture):
             paint_picture(self._painter, content, frame.corners, way, frame.style.opacity, None)
+        elif isinstance(content, Lettering) and self._writes and holds_words(self._painter):
+            for writing in writings_of(content, frame.corners, way, frame.style):
+                self._write(writing)
         elif isinstance(content, Lettering):
             for path, style in self._inked(frame, content):
                 brush = self._brush(style) if style.has_fill else None
                 self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush, style)
+
+    def _write(self, writing: Writing) -> None:
+        """Paint letters as such, and as outlines those that no font paints so."""
+        style, painter, whole = writing.style, self._painter, writing.whole
+        brush, pen = self._brush(style) if style.has_fill else None, self._pen(style, 0.0)
+        if pen is not None and style.has_covered_stroke:
+            self._stroke(painter, whole, pen)
+        if brush is not None:
+            self._fill(painter, writing.path if isinstance(brush, QColor) else whole, brush)
+        if brush is not None or pen is not None:
+            write(painter, writing, brush if isinstance(brush, QColor) else CLEAR)
+        if pen is not None and not style.has_covered_stroke:
+            self._stroke(painter, whole, pen)
 
     def _inked(self, frame: Outline, text: Lettering) -> Iterator[tuple[QPainterPath, Style]]:
         way, area = QTransform(1, 0, 0, -1, 0, self._height), self._frame
@@ -256,14 +276,14 @@ class Painting:
             self._stroke(painter, path, pen)
 
     def _stroke(self, painter: QPainter, path: QPainterPath, pen: QPen) -> None:
-        if _has_alpha(pen.brush()) and not _is_raster(painter):
+        if has_alpha(pen.brush()) and not is_raster(painter):
             self._fill(painter, QPainterPathStroker(pen).createStroke(path), pen.brush())
         else:
             painter.strokePath(path, pen)
 
     def _fill(self, painter: QPainter, path: QPainterPath, brush: QBrush | QColor) -> None:
         """Fill an area; what a gradient lets through is lost in Qt's PDF files (6.11), of a picture not."""
-        if isinstance(brush, QColor) or not _has_alpha(brush) or _is_raster(painter):
+        if isinstance(brush, QColor) or not has_alpha(brush) or is_raster(painter):
             painter.fillPath(path, brush)
             return
         place = path.boundingRect().intersected(QRectF(0, 0, self._drawing.frame.width, self._height))
@@ -368,20 +388,3 @@ class Painting:
 def _do_any_meet(boxes: Sequence[QRectF]) -> bool:
     """Whether any of some boxes meet, or may where they are many."""
     return len(boxes) > _MOST_COMPARED or any(one.intersects(other) for one, other in combinations(boxes, 2))
-
-
-def _has_alpha(brush: QBrush) -> bool:
-    """Whether a gradient lets something through, or a pattern may."""
-    return brush.style() is Qt.BrushStyle.TexturePattern or (
-        brush.gradient() is not None and not brush.isOpaque()
-    )
-
-
-def _is_raster(painter: QPainter) -> bool:
-    engine = painter.paintEngine()
-    return engine is not None and engine.type() == QPaintEngine.Type.Raster
-
-
-def _length(shape: Iterable[Outline]) -> float:
-    """Return a length that no outline of a shape is longer than."""
-    return float(sum(np.hypot(*np.diff(each.control_points, axis=1).T).sum() for each in shape))

@@ -7,7 +7,7 @@ from typing import Any
 
 from .. import corner, drawing, svg
 from ..cubics_in import Imported
-from ..options import BY_DPI, DPI, PICTURE, SCALE, TOLERANCE, WIDTH, Option
+from ..options import BY_DPI, DPI, PICTURE, SCALE, TEXT_AS_OUTLINES, TOLERANCE, WIDTH, Option
 from ..svg.writer import svg_of
 from . import ContentKind, Format
 
@@ -60,9 +60,9 @@ FORMATS = (
     Format(
         endings=(".pdf",),
         title="PDF document",
-        description="One page of outlines, sharp at every size but for patterns and clear gradients.",
+        description="One page with fonts, sharp at every size but for patterns and clear gradients.",
         place=30,
-        options=(*PICTURE, TOLERANCE),
+        options=(*PICTURE, TEXT_AS_OUTLINES, TOLERANCE),
         write=lambda document, options: drawing.image.pdf_file(document, options),
         preview=lambda document, options, room: drawing.image.pdf_preview(document, options, room),
         shows_contents=True,

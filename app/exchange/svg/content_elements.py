@@ -119,7 +119,8 @@ def _linked(picture: Picture, plane: Plane, said: str) -> str:
 
 def _text(text: Lettering, plane: Plane, said: str, path: str) -> str:
     # What its first letters are in is said once.
-    font = replace(text.lines[0].runs[0], words="", right=0.0, down=0.0, paint=None, **common_lines(text))
+    first = replace(text.lines[0].runs[0], words="", right=0.0, down=0.0, raised=0.0, paint=None)
+    font = replace(first, **common_lines(text))
     # Its size always: what nobody says is 16 in a browser, and 12 in Inkscape.
     looks = "".join(f" {each}" for each in _font(font, TextRun("", size=0.0)))
     if path and text.flow is None:
@@ -195,6 +196,9 @@ def _font(run: TextRun, around: TextRun) -> Iterator[str]:
         yield f'word-spacing="{number(run.word_spacing)}"'
     if (run.underline, run.strike) != (around.underline, around.strike):
         yield f'text-decoration="{decoration(run)}"'
+    if run.raised != around.raised:
+        # A length: what “super” and per cent are of is one thing to Inkscape, and another to librsvg.
+        yield f'baseline-shift="{number(run.raised)}"'
 
 
 def _paint(paint: RunPaint) -> Iterator[str]:

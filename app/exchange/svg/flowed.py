@@ -192,7 +192,9 @@ def flowed_lines(text: Lettering, run_element: Callable[[TextRun, Sequence[float
                 blanks = f'<tspan y="{number(line.y)}">{last.words[len(words) :]}{end}</tspan>'
                 end, runs[-1] = "", replace(last, words=words)
         said = "".join(map(run_element, runs, _ways(runs, stretch)))
-        found.append(f'<tspan x="{number(x)}" y="{number(line.y)}">{said}{end}{blanks}</tspan>')
+        # To Inkscape a span is never hidden, and it shows what has room for itself.
+        unseen = ' visibility="hidden"' if 0 < laid.seen <= at else ""
+        found.append(f'<tspan x="{number(x)}" y="{number(line.y)}"{unseen}>{said}{end}{blanks}</tspan>')
     return "".join(found)
 
 

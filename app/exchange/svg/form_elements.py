@@ -13,7 +13,7 @@ from ...document.forms import AnyForm, Ellipse, Rectangle, Star
 from ...document.model import MAX_MAGNITUDE
 from ...document.transforms import Affine
 from ...view_model.shapes.formed import Formed, settled
-from .inkscape_forms import star_attributes
+from .inkscape_forms import arc_attributes, star_attributes
 from .numbers import number
 
 Element = tuple[str, Mapping[str, float]]
@@ -76,16 +76,23 @@ def mapped(now: Formed | None, matrix: FloatArray) -> Formed | None:
     return settled(now.form, linear @ before, place, float(np.abs(place).max()))
 
 
-def element_of(formed: Formed | None) -> tuple[str, dict[str, str], FloatArray | None] | None:
+def element_of(
+    formed: Formed | None, *, as_path: bool = False
+) -> tuple[str, dict[str, str], FloatArray | None] | None:
     """Return the tag, the attributes and the transform of a form; None where it is no more than a path.
 
     That is where it is skewed, since a line drawn around it would be, too. What Inkscape alone knows is a
-    path to SVG, and its course is still to be said.
+    path to SVG, and its course is still to be said; so may all be that it knows as one.
     """
     if formed is None or (matrix := _rigid(formed.by)) is None:
         return None
     if isinstance(formed.form, Star):
         return "path", star_attributes(formed), None
+    if as_path:
+        # Turned, it would begin elsewhere.
+        is_noted = np.array_equal(matrix, np.eye(2, 3))
+        form = formed.form
+        return ("path", arc_attributes(form), None) if is_noted and isinstance(form, Ellipse) else None
     tag, numbers = _ELEMENTS[type(formed.form)](formed.form)
     is_turned = not np.array_equal(matrix, np.eye(2, 3))
     return tag, {name: number(value) for name, value in numbers.items()}, matrix if is_turned else None

@@ -43,6 +43,13 @@ def star_attributes(formed: Formed) -> dict[str, str]:
     }
 
 
+def arc_attributes(ellipse: Ellipse) -> dict[str, str]:
+    """Return what Inkscape notes of an ellipse that is a path to SVG, y down."""
+    x, y = ellipse.middle
+    numbers = {"cx": x, "cy": -y, "rx": ellipse.width / 2, "ry": ellipse.height / 2}
+    return {"sodipodi:type": "arc", **{f"sodipodi:{name}": number(each) for name, each in numbers.items()}}
+
+
 def as_forms(element: ET.Element, subpaths: list[Subpath]) -> list[Subpath]:
     """Return the outline of a path as the form that Inkscape notes of it, where it draws just that."""
     if len(subpaths) != 1 or (read := _FORMS.get(element.get(f"{SODIPODI}type", ""))) is None:

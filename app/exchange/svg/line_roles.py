@@ -25,7 +25,8 @@ def line_height(text: Lettering) -> float | None:
     first, runs = text.lines[0], [run for line in text.lines for run in line.runs]
     size = first.runs[0].size
     # What is larger or raised would have a line of its own height.
-    is_even = all((run.size, run.font, run.down) == (size, runs[0].font, 0.0) for run in runs)
+    like = (size, runs[0].font, 0.0, 0.0)
+    is_even = all((run.size, run.font, run.down, run.raised) == like for run in runs)
     if not is_even or any((line.x, line.anchor) != (first.x, first.anchor) for line in text.lines):
         return None
     steps = [after.y - before.y for before, after in pairwise(text.lines)]

@@ -47,7 +47,7 @@ _PLACES = ("x", "y", "dx", "dy")
 _WEIGHTS = {"normal": 400.0, "bold": 700.0}
 _OF_FONTS = {"em": 1.0, "ex": 0.5}
 _RAISED = {"super": 0.4, "sub": -0.2}
-"""By which part of its size a text is raised."""
+"""By which part of the size around it a text is raised, as Inkscape has it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +68,7 @@ class _Run:
     properties: Properties
     right: float
     down: float
+    raised: float
     letters: list[str] = field(default_factory=list)
 
 
@@ -121,8 +122,10 @@ class Texts:
         if on is None and room is None and tag_of(element) != "text":
             return None
         if on is None:
-            ends = room is not None
-            all_of_it = _collapsed(self._letters(element, state.properties, (element,), 0.0), keeps_ends=ends)
+            # In a frame what is hidden is what has no room there, to those who wrap no words.
+            passed = "visibility" if room is not None and room.frame is not None else ""
+            found = self._letters(element, state.properties, (element,), 0.0, passed=passed)
+            all_of_it = _collapsed(found, keeps_ends=room is not None)
         else:
             inner = state.properties.entered(self._elements.declared(on.element))
             all_of_it = _collapsed(self._letters(on.element, inner, (element, on.element), 0.0))
@@ -155,8 +158,15 @@ class Texts:
         return TextFound(form, first) if _is_within(box) else None
 
     def _letters(
-        self, element: ET.Element, properties: Properties, around: tuple[ET.Element, ...], raised: float
+        self,
+        element: ET.Element,
+        properties: Properties,
+        around: tuple[ET.Element, ...],
+        raised: float,
+        *,
+        passed: str = "",
     ) -> Iterator[_Letter]:
+        """Yield the letters within an element, whose spans do not count as declaring what is passed over."""
         white = properties.values["white-space"].lower()
         is_spaced = white.startswith("pre") or around[-1].get(_SPACE, around[0].get(_SPACE)) == "preserve"
 
@@ -170,12 +180,13 @@ class Texts:
                 yield _Letter("\n", properties, around, is_spaced=True, raised=raised)
             if tag_of(child) in _SPANS:
                 is_first = is_first and tag_of(child) not in PARAGRAPHS
-                declared = self._elements.declared(child)
+                said_there = self._elements.declared(child)
+                declared = {name: value for name, value in said_there.items() if name != passed}
                 inner = properties.entered(declared)
                 # Of one that is hidden as a whole all is, and it is a text still.
                 if inner.is_displayed or not properties.is_displayed:
-                    shift = _raised(declared.get("baseline-shift", "0").lower(), inner)
-                    yield from self._letters(child, inner, (*around, child), raised + shift)
+                    shift = _raised(declared.get("baseline-shift", "0").lower(), inner, properties)
+                    yield from self._letters(child, inner, (*around, child), raised + shift, passed=passed)
             yield from said(child.tail if tag_of(element) != FLOW_ROOT else None)
 
     # Places
@@ -202,12 +213,10 @@ class Texts:
         for each in letters:
             line = lines[-1]
             if before is not each.properties or each.raised != shift or not line.runs:
-                line.runs.append(_Run(each.properties, 0.0, shift - each.raised))
+                line.runs.append(_Run(each.properties, 0.0, 0.0, each.raised))
                 before, shift = each.properties, each.raised
             if each.letter == "\n":
                 lines.append(_Line(x, y, anchor))
-                # What is raised is so from its own line on.
-                shift = 0.0
                 if line is not lines[0] or line.words:
                     before = None
             else:
@@ -236,11 +245,10 @@ class Texts:
                 down += places["y"] - lines[-1].y - lines[-1].down
             line = lines[-1]
             line.down += down
-            moved, shift = down - (each.raised - shift), each.raised
-            if before is not each.properties or right or moved:
-                line.runs.append(_Run(each.properties, right, moved))
+            if before is not each.properties or right or down or each.raised != shift:
+                line.runs.append(_Run(each.properties, right, down, each.raised))
             line.runs[-1].letters.append(each.letter)
-            before = each.properties
+            before, shift = each.properties, each.raised
         return lines
 
     # Looks
@@ -253,6 +261,7 @@ class Texts:
             words="".join(run.letters),
             right=float(run.right),
             down=float(run.down),
+            raised=float(run.raised),
             paint=None if paint == common else paint,
         )
 
@@ -359,9 +368,11 @@ def _length(text: str, size: float) -> float:
     return found if abs(found) <= MAX_MAGNITUDE else 0.0
 
 
-def _raised(word: str, properties: Properties) -> float:
-    size = float(properties.values["font-size"])
-    return _RAISED[word] * size if word in _RAISED else _length(word, size)
+def _raised(word: str, properties: Properties, around: Properties) -> float:
+    own, outer = (float(each.values["font-size"]) for each in (properties, around))
+    if word in _RAISED:
+        return _RAISED[word] * outer
+    return _length(word, outer if word.endswith("%") else own)
 
 
 def _anchor(properties: Properties) -> Anchor:

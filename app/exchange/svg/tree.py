@@ -10,6 +10,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ...document.content import Lettering
 from ...document.contents import plane_of, shortened
 from ...document.style import Style
 from ...view_model.geometry.extents import extent_of
@@ -79,6 +80,9 @@ class Tree:
         self.clips, self._markers = ClipElements(self._ids), MarkerElements(self._ids)
         self._filters = FilterElements(self._ids)
         self._courses = CourseElements(self._ids, self._carrier)
+        contents = (shape[0].content for shape in shapes)
+        texts = (each for each in contents if isinstance(each, Lettering) and each.along is not None)
+        self._courses_of_texts = {text.along.of for text in texts if text.along} - {""}
         self.lines: list[str] = []
 
     @property
@@ -120,7 +124,8 @@ class Tree:
         first = shape[0]
         style = self._styled(with_markers_seen(first.style, shape), self._usual_width)
         clips = first.style.clips
-        tag, runs = _as_form(shape) or ("path", "")
+        # Texts lie along paths alone, as SVG 1.1 has it: browsers know no others.
+        tag, runs = _as_form(shape, as_path=first.identity in self._courses_of_texts) or ("path", "")
         if tag == "path":
             runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
@@ -253,10 +258,10 @@ def _named(name: str, own: str, *, is_id_no_name: bool = False) -> str:
     return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if is_labelled else "")
 
 
-def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
+def _as_form(shape: tuple[Outline, ...], *, as_path: bool) -> tuple[str, str] | None:
     """Return the tag and the attributes of a form, of a path without its course; None of what is no form."""
     outline, *others = shape
-    found = element_of(outline.form)
+    found = element_of(outline.form, as_path=as_path)
     if found is None or others:
         return None
     tag, attributes, matrix = found

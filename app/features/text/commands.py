@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain, repeat
+from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
@@ -34,6 +34,7 @@ from .. import text
 from .along_commands import AlongCommands
 from .flow_commands import FlowCommands
 from .outline_commands import OutlineCommands
+from .replace_commands import ReplaceCommands
 from .type_commands import TypeCommands
 
 _KEYS = "Enter: another line · Ctrl+Enter or a click elsewhere: "
@@ -84,6 +85,7 @@ class TextCommands:
             self._session.interrupted.connect(self._break_off)
             self._canvas.camera.changed.connect(field.place)
             field.words.keyed.connect(self._reveal_caret)
+            field.font_box.picked.connect(partial(text.fonts_before.remember_font, preferences))
             field.size_box.switched.connect(lambda is_on: setattr(preferences, "text_in_points", is_on))
         return self._made
 
@@ -166,6 +168,9 @@ class TextCommands:
         self._before, self._model = self._session.selected.choice, self._session.model
         # Nobody edits a curve while writing.
         self._session.selected.choose(())
+        self.field.font_box.offer_first(
+            text.fonts_before.fonts_first(self._session.committed, self._context.preferences)
+        )
         self.field.size_box.show_unit(
             self._session.document.unit, wants_points=self._context.preferences.text_in_points
         )
@@ -209,7 +214,7 @@ class TextCommands:
             places = self._edited.places if self._edited is not None else places
             session.cancel()
         else:
-            session.preview(_with_curves_of(shown, session.document))
+            session.preview(text.rewriting.with_curves_of(shown, session.document))
         # With its sides, to see what is filled.
         session.selected.show_choice(places if self._fills_frame else ())
         self._lay_words((shown or session.committed).curves[_slice(places)])
@@ -388,13 +393,4 @@ def _slice(places: range) -> slice:
     return slice(places.start, places.stop)
 
 
-def _with_curves_of(document: Document, shown: Document) -> Document:
-    """Return the document, of the curves that are shown already the very same: their views are there."""
-    before = chain(shown.curves, repeat(None))
-    return replace(
-        document,
-        curves=tuple(old if old == new else new for new, old in zip(document.curves, before, strict=False)),
-    )
-
-
-COMMAND_SETS = (TextCommands, TypeCommands, OutlineCommands, AlongCommands, FlowCommands)
+COMMAND_SETS = (TextCommands, TypeCommands, ReplaceCommands, OutlineCommands, AlongCommands, FlowCommands)

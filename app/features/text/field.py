@@ -21,9 +21,10 @@ from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of
 from ...widgets.choice_style import choice_style
 from ...widgets.overlay_frame import OverlayFrame
-from ...widgets.tool_buttons import tool_button
 from ...workbench.typed_letters import TypedLetters
 from .font_box import FontBox
+from .letter_button import letter_button
+from .raised import ABOVE, BELOW, raised
 from .setting_row import SettingRow
 from .size_box import SizeBox
 from .weight_box import WeightBox
@@ -50,7 +51,8 @@ class TextField(ClaimsKeys, OverlayFrame):
     ----------
     words
         The text, typed where it is seen.
-    font_box, weight_box, bold, italic, underline, strike, size_box, setting_row
+    font_box, weight_box, bold, italic, underline, strike, superscript, subscript, size_box,
+    setting_row
         The widgets of font, lines and size, and of how letters stand to each other.
 
     Signals
@@ -86,12 +88,12 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.font_box.setMinimumWidth(_FONT_WIDTH)
         self.font_box.pointed_at.connect(self._look_at_font)
         self.font_box.picked.connect(self._take_font)
-        self.bold = self._letter("textBold", "B", "Bold", face.bold)
-        self.italic = self._letter("textItalic", "I", "Italic", face.italic)
+        self.bold = letter_button("textBold", "B", "Bold", face.bold)
+        self.italic = letter_button("textItalic", "I", "Italic", face.italic)
         self.bold.clicked.connect(lambda is_on: self._set(weight=WEIGHTS[is_on]))
         self.italic.clicked.connect(lambda is_on: self._set(italic=is_on))
-        self.underline = self._letter("textUnderline", "U", "Underlined", is_on=False)
-        self.strike = self._letter("textStrike", "S", "Struck-through", is_on=False)
+        self.underline = letter_button("textUnderline", "U", "Underlined", is_on=False)
+        self.strike = letter_button("textStrike", "S", "Struck-through", is_on=False)
         self.underline.clicked.connect(lambda is_on: self._set(underline=is_on))
         self.strike.clicked.connect(lambda is_on: self._set(strike=is_on))
         self.weight_box = WeightBox()
@@ -105,7 +107,11 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.setting_row.spaced.connect(self._space)
         self.setting_row.refused.connect(self.remark)
         self._remark = Label(name="textRemark", wordWrap=True)
-        letters_row = (self.bold, self.italic, self.underline, self.strike)
+        self.superscript = letter_button("textSuperscript", "x²", "Superscript", is_on=False)
+        self.subscript = letter_button("textSubscript", "x₂", "Subscript", is_on=False)
+        self.superscript.clicked.connect(lambda is_on: self._raise(ABOVE if is_on else 0.0))
+        self.subscript.clicked.connect(lambda is_on: self._raise(BELOW if is_on else 0.0))
+        letters_row = (self.bold, self.italic, self.underline, self.strike, self.superscript, self.subscript)
         row = row_of(self.font_box, self.weight_box, *letters_row, self.size_box, spacing=6)
         column_of(row, self.setting_row, self._remark, margins=(8, 8, 8, 8), spacing=6, parent=self)
         QWidget.setTabOrder(self.words, self.font_box)
@@ -115,22 +121,6 @@ class TextField(ClaimsKeys, OverlayFrame):
         self.setFocusProxy(self.words)
         self.hide()
         self.follow_theme()
-
-    def _letter(self, name: str, letter: str, title: str, is_on: bool) -> QToolButton:
-        key = "" if letter == "S" else f" (Ctrl+{letter})"
-        tip = f"{title} letters{key}: those that are chosen, else all"
-        button = tool_button(name, title, tip, text=letter)
-        font = button.font()
-        font.setBold(letter == "B")
-        font.setItalic(letter == "I")
-        font.setUnderline(letter == "U")
-        font.setStrikeOut(letter == "S")
-        button.setFont(font)
-        button.setCheckable(True)
-        button.setChecked(is_on)
-        # Else a click on it would give the focus to the canvas.
-        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        return button
 
     # What is asked for
 
@@ -207,7 +197,13 @@ class TextField(ClaimsKeys, OverlayFrame):
             self.weight_box.show_weight(self.font_box.family, run.weight)
         else:
             self.weight_box.hide()
-        for button, is_on in ((self.underline, run.underline), (self.strike, run.strike)):
+        shown: dict[QToolButton, bool] = {
+            self.underline: run.underline,
+            self.strike: run.strike,
+            self.superscript: run.raised > 0,
+            self.subscript: run.raised < 0,
+        }
+        for button, is_on in shown.items():
             button.setChecked(is_on)
             button.setVisible(self._has_parts)
 
@@ -300,6 +296,11 @@ class TextField(ClaimsKeys, OverlayFrame):
         self._end_trial()
         self.words.restyle(change, chosen=self._has_parts)
         self.changed.emit()
+
+    def _raise(self, share: float) -> None:
+        self.restyle(lambda run: raised(run, share))
+        self._show_letters()
+        self.size_box.show_size(self.words.run.size * self._scale)
 
     def _space(self, name: str, share: float) -> None:
         field = {"letter_spacing": "spacing"}.get(name, name)

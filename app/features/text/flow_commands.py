@@ -15,6 +15,7 @@ from ...document.contents import texts_at
 from ...document.forms import Rectangle
 from ...document.model import Curve, Document
 from ...document.several_curves import changeable, named
+from ...document.wrapping import words_about_room
 from ...session.session import Session
 from ...workbench.context import WindowContext
 from .. import text
@@ -44,7 +45,19 @@ class FlowCommands:
     """Lets words fill frames."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
+        self._session, self._told = context.session, ""
+        self._session.selected_curves_changed.connect(self._tell)
+        self._session.history_changed.connect(self._tell)
+
+    def _tell(self) -> None:
+        """Say how many words of the text that is chosen do not fit, when it is another number."""
+        session = self._session
+        if session.is_previewing:
+            return
+        texts = list(texts_at(session.document, session.selected.marked).values())
+        before, self._told = self._told, words_about_room(texts[0]) if len(texts) == 1 else ""
+        if self._told and self._told != before:
+            session.say_besides(self._told)
 
     @action(
         "flowIntoFrame",

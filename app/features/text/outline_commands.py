@@ -10,6 +10,7 @@ from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU
 from ...document.content import Lettering
 from ...document.model import Document
 from ...document.several_curves import changeable, named
+from ...document.shapes import shape_of
 from ...document.words import count_of
 from ...workbench.context import WindowContext
 from .. import text
@@ -51,4 +52,5 @@ class OutlineCommands:
 
         if session.change(f"Object to path: {what}", edit, active=None):
             session.selected.choose(made)
-            session.say(f"{what} is {count_of(len(made), 'curve')} now.")
+            is_one = len({shape_of(session.document, place) for place in made}) == 1
+            session.say(f"{what} is {'a path' if is_one else count_of(len(made), 'curve')} now.")

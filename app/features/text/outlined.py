@@ -11,6 +11,7 @@ from ...document.contents import corners_of
 from ...document.limits import EditError
 from ...document.model import Curve, Document
 from ...document.shape_edits import names_of
+from ...document.shapes import shape_of
 from ...document.style import FillRule
 from ...exchange.cubics_in import ImportedPath, Look, imported
 from ...exchange.naming import Names, numbered
@@ -31,8 +32,10 @@ def with_outlines(document: Document, places: Collection[int]) -> tuple[Document
         curve = document.curves[place]
         if isinstance(curve.form, Lettering):
             made[range(place, place + 1)] = _letters(curve, curve.form, names)
-        elif curve.form is not None and not curve.form.is_content and not curve.shape:
-            made[range(place, place + 1)] = [replace(curve, form=None)]
+        elif curve.form is not None and not curve.form.is_content:
+            # Of those that are combined all: they are one path.
+            whole = shape_of(document, place)
+            made[whole] = [replace(document.curves[each], form=None) for each in whole]
     if not made:
         raise EditError("Choose a text, or a shape such as a rectangle.")
     return replaced(document, made)

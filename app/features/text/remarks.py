@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ...document.content import Lettering
 from ...document.model import Curve
 from ...document.words import count_of, enumerated
+from ...document.wrapping import words_about_room
 from ...qt import glyphs
 from ...qt.glyphs import Outlines
 from ...qt.letters_along import hidden_letters
@@ -28,10 +29,12 @@ def of_typed(field: TextField, outlines: Outlines, most: int) -> str:
 
 
 def of_shown(curve: Curve) -> str:
-    """Say what of a text has no room on its path."""
+    """Say what of a text has no room on its path or in its frame."""
     text = curve.form
-    if not isinstance(text, Lettering) or text.along is None:
+    if not isinstance(text, Lettering):
         return ""
+    if text.along is None:
+        return words_about_room(text)
     many = hidden_letters(text.lines, text.along, font_of)
     return f"The path has no room for {count_of(many, 'letter')}." if many else ""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from difflib import SequenceMatcher
+from itertools import chain, repeat
 from typing import NamedTuple
 
 import numpy as np
@@ -173,3 +174,12 @@ def _groups(
     if not is_own or old == name or not groups[-1].startswith(old):
         return groups
     return (*groups[:-1], names.different(name))
+
+
+def with_curves_of(document: Document, shown: Document) -> Document:
+    """Return the document, of the curves that are shown already the very same: their views are there."""
+    before = chain(shown.curves, repeat(None))
+    return replace(
+        document,
+        curves=tuple(old if old == new else new for new, old in zip(document.curves, before, strict=False)),
+    )

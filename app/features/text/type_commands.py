@@ -49,6 +49,9 @@ class TypeCommands:
         bar.size_box.show_unit(
             self._session.document.unit, wants_points=self._context.preferences.text_in_points
         )
+        bar.font_box.offer_first(
+            text.fonts_before.fonts_first(self._session.committed, self._context.preferences)
+        )
         bar.show()
         bar.raise_()
         self._follow()
@@ -63,6 +66,7 @@ class TypeCommands:
             bar.font_looked_at.connect(self._look_at)
             bar.switched.connect(self._switch)
             bar.sized.connect(lambda size: self._set("Size", partial(_sized, size)))
+            bar.font_asked.connect(partial(text.fonts_before.remember_font, self._context.preferences))
             bar.closed.connect(self._close)
             bar.size_box.switched.connect(self._remember_unit)
             session.selected_curves_changed.connect(self._follow)

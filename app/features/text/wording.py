@@ -209,7 +209,7 @@ def reworded(
             is_justified=now.align is TextAlign.JUSTIFIED,
         )
         new = flowing.refilled(text, runs, anchor, flow)
-        return document.with_curve(place, _said_by(new, curve, text, style)), edited.places
+        return document.with_curve(place, said_by(new, curve, text, style)), edited.places
     said = list(filter(_is_seen, said_lines(text, before, now, typed)))
     if not said:
         return document, edited.places
@@ -218,7 +218,7 @@ def reworded(
     else:
         line, was = in_a_line(said), text.lines[0].anchor
         new = replace(text, lines=(line,), along=text.along.anchored(line.anchor.share, was.share))
-    return document.with_curve(place, _said_by(new, curve, text, style)), edited.places
+    return document.with_curve(place, said_by(new, curve, text, style)), edited.places
 
 
 def restyled(document: Document, places: Iterable[int], change: Restyle) -> Document:
@@ -259,7 +259,7 @@ def said_lines(text: Lettering, before: Text, now: Text, typed: Typed) -> tuple[
     return tuple(replace(each, y=first + (each.y - first) * apart) for each in said)
 
 
-def _said_by(new: Lettering, curve: Curve, before: Lettering, style: Style) -> Curve:
+def said_by(new: Lettering, curve: Curve, before: Lettering, style: Style) -> Curve:
     """Return a curve that is another text, called by its words where it was."""
     name = shortened(new.title) if curve.name == shortened(before.title) else curve.name
     return fitted(replace(curve, form=new, style=style, name=name))

@@ -16,6 +16,7 @@ from ...document.words import number
 from ...qt.labels import Label
 from ...widgets.boxes import row_of
 from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.number_text import field_text, typed_text
 from ...widgets.percent_field import MIXED
 
 _BESIDE = 2
@@ -52,11 +53,20 @@ class FormRow(QWidget):
     def _edit(self, kind: type[Form], field: FormField) -> NumberEdit:
         name = f"form{kind.noun.title()}{field.name.title().replace('_', '')}"
         how = "a number or an expression" + (", with a unit or without" if field.is_length else "")
-        length = partial(self._read_length, partial(self._number, field.name))
-        read = length if field.is_length else partial(_within, field)
-        edit = NumberEdit(name, field.words, f"{field.words}: {how} (Enter to set)", read)
-        edit.entered.connect(partial(self.number_entered.emit, field))
+        how += ", or per cent of the whole, as 50%" if field.share else ""
+        edit = NumberEdit(
+            name, field.words, f"{field.words}: {how} (Enter to set)", partial(self._read, field)
+        )
+        edit.entered.connect(lambda entered: self.number_entered.emit(*entered))
         return edit
+
+    def _read(self, field: FormField, text: str) -> tuple[FormField, float]:
+        """Return the number of a form that a text means: which, and what it is."""
+        if field.share and text.rstrip().endswith("%"):
+            return field.as_share, read_number(text.rstrip()[:-1]) / 100
+        if not field.is_length:
+            return field, _within(field, text)
+        return field, self._read_length(partial(self._number, field.name), text)
 
     def _number(self, name: str) -> float:
         return float(getattr(self._forms[0], name)) if self._forms else 0.0
@@ -69,14 +79,24 @@ class FormRow(QWidget):
             row.setVisible(is_seen)
             row.show_fields(forms if is_seen else ())
             for field, edit in row.edits if is_seen else ():
-                first, *others = (float(getattr(form, field.name)) for form in forms)
-                if any(other != first for other in others):
-                    edit.show_text(MIXED)
-                else:
-                    show = edit.show_length if field.is_length else edit.show_number
-                    show(first)
+                _show(edit, field, forms)
                 edit.setEnabled(not problem)
         self.setVisible(bool(forms))
+
+
+def _show(edit: NumberEdit, field: FormField, forms: Sequence[AnyForm]) -> None:
+    """Show a number of some forms: as the share that it is, if it is one."""
+    are_shares = {bool(field.share) and form.has_number(field.share) for form in forms}
+    name = field.share if True in are_shares else field.name
+    first, *others = (float(getattr(form, name)) for form in forms)
+    if len(are_shares) > 1 or any(other != first for other in others):
+        edit.show_text(MIXED)
+    elif True in are_shares:
+        edit.show_text(f"{typed_text(100 * first)}%", f"{field_text(100 * first)}%")
+    elif field.is_length:
+        edit.show_length(first)
+    else:
+        edit.show_number(first)
 
 
 def _within(field: FormField, text: str) -> float:

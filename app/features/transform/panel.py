@@ -66,6 +66,8 @@ class Situated(msgspec.Struct, frozen=True):
         Why it cannot be changed; empty where it can.
     forms
         The forms that it is, such as rectangles, all of one kind; none where it is anything else.
+    remark
+        What is to be known of them; empty for nothing.
     """
 
     what: str
@@ -78,6 +80,7 @@ class Situated(msgspec.Struct, frozen=True):
     problem: str
     readings: Readings
     forms: tuple[AnyForm, ...] = ()
+    remark: str = ""
 
 
 class PanelActions(msgspec.Struct, frozen=True):
@@ -267,7 +270,7 @@ class TransformPanel(FieldForm):
             part.setEnabled(is_there)
         self.chooser.render_place(shown.place if bounds is not None else None)
         self.form_row.render_forms(shown.forms, shown.problem)
-        self.show_problem(shown.problem)
+        self.show_problem(shown.problem or shown.remark)
 
     def render_reference(self, reference: Reference) -> None:
         """Show what chosen curves are aligned to."""

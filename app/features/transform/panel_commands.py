@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
+from ...document.content import Lettering
 from ...document.edits import EditError
 from ...document.form import FormField
 from ...document.model import Document, Vector
@@ -19,6 +20,7 @@ from ...document.readings import Readings, readings_of
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
 from ...document.words import number
+from ...document.wrapping import words_about_room
 from ...state.window_state import WindowState
 from ...view_model.boxes.bounds import NINE
 from ...view_model.boxes.pivot import Turning
@@ -135,7 +137,13 @@ class TransformPanelCommands(QObject):
             places[len(places) // 2] if places else None, self._angle(),
             session.document.unit, target.refusal_of_keys, self._readings,
             tuple(now.form for now in self._formed().values()),
+            " ".join(words_about_room(form) for form in self._texts()),
         )  # fmt: skip
+
+    def _texts(self) -> list[Lettering]:
+        """Return the text that alone is acted on, if it is one."""
+        forms = [now.form for now in self._formed().values()]
+        return [form for form in forms if isinstance(form, Lettering)] if len(forms) == 1 else []
 
     @property
     def _readings(self) -> Readings:
@@ -213,7 +221,9 @@ class TransformPanelCommands(QObject):
         what = f"{field.words[0].lower()}{field.words[1:]}"
         if len(forms) > 1:
             what = f"{field.label} of {len(forms)} {type(next(iter(forms.values()))).noun}s"
-        shown = self._length(value) if field.is_length else number(value)
+        is_share = field.name in {each.share for form in forms.values() for each in form.fields}
+        plain = f"{number(100 * value)}%" if is_share else number(value)
+        shown = self._length(value) if field.is_length else plain
         self._change(f"Set {what} to {shown}", edit)
 
     def _place(self, axis: int, value: float) -> None:

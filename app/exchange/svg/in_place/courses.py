@@ -211,7 +211,8 @@ def _form_for(
         return None
     if any(node.get(each) is not None for each in _HANGING[:3]):
         return None
-    return element_of(mapped(wanted.outlines[0].form, inverse))
+    is_path = node.tag == "path" and node.get("d") != NEW_COURSE
+    return element_of(mapped(wanted.outlines[0].form, inverse), as_path=is_path)
 
 
 def can_be_redrawn(node: Node) -> bool:

@@ -6,14 +6,18 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import count
 from typing import NamedTuple
 
-from ....document.along_path import Ground
+from ....document.along_path import Along, Ground
 from ....document.content import Lettering
 from ....document.contents import Plane
+from ....document.forms import Ellipse
+from ..inkscape_forms import arc_attributes
 from ..text_path_elements import along_shown, course_data
 from .found import Found, Wanted
 from .letter_sizes import size_of
 from .placing import Entry, definitions
 from .source import Node, Source
+
+_ROUND = {"circle": ("cx", "cy", "r"), "ellipse": ("cx", "cy", "rx", "ry")}
 
 
 class Carrier(NamedTuple):
@@ -55,10 +59,30 @@ def on_carrier(
     carrier = known.get(text.along.of)
     shown = along_shown(text, plane, carrier.ground) if carrier is not None else None
     if carrier is not None and shown is not None:
+        _make_path(source, carrier.node)
         return *shown, _id_of(source, carrier.node)
     (made,) = source.adopted(f'<path d="{course_data(text.along)}"/>')
     made.put_last(definitions(source))
     return text, plane, _id_of(source, made)
+
+
+def _make_path(source: Source, node: Node) -> None:
+    """Make a circle or an ellipse a path that Inkscape takes for one: browsers know no other courses."""
+    if node.tag not in _ROUND:
+        return
+    own = {name: node.get(name) or "0" for name in _ROUND[node.tag]}
+    try:
+        x, y, rx, *ry = map(float, own.values())
+    except ValueError:
+        return
+    ellipse = Ellipse(x - rx, -y - (ry or [rx])[0], 2 * rx, 2 * (ry or [rx])[0])
+    for name in own:
+        node.drop(name)
+    node.rename("path")
+    for name, text in arc_attributes(ellipse).items():
+        node.set(source.prefixed(name), text)
+    course = Along(tuple(tuple((x, -y) for x, y in piece) for piece in ellipse.pieces))  # type: ignore[misc]
+    node.set("d", f"{course_data(course)} Z")
 
 
 def _id_of(source: Source, node: Node) -> str:
