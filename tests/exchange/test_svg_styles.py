@@ -471,3 +471,11 @@ def test_the_order_of_fill_and_stroke_is_read_and_written(text, order):
     written = svg_of(Document((curve,))).text
     assert read_svg(written.encode()).document.curves[0].style.paint_order is order
     assert ('paint-order="stroke"' in written) is (order is PaintOrder.FILL_ABOVE)
+
+
+@pytest.mark.parametrize(("unit", "said"), [("mm", ["mm"]), ("", [])])
+def test_inkscape_tells_lengths_in_the_unit_of_the_document(unit, said):
+    document = replace(empty_document(), unit=unit, page=Page(0.0, 0.0, 100.0, 50.0))
+    document = document.with_curve(0, make_curve([(0, 0), (30, 20)]))
+    written = svg_of(document, Options(unit=unit)).data.decode()
+    assert re.findall('inkscape:document-units="([a-z]+)"', written) == said

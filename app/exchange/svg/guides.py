@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from ...document.guide import Axis, Guide, guide_at
 from ...document.model import MAX_MAGNITUDE
+from ...document.paper import PAPER_UNITS
 from ..drawing.frames import Frame
 from .names import LOCKED, SODIPODI
 from .numbers import number
@@ -45,12 +46,16 @@ def _guide(element: ET.Element, sheet: Sheet) -> Guide | None:
     return replace(guide, locked=element.get(LOCKED) == "true")
 
 
-def guide_elements(guides: Sequence[Guide], frame: Frame) -> list[str]:
-    """Return guides as Inkscape's, in lines of SVG; their places are from the lower left corner."""
+def view_elements(guides: Sequence[Guide], frame: Frame, unit: str) -> list[str]:
+    """Return what Inkscape keeps of its window, in lines of SVG: the unit that it tells, and guides.
+
+    Their places are from the lower left corner.
+    """
+    told = f' inkscape:document-units="{unit}"' if unit in PAPER_UNITS else ""
     if not guides:
-        return []
+        return [f'  <sodipodi:namedview id="namedview"{told}/>'] if told else []
     lines = [f"    {_element(each, frame)}" for each in guides]
-    return ['  <sodipodi:namedview id="namedview">', *lines, "  </sodipodi:namedview>"]
+    return [f'  <sodipodi:namedview id="namedview"{told}>', *lines, "  </sodipodi:namedview>"]
 
 
 def _element(guide: Guide, frame: Frame) -> str:

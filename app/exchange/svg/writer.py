@@ -19,7 +19,7 @@ from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .escapes import escaped
-from .guides import guide_elements
+from .guides import view_elements
 from .names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 from .numbers import number
 from .our_own import CLOSE, EXACT, MARK, PAGE
@@ -130,7 +130,7 @@ def svg_text(
         f'width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
         f"  <metadata>{escaped(' '.join([mark, *drawing.remarks]))}</metadata>",
-        *guide_elements(drawing.guides, frame),
+        *view_elements(drawing.guides, frame, unit if drawing.has_page else ""),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.

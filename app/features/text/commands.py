@@ -7,7 +7,7 @@ from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QTransform
+from PySide6.QtGui import QFontInfo, QTransform
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
@@ -75,7 +75,7 @@ class TextCommands:
         """The field on the canvas; made when somebody first types into it."""
         if self._made is None:
             preferences = self._context.preferences
-            family = preferences.text_font or self._canvas.font().family()
+            family = preferences.text_font or QFontInfo(self._canvas.font()).family()
             face = Face(family, preferences.text_bold, preferences.text_italic)
             self._made = field = text.field.TextField(self._canvas.viewport(), face, self._context.letters)
             field.changed.connect(self._show)
