@@ -145,3 +145,24 @@ def test_a_file_that_was_opened_takes_a_pattern_in_a_colour(stock):
     assert changed is not None
     assert b"currentColor" not in changed.data
     assert read(changed.data, None).document.curves[0].style.fill_gradient.tile is not None
+
+
+@pytest.mark.skipif(shutil.which("pdftoppm") is None, reason="poppler is not installed")
+def test_a_pdf_looks_as_the_png_does(tmp_path):
+    document, _ = document_of("".join(SHAPES.values()))
+    export(document, tmp_path / "a.png", Options(width=WIDTH))
+    written = export(document, tmp_path / "a.pdf")
+    assert any("pictures of at most 4000 pixels a side in a PDF" in each for each in written.remarks)
+    command = ["pdftoppm", "-png", "-singlefile", "-scale-to-x", str(WIDTH), "-scale-to-y", "-1"]
+    subprocess.run([*command, str(tmp_path / "a.pdf"), str(tmp_path / "pdf")], check=True, timeout=60)
+    ours, theirs = levels(tmp_path / "a.png"), levels(tmp_path / "pdf.png")
+    height, width = np.minimum(ours.shape, theirs.shape)
+    # The pixels of a picture are squares to poppler, and its own lie beside these.
+    assert differs(ours[:height, :width], theirs[:height, :width]).mean() < 1e-3
+
+
+@pytest.mark.parametrize("ending", [".dxf", ".tikz"])
+def test_formats_without_patterns_say_so(ending, tmp_path):
+    document, _ = document_of(SHAPES["box"])
+    remarks = export(document, tmp_path / f"a{ending}").remarks
+    assert "“Circle 15” has a pattern; its colour stands for it." in " ".join(remarks)
