@@ -31,22 +31,22 @@ def _pattern(name: str, title: str, body: str) -> Pattern:
 
 
 PATTERNS: Final = (
-    _pattern("stripes", "Stripes", '<path d="M0 0H8V4H0Z" fill="currentColor"/>'),
-    _pattern("upright", "Upright stripes", '<path d="M0 0H4V8H0Z" fill="currentColor"/>'),
+    _pattern("stripes", "Stripes", '<path d="M0 0H8V4H0Z" fill="currentColor"></path>'),
+    _pattern("upright", "Upright stripes", '<path d="M0 0H4V8H0Z" fill="currentColor"></path>'),
     _pattern(
         "slanted",
         "Slanted stripes",
-        '<path d="M0 8L8 0H4L0 4ZM8 8V4L4 8Z" fill="currentColor"/>',
+        '<path d="M0 8L8 0H4L0 4ZM8 8V4L4 8Z" fill="currentColor"></path>',
     ),
-    _pattern("checks", "Checks", '<path d="M0 0H4V8H8V4H0Z" fill="currentColor"/>'),
-    _pattern("dots", "Dots", '<circle cx="4" cy="4" r="2.5" fill="currentColor"/>'),
+    _pattern("checks", "Checks", '<path d="M0 0H4V8H8V4H0Z" fill="currentColor"></path>'),
+    _pattern("dots", "Dots", '<circle cx="4" cy="4" r="2.5" fill="currentColor"></circle>'),
     _pattern(
         "grid",
         "Grid",
-        '<path d="M0 0H8V1H0ZM0 1H1V8H0Z" fill="currentColor"/>',
+        '<path d="M0 0H8V1H0ZM0 1H1V8H0Z" fill="currentColor"></path>',
     ),
 )
-"""The patterns, in the order in which they are shown."""
+"""The patterns, in the order in which they are shown; written as a file is read."""
 
 
 def colouring(colour: str) -> tuple[Stop, Stop]:

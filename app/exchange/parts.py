@@ -185,12 +185,19 @@ def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
 
 
 def _said_of_gradients(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.gradients))
-    if not names:
-        return ()
-    if len(names) == 1:
-        return (f"{names[0]} has a gradient; its mean colour stands for it.",)
-    return (f"{names_of(names)} have gradients; their mean colours stand for them.",)
+    said, styles = list[str](), list(styles)
+    for kind, colour in (("gradient", "mean colour"), ("pattern", "colour")):
+        names = [
+            f"“{name}”"
+            for name, style in styles
+            if any((each.tile is not None) is (kind == "pattern") for each in style.gradients.values())
+        ]
+        names = list(dict.fromkeys(names))
+        if len(names) == 1:
+            said.append(f"{names[0]} has a {kind}; its {colour} stands for it.")
+        elif names:
+            said.append(f"{names_of(names)} have {kind}s; their {colour}s stand for them.")
+    return tuple(said)
 
 
 def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:

@@ -43,8 +43,8 @@ def _picture(tile: Tile, colour: str, width: int, height: int, opacity: float) -
     return picture
 
 
-@lru_cache(maxsize=32)
 def _renderer(tile: Tile, colour: str) -> QSvgRenderer:
+    # Not kept: it would be gone with the application that an export ends with.
     box = " ".join(map(repr, tile.view))
     text = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'

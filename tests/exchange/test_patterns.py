@@ -89,7 +89,7 @@ def test_pictures_and_what_is_written_anew_have_patterns_as_librsvg_has(tmp_path
 def test_a_tile_repeats_where_it_is_said_and_its_rest_is_clear():
     document = read(
         '<pattern id="p" x="10" y="10" width="20" height="20" patternUnits="userSpaceOnUse">'
-        '<rect x="10" y="10" width="10" height="10" fill="#ff0000"/></pattern>'
+        '<rect width="10" height="10" fill="#ff0000"/></pattern>'
         '<rect width="100" height="100" fill="#0000ff"/><rect width="100" height="100" fill="url(#p)"/>'
     ).document
     at = (15, 15), (25, 15), (15, 25), (25, 25), (35, 35), (55, 55), (95, 75), (85, 75)

@@ -26,7 +26,7 @@ from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing
 from .frames import Frame
-from .painting import BLUR_DPI, FINEST, Painting
+from .painting import BLUR_DPI, FINEST, FINEST_TILES, Painting
 from .preview import PicturePreview
 from .styles import PictureStyle
 
@@ -238,17 +238,17 @@ def _gradient_pictures(drawing: Drawing) -> tuple[str, ...]:
     patterned = [each.name for each in clear if any(one.tile for one in each.style.gradients.values())]
     others = [each.name for each in clear if each.name not in patterned]
     found = [
-        (others, "a gradient", "gradients", " with transparency"),
-        (patterned, "a pattern", "patterns", ""),
+        (others, FINEST, "a gradient", "gradients", " with transparency"),
+        (patterned, FINEST_TILES, "a pattern", "patterns", ""),
     ]
-    return tuple(_pictured(names, *words) for names, *words in found if names)
+    return tuple(_pictured(names, most, *words) for names, most, *words in found if names)
 
 
-def _pictured(names: Sequence[str], one: str, many: str, more: str) -> str:
+def _pictured(names: Sequence[str], most: int, one: str, many: str, more: str) -> str:
     """Return that shapes of these names have something that is a picture."""
     has, what = (f"has {one}", "is a picture") if len(names) == 1 else (f"have {many}", "are pictures")
     named = names_of([f"“{name}”" for name in names])
-    return f"{named} {has}{more}, which {what} of at most {FINEST} pixels a side in a PDF."
+    return f"{named} {has}{more}, which {what} of at most {most} pixels a side in a PDF."
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:

@@ -52,6 +52,9 @@ BLUR_DPI = 300
 FINEST = 1000
 """Pixels along the longer side of a gradient that goes into a PDF as a picture."""
 
+FINEST_TILES = 4000
+"""Those of a pattern, which has edges."""
+
 
 class Painting:
     """Paints a drawing whose frame is the painter's whole device, from (0, 0) on.
@@ -289,12 +292,14 @@ class Painting:
         place = path.boundingRect().intersected(QRectF(0, 0, self._drawing.frame.width, self._height))
         if place.isEmpty():
             return
-        scale = min(1.0, FINEST / max(place.width(), place.height()))
+        most = FINEST if brush.gradient() is not None else FINEST_TILES
+        scale = min(1.0, most / max(place.width(), place.height()))
         picture = QImage((place.size() * scale).toSize().expandedTo(QSize(1, 1)), _PICTURE)
         picture.fill(Qt.GlobalColor.transparent)
         with QPainter(picture) as inner:
             inner.scale(picture.width() / place.width(), picture.height() / place.height())
             inner.translate(-place.topLeft())
+            inner.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
             inner.fillRect(place, brush)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)

@@ -20,7 +20,6 @@ from .elements import Elements
 from .gradients import Ground, UnplacedError
 from .lengths import Viewport, length
 from .matrices import Box, box_of, combined, fitted_box, moved, transform_of
-from .numbers import number
 from .tiles import TileBody
 from .xml_tree import tag_of
 
@@ -63,8 +62,11 @@ class Patterns:
             raise UnplacedError from None
         if not (np.abs(corners) <= MAX_MAGNITUDE).all():
             raise UnplacedError
-        around = f' transform="matrix({" ".join(number(float(each)) for each in content.T.ravel())})"'
-        body = TileBody(self._elements).of_pattern(element, holder, around)
+        (across, _, right), (_, down, below) = content.tolist()
+        view = (-right / across, -below / down, float(width / across), float(height / down))
+        if not (np.abs(view) <= MAX_MAGNITUDE).all():
+            raise UnplacedError
+        body = TileBody(self._elements).of_pattern(element, holder)
         if len(body) > MOST_LETTERS:
             raise UnplacedError
         start, end, side = [(float(a), float(b)) for a, b in corners]
@@ -74,7 +76,8 @@ class Patterns:
             start,
             end,
             side,
-            tile=Tile(body, (0.0, 0.0, float(width), float(height))),
+            # Written and read again it is the same, without a zero that has a sign.
+            tile=Tile(body, (view[0] + 0.0, view[1] + 0.0, view[2], view[3])),
         )
 
     def _chain(self, element: ET.Element) -> list[ET.Element]:
@@ -105,14 +108,17 @@ _SIDES = ("x", "y", "width", "height")
 
 
 def _content(said: Mapping[str, str], ground: Ground, place: Box) -> FloatArray:
-    """Return the matrix (2, 3) from the units of what a pattern shows to the tile, from (0, 0) on."""
-    x, y, width, height = place
+    """Return the matrix (2, 3) from the units of what a pattern shows to the tile, from (0, 0) on.
+
+    The corner of the tile is the origin of these units, too, wherever that lies: all programs have it so.
+    """
+    _, _, width, height = place
     if view := box_of(said.get("viewBox", "")):
         return fitted_box(view, (0.0, 0.0, width, height), said.get("preserveAspectRatio", ""))
     if said.get("patternContentUnits") == _BOX:
-        (left, top), (across, down) = _box(ground)
-        return np.array([[across, 0.0, left - x], [0.0, down, top - y]])
-    return np.array([[1.0, 0.0, -x], [0.0, 1.0, -y]])
+        _, (across, down) = _box(ground)
+        return np.array([[across, 0.0, 0.0], [0.0, down, 0.0]])
+    return np.eye(2, 3)
 
 
 def _box(ground: Ground) -> tuple[FloatArray, FloatArray]:

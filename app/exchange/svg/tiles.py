@@ -25,15 +25,17 @@ _DEEPEST = 32
 class TileBody:
     """Copies of elements of a file in one body.
 
-    What is referred to is defined in it; a reference to what it is within is dropped.
+    What is referred to is defined in it, and numbered: what is read again has the same names. A reference to
+    what it is within is dropped.
     """
 
     def __init__(self, elements: Elements) -> None:
         self._elements = elements
         self._defined: dict[str, str] = {}
+        self._names: dict[str, str] = {}
 
-    def of_pattern(self, pattern: ET.Element, holder: ET.Element, around: str) -> str:
-        """Return what a pattern shows, the elements in a `holder`, in a group of these attributes.
+    def of_pattern(self, pattern: ET.Element, holder: ET.Element) -> str:
+        """Return what a pattern shows, the elements in a `holder`, in a group of what it declares itself.
 
         What cannot be there by itself, as pictures in other files, is left out.
         """
@@ -41,7 +43,8 @@ class TileBody:
         drawn = "".join(self._copied(child, within) for child in holder)
         declared = self._attributes(self._elements.declared(pattern), within)
         defs = "".join(self._defined.values())
-        return f"{f'<defs>{defs}</defs>' if defs else ''}<g{declared}{around}>{drawn}</g>"
+        drawn = f"<g{declared}>{drawn}</g>" if declared else drawn
+        return f"<defs>{defs}</defs>{drawn}" if defs else drawn
 
     def of_elements(self, holder: ET.Element) -> str:
         """Return all that is drawn of a file."""
@@ -60,9 +63,11 @@ class TileBody:
         said = {key: value for key, value in attributes.items() if key not in _GONE}
         said |= self._elements.declared(element)
         if name:
-            said["id"] = name
-        if reference.startswith("data:") or self._has(reference.removeprefix("#"), within):
+            said["id"] = self._name(name)
+        if reference.startswith("data:"):
             said["xlink:href"] = reference
+        elif self._has(reference.removeprefix("#"), within):
+            said["xlink:href"] = f"#{self._name(reference.removeprefix('#'))}"
         inside = "".join(self._inside(element, tag, within, depth))
         return f"<{tag}{self._attributes(said, within)}>{inside}</{tag}>"
 
@@ -85,12 +90,19 @@ class TileBody:
 
     def _attributes(self, said: Mapping[str, str], within: tuple[str, ...]) -> str:
         """Return attributes, and define what they refer to."""
-        kept = (
-            (key, value)
-            for key, value in said.items()
-            if "url(" not in value or ((found := _URL.search(value)) and self._has(found[1], within))
-        )
-        return "".join(f" {key}={quoteattr(value)}" for key, value in kept)
+        kept = dict(said)
+        for key, value in said.items():
+            if "url(" in value:
+                found = _URL.search(value)
+                if found is None or not self._has(found[1], within):
+                    del kept[key]
+                else:
+                    kept[key] = f"url(#{self._name(found[1])}){value[found.end() :]}"
+        return "".join(f" {key}={quoteattr(value)}" for key, value in kept.items())
+
+    def _name(self, name: str) -> str:
+        """Return what something that is defined is called here."""
+        return self._names[name]
 
     def _has(self, name: str, within: tuple[str, ...]) -> bool:
         """Whether something is defined, as soon as it is asked for; not what it would be within."""
@@ -98,6 +110,6 @@ class TileBody:
         if target is None or name in within or len(within) > _DEEPEST:
             return False
         if name not in self._defined:
-            self._defined[name] = ""
+            self._defined[name], self._names[name] = "", f"d{len(self._names) + 1}"
             self._defined[name] = self._copied(target, (*within, name), name)
         return True

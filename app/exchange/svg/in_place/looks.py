@@ -109,7 +109,7 @@ class Looks:
             style = replace(style, fill_rule=FillRule.NONZERO, fill_opacity=1.0, fill_gradient=None)
         for name, gradient in style.gradients.items():
             stops = tuple(replace(stop, colour=stop.colour or self._picture.ink) for stop in gradient.stops)
-            style = replace(style, **{name: _plainest(replace(gradient, stops=stops))})
+            style = replace(style, **{name: _in_its_colour(_plainest(replace(gradient, stops=stops)))})
         if not style.has_covered_stroke:
             style = replace(style, paint_order=PaintOrder.STROKE_ABOVE)
         # The colour that stands for a gradient is not drawn.
@@ -228,6 +228,15 @@ def _stroke_properties(style: Style, scale: float) -> Mapping[str, str]:
         "stroke-linejoin": str(style.join.value),
         "stroke-miterlimit": number(style.miter_limit),
     }
+
+
+def _in_its_colour(gradient: Gradient) -> Gradient:
+    """Return a pattern with its colour on its tile, as it is written; the stops of it are not drawn."""
+    if gradient.tile is None:
+        return gradient
+    body = gradient.tile.body.replace("currentColor", gradient.stops[0].colour)
+    stops = tuple(replace(stop, colour="#000000", opacity=1.0) for stop in gradient.stops)
+    return replace(gradient, stops=stops, tile=replace(gradient.tile, body=body))
 
 
 def _plainest(gradient: Gradient) -> Gradient:
