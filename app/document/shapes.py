@@ -111,6 +111,9 @@ def _with_whole_shapes(document: Document) -> Iterator[Curve]:
     used: set[str] = set()
     for places in shapes(document.curves):
         parts = document.curves[places.start : places.stop]
+        if not parts[0].shape and len(parts) == 1:
+            yield parts[0]
+            continue
         name = _free(parts[0].shape, used) if len(parts) > 1 else ""
         used.add(name)
         shared = {field: getattr(parts[0], field) for field in SHARED} | {"shape": name}
@@ -124,7 +127,14 @@ def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
     before: tuple[str, ...] = ()
     names: list[str] = []
     for curve in curves:
+        if not curve.groups and not curve.group_looks:
+            before, names = (), []
+            yield curve
+            continue
         groups = tuple(filter(None, curve.groups))[:_DEEPEST]
+        if groups == before == curve.groups == tuple(names) and not curve.group_looks:
+            yield curve
+            continue
         names = names[: len(shared_start(groups, before))]
         for name in groups[len(names) :]:
             names.append(_free(name, used))

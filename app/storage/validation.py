@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from itertools import chain, repeat
 from operator import attrgetter, is_
 
@@ -34,8 +35,32 @@ def validate(document: Document) -> None:
         raise FormatError(problem)
 
 
+_foreseen: tuple[Document, Document] | None = None
+"""What was found to be fit beside the window: documents before and after the step that is to come."""
+
+
+def foresee(before: Document, after: Document) -> None:
+    """Validate beside the window what is to become of a document; `validate_changes` then need not."""
+    global _foreseen  # noqa: PLW0603
+    # What is wrong is told by whoever makes the step.
+    with suppress(FormatError):
+        validate_changes(before, after)
+        _foreseen = (before, after)
+
+
+def _is_foreseen(before: Document | None, after: Document) -> bool:
+    """Whether a step was found to be fit before; that is forgotten then, for it is asked once."""
+    global _foreseen  # noqa: PLW0603
+    if _foreseen is None or _foreseen[0] is not before or _foreseen[1] is not after:
+        return False
+    _foreseen = None
+    return True
+
+
 def validate_changes(before: Document | None, after: Document) -> None:
     """Raise FormatError, as `validate` does, for what in `after` is not the same object as in `before`."""
+    if _is_foreseen(before, after):
+        return
     if before is not None and (moved := moved_points(before, after)) is not None and _are_within(moved):
         return
     known, by_points = known_curves(before)

@@ -150,8 +150,11 @@ class ShapeCommands:
         session, curves = self._session, meant(self._session)
         nodes = groups_meant(session.document, curves)
         what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
-        if session.change(f"Ungroup {what}", lambda document: ungrouped(document, curves)):
-            self._choose([place for node in nodes for place in node.places])
+        with session.telling:
+            is_done = bool(session.change(f"Ungroup {what}", lambda document: ungrouped(document, curves)))
+            if is_done:
+                self._choose([place for node in nodes for place in node.places])
+        if is_done:
             session.say(f"{what} is taken apart." if len(nodes) == 1 else f"{what} are taken apart.")
 
     # Both
@@ -160,9 +163,10 @@ class ShapeCommands:
         """Make what was brought together the document, and choose it; return whether it is."""
         session = self._session
         active = made.order.index(session.active_index)
-        is_done = bool(session.change(text, lambda _: made.document, active=active))
-        if is_done:
-            self._choose(made.places)
+        with session.telling:
+            is_done = bool(session.change(text, lambda _: made.document, active=active))
+            if is_done:
+                self._choose(made.places)
         return is_done
 
     def _choose(self, curves: Collection[int]) -> None:

@@ -13,6 +13,7 @@ from ...document.layers import front_of, within, without
 from ...document.model import Curve, Document, Vector
 from ...document.several_curves import add_curves, is_blank, moved, whole_curves
 from ...document.shapes import shape_of
+from ...storage.validation import foresee
 from ..boxes.bounds import around
 from ..curve.curve_view import CurveView, view_of
 from ..curve.views_ahead import views_ahead
@@ -76,7 +77,7 @@ class Target(msgspec.Struct, frozen=True):
     views: Sequence[CurveView] = ()
 
     def filled(self, curves: Sequence[Curve], told: Callable[[float], object] | None = None) -> Arrival:
-        """Return the document with the curves; their views, too, where somebody is `told` of these."""
+        """Return the document with the curves; where somebody is `told`, it is validated and has views."""
         added = with_curves(self.document, curves, self.layer)
         known = {id(view.source.points): view for view in self.views}
         originals = [known.get(id(curve.points)) for curve in added.curves]
@@ -85,6 +86,7 @@ class Target(msgspec.Struct, frozen=True):
             added = replace(added, document=moved_there)
         if told is None:
             return added
+        foresee(self.document, added.document)
         return replace(added, views=tuple(views_ahead(added.curves, told, originals)))
 
 
