@@ -37,6 +37,7 @@ from .options import (
     STYLES,
     add_convert_options,
     add_motion_options,
+    add_own_options,
     add_picture_options,
     columns_to_read,
     own_options,
@@ -99,6 +100,7 @@ def _command_parser() -> argparse.ArgumentParser:
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
     add_picture_options(render)
+    add_own_options(render, FORMATS.pictures)
     add_motion_options(render)
     add_convert_options(add("convert", help="read and write other formats", description=_CONVERT))
     info = add("info", help="print facts", description="Print facts about a document's curves.")
@@ -143,7 +145,8 @@ def _render(options: argparse.Namespace) -> int:
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _drawn_document(options)
     with _told_on_terminals() as report:
-        made = export(document, options.output, picture_options(options, document).reporting(report))
+        wanted = replace(picture_options(options, document), own=own_options(options, FORMATS.pictures))
+        made = export(document, options.output, wanted.reporting(report))
     _tell(made.remarks)
     return 0
 
@@ -205,7 +208,9 @@ def _convert(options: argparse.Namespace) -> int:
         )
         document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
         wanted = replace(
-            picture_options(options, document), own=own_options(options), report=part(report, 0.7, 1.0)
+            picture_options(options, document),
+            own=own_options(options, FORMATS.written),
+            report=part(report, 0.7, 1.0),
         )
         written = export(document, options.output, wanted)
     fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]

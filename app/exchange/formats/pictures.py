@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import corner, drawing, svg
 from ..cubics_in import Imported
-from ..options import BY_DPI, DPI, PICTURE, SCALE, TOLERANCE, WIDTH, Option
+from ..options import BY_DPI, DPI, PICTURE, SCALE, TOLERANCE, TRANSPARENT, WIDTH, Option, Options, Whole
 from ..svg.compressed import packed, unpacked
 from ..svg.writer import svg_of
 from . import ContentKind, Format, Written
@@ -38,13 +38,34 @@ def _rewritten_packed(
     return replace(kept, content=data) if kept.data == content != data else packed(kept)
 
 
-_IDLE_OF_PNG: dict[bool | None, tuple[Option[Any], ...]] = {
+_IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
     True: (WIDTH, SCALE),
     False: (SCALE, DPI),
     # Without a unit of length there is no inch.
     None: (BY_DPI, DPI),
 }
 """Options that do nothing where the resolution says how many pixels there are, and where the width does."""
+
+
+_IN_PIXELS = (BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:])
+
+QUALITY = Whole(
+    name="quality",
+    label="Quality",
+    tip="How much of the picture is kept: more is sharper, and a larger file",
+    default=90,
+    limits=(1, 100),
+    suffix=" %",
+    help="how much of a JPEG or WebP picture is kept, 1 to 100 (default: 90)",
+)
+
+
+def _jpeg(document: Document, options: Options) -> Written:
+    return drawing.image.pixel_file(document, options, drawing.image.JPEG, options[QUALITY])
+
+
+def _webp(document: Document, options: Options) -> Written:
+    return drawing.image.pixel_file(document, options, drawing.image.WEBP, options[QUALITY])
 
 
 # Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.
@@ -55,9 +76,31 @@ FORMATS = (
         title="PNG picture",
         description="Pixels, for slides and pages.",
         place=10,
-        options=(BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:]),
-        hidden=lambda values: _IDLE_OF_PNG[values[BY_DPI.name]],
+        options=_IN_PIXELS,
+        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
         write=lambda document, options: drawing.image.png_file(document, options),
+        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+        shows_contents=True,
+    ),
+    Format(
+        endings=(".jpg", ".jpeg"),
+        title="JPEG picture",
+        description="Pixels on paper, for mail and the web; lines are a little blurred.",
+        place=12,
+        options=(*(each for each in _IN_PIXELS if each is not TRANSPARENT), QUALITY),
+        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
+        write=_jpeg,
+        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+        shows_contents=True,
+    ),
+    Format(
+        endings=(".webp",),
+        title="WebP picture",
+        description="Pixels for web pages, in smaller files than PNG; without loss at 100 %.",
+        place=14,
+        options=(*_IN_PIXELS, QUALITY),
+        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
+        write=_webp,
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
         shows_contents=True,
     ),
