@@ -47,7 +47,7 @@ def _words_about_loss(foreign: Foreign) -> str:
     them = "it" if count == 1 else "them"
     return (
         f"{count_of(count, 'thing')} in {name} did not come in as drawn and would be lost: "
-        f"{names_of(foreign.missed)}. Overwrite again to write it without {them}."
+        f"{names_of([each.words for each in foreign.missed])}. Overwrite again to write it without {them}."
     )
 
 
