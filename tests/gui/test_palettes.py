@@ -30,6 +30,7 @@ def drawn(editor):
     editor.drag((20, 20), (90, 90))
     editor.trigger("selectTool")
     editor.session.selected.choose({0})
+    show(editor, "Open Color")
     return editor
 
 
@@ -118,8 +119,9 @@ def test_the_keyboard_reaches_every_colour(drawn):
 
 def test_without_a_choice_the_next_object_gets_the_colour(editor):
     editor.trigger("newDrawing")
-    click(strip(editor), "Blue, ")
+    show(editor, "Open Color")
     editor.trigger("rectangleTool")
+    click(strip(editor), "Blue, ")
     editor.drag((20, 20), (90, 90))
     assert style(editor).fill == "#228be6"
 
