@@ -64,10 +64,10 @@ class ExportDialog(WorkDialog):
         foot.accepted.connect(self._export)
         foot.rejected.connect(self.reject)
         self.preview_side = QWidget()
-        column_of(
-            self.picture, self.size_label, self.told, self.undrawn, 1, margins=0, parent=self.preview_side
-        )
-        columns = row_of((self.form, 1), self.preview_side, spacing=18)
+        column_of(self.picture, self.size_label, self.told, 1, margins=0, parent=self.preview_side)
+        # In sight without scrolling, for it is said before the file is written.
+        left = column_of(self.form, self.undrawn, 1, margins=0)
+        columns = row_of((left, 1), self.preview_side, spacing=18)
         column_of(columns, margins=(16, 14, 16, 0), parent=self.body)
         self.hold(self.problem, foot, wished=QSize(690, 400))
 
@@ -101,7 +101,8 @@ class ExportDialog(WorkDialog):
         self.complain("")
         self.ok.setEnabled(True)
         self.ok.setToolTip(f"Choose where to write the {choice.format.title}")
-        self.preview_side.setVisible(choice.format.preview is not None)
+        for part in (self.preview_side, self.undrawn):
+            part.setVisible(choice.format.preview is not None)
         self._soon.start()
 
     def _render_preview(self) -> None:
