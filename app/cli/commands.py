@@ -17,7 +17,7 @@ from msgspec.structs import asdict, replace
 from .. import cli, exchange
 from ..document.limits import EditError
 from ..document.readings import readings_of
-from ..document.words import enumerated
+from ..document.words import count_of, enumerated
 from ..exchange.drawing.animation import FILMS, first_round, write_film
 from ..exchange.drawing.film import Film
 from ..exchange.errors import ExchangeError
@@ -122,7 +122,8 @@ def _document_of(options: argparse.Namespace) -> Document:
             raise
     with _told_on_terminals() as report:
         source = import_file(options.file, ImportOptions(), report=report)
-    _tell(source.sentences)
+    _tell_of(source, options.file)
+    _tell(source.remarks)
     return source.document
 
 
@@ -157,6 +158,14 @@ def _tell(remarks: Iterable[str]) -> None:
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
 
 
+def _tell_of(source: Imported, path: str) -> None:
+    """Print, before anything is written, how many elements of a file are drawn otherwise, and of each how."""
+    if len(source.missed) > 1:
+        them, name = count_of(len(source.missed), "element"), Path(path).name
+        _tell([f"{them} of {name} come in otherwise than they are drawn:"])
+    _tell(each.sentence for each in source.missed)
+
+
 def _picture_endings() -> tuple[str, ...]:
     """Return the endings of what `render` writes, each once."""
     return tuple(dict.fromkeys((*endings_of(FORMATS.pictures), *endings_of(FILMS))))
@@ -186,26 +195,29 @@ def _family_of(options: argparse.Namespace) -> FamilyWord:
         raise RefusalError(f"--setting must be of {problem}.") from None
 
 
+def _import_options(options: argparse.Namespace, read: FamilyWord) -> ImportOptions:
+    return ImportOptions(
+        tolerance=options.tolerance,
+        thin=options.thin,
+        corners=options.corners,
+        family=read.family,
+        settings=read.settings,
+        columns=columns_to_read(options),
+        missing=options.missing,
+        only=options.only,
+    )
+
+
 def _convert(options: argparse.Namespace) -> int:
     word = _family_of(options)
     # What is fitted is near all rows, whatever the family: the curve through them is not that.
     read = FamilyWord(HERMITE) if _wants_fit(options) else word
 
     with _told_on_terminals() as report:
-        source = import_file(
-            options.file,
-            ImportOptions(
-                tolerance=options.tolerance,
-                thin=options.thin,
-                corners=options.corners,
-                family=read.family,
-                settings=read.settings,
-                columns=columns_to_read(options),
-                missing=options.missing,
-                only=options.only,
-            ),
-            report=part(report, 0.0, 0.4),
-        )
+        source = import_file(options.file, _import_options(options, read), report=part(report, 0.0, 0.4))
+    if not options.json:
+        _tell_of(source, options.file)
+    with _told_on_terminals() as report:
         document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
         wanted = replace(
             picture_options(options, document),
@@ -222,7 +234,7 @@ def _convert(options: argparse.Namespace) -> int:
         found = {"output": options.output, "deviation": total, "missed": missed, "remarks": remarks}
         _say_json(found)
     else:
-        _tell([*source.sentences, *said])
+        _tell([*source.remarks, *said])
         say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
 

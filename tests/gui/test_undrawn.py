@@ -120,6 +120,7 @@ def test_the_command_line_says_it_of_each(verb, tmp_path, capsys):
     target = str(tmp_path / "a.png")
     assert main([verb, str(path), *(["-o"] if verb == "render" else []), target]) == 0
     said = capsys.readouterr().err
+    assert said.startswith("curvebench: 3 elements of icon.svg come in otherwise than they are drawn:\n")
     assert "<rect> “shade”: a mask covers some of it; it comes in whole." in said
     assert "<path> (element 6): it is blended with what lies below; it covers that." in said
     assert "<foreignObject> (element 7): it is of another kind than SVG; left out." in said
