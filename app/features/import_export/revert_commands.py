@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.needs import Need
 from ...actions.sections import FILE_SAVE
 from ...actions.situation import Situation
 from ...document.edits import EditError
-from ...exchange.cubics_in import Imported
 from ...storage.foreign import Foreign
 from ...storage.reasons import shown
 from ...tasks.progress import Report
@@ -16,6 +17,9 @@ from ...view_model.pieces.arrivals import Arrival
 from ...workbench.contents_here import as_here
 from ...workbench.context import WindowContext
 from .. import import_export
+
+if TYPE_CHECKING:
+    from ...exchange.cubics_in import Imported
 
 
 def _has_file(now: Situation) -> bool:
