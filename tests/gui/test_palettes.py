@@ -61,7 +61,8 @@ def show(editor, title):
 
 
 def test_it_is_shown_in_drawings_and_switched_by_its_action(editor):
-    assert strip(editor) is None
+    # Where another test has had a drawing in this window, it is made already.
+    assert strip(editor) is None or not strip(editor).isVisible()
     editor.trigger("newDrawing")
     assert strip(editor).isVisible()
     editor.trigger("togglePalette")

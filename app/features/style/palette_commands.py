@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from ... import storage
 from ...actions.declaration import action, switch
-from ...actions.sections import CURVE_STYLE, VIEW_DRAWING
+from ...actions.sections import CURVE_STYLE, VIEW_MODE
 from ...appearance.theme import LIGHT, Theme
 from ...document.words import count_of
 from ...state.window_state import WindowState
@@ -82,14 +82,25 @@ class PaletteCommands:
             bar.chosen.connect(self._context.central.canvas.colour_picked)
             bar.palette_chosen.connect(self._choose)
             self._context.letters.tools.append(bar)
+            bar.hide()
             self._context.central.under_canvas.addWidget(bar)
-        self._bar.setVisible(is_shown)
+        if is_shown is self._bar.isHidden():
+            self._show(self._bar, is_shown)
         if is_shown:
             palettes = self.palettes
             titles, wanted = [each.title for each in palettes], self._preferences.palette_shown
             place = titles.index(wanted) if wanted in titles else 0
             paper = self._store.state.paper(self._session.document, self._theme)
             self._bar.render_palettes(palettes, place, paper)
+
+    def _show(self, bar: PaletteBar, is_shown: bool) -> None:
+        """Show or hide the strip; the canvas gets its size once, with all else that changes."""
+        room = self._context.central.under_canvas
+        # Qt lays out at once where something is shown, and again when the other panes have changed.
+        room.setEnabled(False)
+        bar.setVisible(is_shown)
+        room.setEnabled(True)
+        room.update()
 
     def _choose(self, place: int) -> None:
         self._preferences.palette_shown = self.palettes[place].title
@@ -99,7 +110,7 @@ class PaletteCommands:
         "palette",
         "togglePalette",
         "Palette",
-        VIEW_DRAWING,
+        VIEW_MODE,
         "",
         "palette",
         full_name="Show Palette",
