@@ -824,3 +824,18 @@ def test_version_and_help_need_no_numpy():
             "except SystemExit:\n    print('numpy' in sys.modules)\n"
         )
         assert run(option, code=code).stdout.splitlines()[-1] == "False"
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a.svgz", "a.csv"])
+@pytest.mark.usefixtures("drawings_read_here")
+def test_a_file_that_is_refused_at_the_start_leaves_an_empty_window(qtbot, tmp_path, name):
+    """The first sketch was there, as if it were what the file holds."""
+    path = tmp_path / name
+    path.write_bytes(b"\x1f\x8b no")
+    (window,) = open_windows([str(path)])
+    qtbot.addWidget(window)
+    bar = window.context.central.message_bar
+    qtbot.waitUntil(lambda: name in bar.text)
+    assert [len(curve.points) for curve in window.session.document.curves] == [0]
+    assert window.session.files.is_untouched
+    assert not window.session.undo_stack.canUndo()

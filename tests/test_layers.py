@@ -119,6 +119,7 @@ def test_the_window_starts_without_what_is_rarely_used():
         "import_series",
         "overwrite_commands",
         "picture_commands",
+        "revert_commands",
         "save_copy_commands",
     }
 

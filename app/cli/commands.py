@@ -17,7 +17,7 @@ from msgspec.structs import asdict, replace
 from .. import cli, exchange
 from ..document.limits import EditError
 from ..document.readings import readings_of
-from ..document.words import enumerated
+from ..document.words import count_of, enumerated
 from ..exchange.drawing.animation import FILMS, first_round, write_film
 from ..exchange.drawing.film import Film
 from ..exchange.errors import ExchangeError
@@ -37,6 +37,7 @@ from .options import (
     STYLES,
     add_convert_options,
     add_motion_options,
+    add_own_options,
     add_picture_options,
     columns_to_read,
     own_options,
@@ -99,6 +100,7 @@ def _command_parser() -> argparse.ArgumentParser:
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
     add_picture_options(render)
+    add_own_options(render, FORMATS.pictures)
     add_motion_options(render)
     add_convert_options(add("convert", help="read and write other formats", description=_CONVERT))
     info = add("info", help="print facts", description="Print facts about a document's curves.")
@@ -120,7 +122,8 @@ def _document_of(options: argparse.Namespace) -> Document:
             raise
     with _told_on_terminals() as report:
         source = import_file(options.file, ImportOptions(), report=report)
-    _tell(source.sentences)
+    _tell_of(source, options.file)
+    _tell(source.remarks)
     return source.document
 
 
@@ -143,7 +146,8 @@ def _render(options: argparse.Namespace) -> int:
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _drawn_document(options)
     with _told_on_terminals() as report:
-        made = export(document, options.output, picture_options(options, document).reporting(report))
+        wanted = replace(picture_options(options, document), own=own_options(options, FORMATS.pictures))
+        made = export(document, options.output, wanted.reporting(report))
     _tell(made.remarks)
     return 0
 
@@ -152,6 +156,14 @@ def _tell(remarks: Iterable[str]) -> None:
     """Print what was left out or is otherwise, line by line, beside the output."""
     for remark in remarks:
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
+
+
+def _tell_of(source: Imported, path: str) -> None:
+    """Print, before anything is written, how many elements of a file are drawn otherwise, and of each how."""
+    if len(source.missed) > 1:
+        them, name = count_of(len(source.missed), "element"), Path(path).name
+        _tell([f"{them} of {name} come in otherwise than they are drawn:"])
+    _tell(each.sentence for each in source.missed)
 
 
 def _picture_endings() -> tuple[str, ...]:
@@ -183,29 +195,34 @@ def _family_of(options: argparse.Namespace) -> FamilyWord:
         raise RefusalError(f"--setting must be of {problem}.") from None
 
 
+def _import_options(options: argparse.Namespace, read: FamilyWord) -> ImportOptions:
+    return ImportOptions(
+        tolerance=options.tolerance,
+        thin=options.thin,
+        corners=options.corners,
+        family=read.family,
+        settings=read.settings,
+        columns=columns_to_read(options),
+        missing=options.missing,
+        only=options.only,
+    )
+
+
 def _convert(options: argparse.Namespace) -> int:
     word = _family_of(options)
     # What is fitted is near all rows, whatever the family: the curve through them is not that.
     read = FamilyWord(HERMITE) if _wants_fit(options) else word
 
     with _told_on_terminals() as report:
-        source = import_file(
-            options.file,
-            ImportOptions(
-                tolerance=options.tolerance,
-                thin=options.thin,
-                corners=options.corners,
-                family=read.family,
-                settings=read.settings,
-                columns=columns_to_read(options),
-                missing=options.missing,
-                only=options.only,
-            ),
-            report=part(report, 0.0, 0.4),
-        )
+        source = import_file(options.file, _import_options(options, read), report=part(report, 0.0, 0.4))
+    if not options.json:
+        _tell_of(source, options.file)
+    with _told_on_terminals() as report:
         document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
         wanted = replace(
-            picture_options(options, document), own=own_options(options), report=part(report, 0.7, 1.0)
+            picture_options(options, document),
+            own=own_options(options, FORMATS.written),
+            report=part(report, 0.7, 1.0),
         )
         written = export(document, options.output, wanted)
     fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
@@ -217,7 +234,7 @@ def _convert(options: argparse.Namespace) -> int:
         found = {"output": options.output, "deviation": total, "missed": missed, "remarks": remarks}
         _say_json(found)
     else:
-        _tell([*source.sentences, *said])
+        _tell([*source.remarks, *said])
         say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
 

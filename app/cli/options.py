@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from ..document.model import Document
 from ..document.words import enumerated
 from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError
-from ..exchange.formats import FORMATS, endings_of
+from ..exchange.formats import FORMATS, Format, endings_of
 from ..exchange.formats.samples import COLUMNS
 from ..exchange.options import Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
 from ..exchange.units import MILLIMETRES, known_unit
@@ -76,7 +76,7 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
         "--width",
         type=whole_number,
         metavar="N",
-        help="in pixels, which give a PNG with a unit its resolution; in points of 1/72 inch for a PDF",
+        help="in pixels, which give a picture with a unit its resolution; in points of 1/72 inch for a PDF",
     )
     add(
         "--unit",
@@ -90,14 +90,15 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
         "--dpi",
         type=positive_number,
         metavar="X",
-        help="pixels of a PNG for each inch of its true size, for a document with a unit; not with --width",
+        help="pixels of a PNG, JPEG or WebP for each inch of its true size, for a document with a unit; "
+        "not with --width",
     )
     add(
         "--scale",
         type=positive_number,
         default=1.0,
         metavar="X",
-        help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
+        help="pixels of a PNG, JPEG or WebP for each of the width, and for 1/96 inch (default: 1)",
     )
 
 
@@ -160,20 +161,25 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     _add_table_options(convert)
     _add_fit_options(convert)
     add_picture_options(convert)
-    for option in _own():
-        try:
-            add(option.flag, dest=f"{_OWN}{option.name}", help=option.help, **_typed(option))
-        except argparse.ArgumentError as problem:
-            raise ValueError(f"“{option.name}” of a format needs another flag: {problem}") from None
+    add_own_options(convert, FORMATS.written)
 
 
 _OWN = "own_"
 """Before the names of options of single formats, beside those that all have."""
 
 
-def _own() -> list[Option[Any]]:
+def add_own_options(parser: argparse.ArgumentParser, formats: Iterable[Format]) -> None:
+    """Let a command take the options that single formats have."""
+    for option in _own(formats):
+        try:
+            parser.add_argument(option.flag, dest=f"{_OWN}{option.name}", help=option.help, **_typed(option))
+        except argparse.ArgumentError as problem:
+            raise ValueError(f"“{option.name}” of a format needs another flag: {problem}") from None
+
+
+def _own(formats: Iterable[Format]) -> list[Option[Any]]:
     """Return the options of single formats that the command line has."""
-    return [each for each in all_options(form.options for form in FORMATS.written) if each.help]
+    return [each for each in all_options(form.options for form in formats) if each.help]
 
 
 def _typed(option: Option[Any]) -> dict[str, Any]:
@@ -220,10 +226,11 @@ def _some_of(option: SomeOf) -> Callable[[str], tuple[str, ...]]:
     return read
 
 
-def own_options(options: argparse.Namespace) -> dict[str, Any]:
+def own_options(options: argparse.Namespace, formats: Iterable[Format]) -> dict[str, Any]:
     """Return what was asked for of the options of single formats, by their names."""
-    values = {each.name: getattr(options, f"{_OWN}{each.name}") for each in _own()}
-    for each in _own():
+    own = _own(formats)
+    values = {each.name: getattr(options, f"{_OWN}{each.name}") for each in own}
+    for each in own:
         if isinstance(each, OneOf):
             values[each.name] = next(one for one in each.choices if str(one) == values[each.name])
     if columns := _columns_to_write(options):
@@ -321,8 +328,9 @@ def columns_to_read(options: argparse.Namespace) -> str:
 
 
 def _columns_to_write(options: argparse.Namespace) -> tuple[str, ...]:
-    """Return those of the columns that are to be written; none for all."""
-    return tuple(name for each in options.columns if "=" not in each for name in each.split(","))
+    """Return those of the columns that are to be written; none for all, and for commands without tables."""
+    columns = getattr(options, "columns", ())
+    return tuple(name for each in columns if "=" not in each for name in each.split(","))
 
 
 def picture_options(options: argparse.Namespace, document: Document) -> Options:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,7 +17,9 @@ from .lifecycle import Lifecycle
 
 
 def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str = "") -> list[MainWindow]:
-    """Show a window for every document, or one with the first sketch; a large document is read beside it.
+    """Show a window for every document; without any file one with the first sketch.
+
+    A large document is read beside its window, which is empty until then, and stays so if it is refused.
 
     The first one takes what else there is as it takes a drop, says what was wrong with other files, as
     sentences in `problems`, and opens a lesson that is named.
@@ -30,6 +32,8 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
         if path not in large:
             session.open(path)
     windows = [MainWindow(session) for session in sessions]
+    if files:
+        _begin_empty(sessions)
     for window in windows:
         window.show()
     for window, path in zip(windows, documents, strict=False):
@@ -44,6 +48,13 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
     if lesson:
         windows[0].commands[LessonCommands].open(lesson)
     return windows
+
+
+def _begin_empty(sessions: Iterable[Session]) -> None:
+    """Let those that wait for their file have nothing in them: a sketch would be taken for what is in it."""
+    for session in sessions:
+        if session.files.is_untouched:
+            session.files.new()
 
 
 def run(application: QApplication, windows: list[MainWindow]) -> int:

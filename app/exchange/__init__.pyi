@@ -9,6 +9,7 @@ from . import each as each
 from . import facts as facts
 from . import lasting as lasting
 from . import linked as linked
+from . import missed as missed
 from . import options as options
 from . import parts as parts
 from . import picture_sizes as picture_sizes

@@ -33,6 +33,7 @@ from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..document.text import Text
 from ..families import HERMITE
+from ..storage.foreign import Lost
 from ..view_model.shapes.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.shapes.cubics import points_of_cubics
 from .errors import ExchangeError
@@ -82,9 +83,10 @@ class Imported:
         return (*(each.sentence for each in self.missed), *self.remarks)
 
     @property
-    def lost(self) -> tuple[str, ...]:
-        """What the file is without once these curves are written over it, each within a sentence."""
-        return (*(each.words for each in self.missed), *(each.removesuffix(".") for each in self.remarks))
+    def lost(self) -> tuple[Lost, ...]:
+        """What the file is without once these curves are written over it."""
+        missed = (Lost(each.words, each.shown_as) for each in self.missed)
+        return (*missed, *(Lost(each.removesuffix(".")) for each in self.remarks))
 
     @property
     def has_groups(self) -> bool:

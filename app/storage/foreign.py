@@ -6,9 +6,24 @@ from pathlib import Path
 
 import msgspec
 
-from ..document.model import Document
+from ..document.model import Curve, Document
 from .files import Content, MissingError, StorageError, keep_backup, read_content
 from .reasons import why_unwritable
+
+
+class Lost(msgspec.Struct, frozen=True):
+    """Something in a file that did not come in as it stands there.
+
+    Attributes
+    ----------
+    words
+        What it is and why, within a sentence.
+    name
+        What the document calls it, or the shapes in it; empty where nothing of it came in, or nobody knows.
+    """
+
+    words: str
+    name: str = ""
 
 
 class Foreign(msgspec.Struct, frozen=True):
@@ -21,7 +36,7 @@ class Foreign(msgspec.Struct, frozen=True):
     written
         The digest of what was written back last; empty before that.
     missed
-        What in it did not come in as it stands there, in words; writing it anew loses it.
+        What in it did not come in as it stands there; writing it anew loses it.
     opened
         The digest of what was opened; empty where nobody knows it.
     begun
@@ -30,7 +45,7 @@ class Foreign(msgspec.Struct, frozen=True):
 
     path: Path
     written: bytes = b""
-    missed: tuple[str, ...] = ()
+    missed: tuple[Lost, ...] = ()
     opened: bytes = b""
     begun: Document | None = None
 
@@ -75,4 +90,27 @@ class Foreign(msgspec.Struct, frozen=True):
     def as_it_is(self, document: Document, *, is_kept: bool) -> Foreign:
         """Return the file that a document was just written to; one that is not kept was written anew."""
         digest = read_content(self.path).stamp.digest
-        return Foreign(self.path, digest, self.missed if is_kept else (), begun=document)
+        missed = self.still_missed(document) if is_kept else ()
+        return Foreign(self.path, digest, missed, begun=document)
+
+    def still_missed(self, document: Document) -> tuple[Lost, ...]:
+        """Return what of that which did not come in as it is concerns a document: not what was deleted there.
+
+        What has another name now is known by its points.
+        """
+        if self.begun is None:
+            return self.missed
+        begun = self.begun.curves
+        kept = {curve.points for curve in document.curves} if self.missed else set()
+        names = {name for curve in document.curves for name in _names_of(curve)}
+
+        def is_there(lost: Lost) -> bool:
+            came = [curve for curve in begun if lost.name in _names_of(curve)]
+            return not came or lost.name in names or any(curve.points in kept for curve in came)
+
+        return tuple(each for each in self.missed if not each.name or is_there(each))
+
+
+def _names_of(curve: Curve) -> tuple[str, ...]:
+    """Return all names by which something of a file may be in a document with a curve."""
+    return (curve.name, curve.shape, *curve.groups)

@@ -325,7 +325,7 @@ class DocumentFiles:
         if path is not None and is_misnamed(path):
             start = path.with_name(stem + SUFFIX)
         if self._session.files.is_read_only or is_copy:
-            start = start.with_name(f"{stem} copy{'.svg' if is_svg(start) else SUFFIX}")
+            start = start.with_name(f"{stem} copy{start.suffix if is_svg(start) else SUFFIX}")
         return start
 
     def _save(self, path: Path, *, overwrite: bool = False) -> bool:

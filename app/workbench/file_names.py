@@ -13,7 +13,12 @@ from ..session import Session
 
 SUFFIX = DOCUMENT_ENDING
 _SVG = ".svg"
-_KINDS = {f"Curvebench documents (*{SUFFIX})": SUFFIX, f"SVG drawings (*{_SVG})": _SVG}
+_PACKED = ".svgz"
+_KINDS = {
+    f"Curvebench documents (*{SUFFIX})": SUFFIX,
+    f"SVG drawings (*{_SVG})": _SVG,
+    f"Compressed SVG drawings (*{_PACKED})": _PACKED,
+}
 SAVED_KINDS = ";;".join([*_KINDS, "All files (*)"])
 """The kinds of files that a document is saved as, for the dialog that asks for a name."""
 
@@ -56,8 +61,8 @@ def _stem_of(path: Path) -> str:
 
 
 def is_svg(path: Path) -> bool:
-    """Whether a file is an SVG by its name."""
-    return path.name.lower().endswith(_SVG)
+    """Whether a file is an SVG by its name, packed or not."""
+    return path.name.lower().endswith((_SVG, _PACKED))
 
 
 def is_misnamed(path: Path) -> bool:
@@ -81,7 +86,8 @@ def proposed_ending(document: Document) -> str:
 
 def kind_to_save(path: Path) -> str:
     """Return the kind of files of `SAVED_KINDS` that a document is proposed to be saved as."""
-    return next(kind for kind, ending in _KINDS.items() if is_svg(path) == (ending == _SVG))
+    kinds = (kind for kind, ending in _KINDS.items() if path.name.lower().endswith(ending))
+    return next(kinds, next(iter(_KINDS)))
 
 
 def path_to_save(typed: Path, kind: str, proposed: Path) -> Path:
@@ -93,10 +99,9 @@ def path_to_save(typed: Path, kind: str, proposed: Path) -> Path:
     name, ending = typed.name, _KINDS.get(kind, "")
     first = _KINDS[kind_to_save(proposed)]
     is_other = ending not in ("", first) and not name.lower().endswith(ending)
-    if is_other and (ending == _SVG or is_svg(typed)):
-        return typed.with_name(
-            name[: -len(first)] + ending if name.lower().endswith(first) else name + ending
-        )
+    if is_other and (ending != SUFFIX or is_svg(typed)):
+        there = max((each for each in _KINDS.values() if name.lower().endswith(each)), key=len, default="")
+        return typed.with_name(name[: len(name) - len(there)] + ending)
     known = (".json", *endings_of(FORMATS.written))
     return typed if name.lower().endswith(known) else typed.with_name(name + (ending or SUFFIX))
 
@@ -107,7 +112,7 @@ def why_not_saved_as(name: str) -> str:
     Under the ending of another format no program, this one among them, would open it.
     """
     name = name.lower()
-    others = tuple(each for each in endings_of(FORMATS.written) if each not in (SUFFIX, _SVG))
+    others = tuple(each for each in endings_of(FORMATS.written) if each not in _KINDS.values())
     if not name.endswith(others):
         return ""
     title = format_of(name, FORMATS.written).title

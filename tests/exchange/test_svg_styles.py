@@ -1,5 +1,6 @@
 """Styles of SVG files: what comes in, what goes out, and what is said of the rest."""
 
+import re
 import xml.etree.ElementTree as ET
 
 import numpy as np

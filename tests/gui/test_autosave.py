@@ -25,7 +25,7 @@ from app.features.recovery.offers import age_in_words
 from app.session import MessageKind, Session
 from app.settings.preferences import Preferences
 from app.storage.files import load, save
-from app.storage.foreign import Foreign
+from app.storage.foreign import Foreign, Lost
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
@@ -370,7 +370,7 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
 
 def test_what_never_had_a_file_keeps_its_name(kept):
     """A drawing that had been imported was called “Untitled” after a crash."""
-    opened_from = Foreign(Path("/nowhere/icon.svg"), missed=("<text> “Title” (text is no curve)",))
+    opened_from = Foreign(Path("/nowhere/icon.svg"), missed=(Lost("<text> “Title” (text is no curve)"),))
     kept.session.files.begin_imported(SKETCH, "icon", foreign=opened_from)
     move_point(kept, (2.0, 3.0))
     assert kept.autosave.write_now()

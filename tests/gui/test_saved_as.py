@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
@@ -17,7 +19,7 @@ from app.workbench.file_names import SAVED_KINDS, title_of
 
 pytestmark = pytest.mark.usefixtures("drawings_read_here")
 
-ANY, (OWN, SVG, _) = "", SAVED_KINDS.split(";;")
+ANY, (OWN, SVG, PACKED, _) = "", SAVED_KINDS.split(";;")
 A4 = 297.0
 
 
@@ -223,3 +225,27 @@ def test_a_copy_of_an_opened_svg_keeps_what_else_is_in_it(editor, tmp_path, monk
     editor.wait_for_work()
     assert "<title>mine</title>" in (tmp_path / "in copy.svg").read_text()
     assert editor.session.files.foreign.path == path
+
+
+def test_a_drawing_is_saved_packed_by_name_or_by_kind_and_opened_and_saved_again(editor, save_as, tmp_path):
+    """Files ending in .svgz were refused."""
+    session, files = editor.session, editor.session.files
+    for typed, kind, name in (("a.svgz", ANY, "a.svgz"), ("b.svg", PACKED, "b.svgz")):
+        save_as(typed, kind)
+        path = tmp_path / name
+        assert files.foreign.path == path
+        assert title_of(session) == name
+        assert not files.is_modified
+        assert path.read_bytes()[:2] == b"\x1f\x8b"
+        (found,) = read_svg(gzip.decompress(path.read_bytes())).document.curves
+        assert places(found, A4) == places(session.document.curves[0])
+    editor.window.open_file(path)
+    editor.wait_for_work()
+    assert files.foreign.path == path
+    assert files.foreign.begun is not None
+    editor.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    editor.trigger("duplicateCurve")
+    editor.trigger("saveDocument")
+    editor.wait_for_work()
+    assert not files.is_modified
+    assert len(read_svg(gzip.decompress(path.read_bytes())).document.curves) == 2

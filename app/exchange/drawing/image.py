@@ -1,4 +1,4 @@
-"""Documents as PNG and PDF, with Qt. No display is needed.
+"""Documents in pixels and as PDF, with Qt. No display is needed.
 
 Both are painted from the drawing that an SVG is written from, moved to the picture's own coordinates in NumPy
 first: Qt then never sees the coordinates of the document, however large, small or far away they are.
@@ -9,11 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import msgspec
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
-from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
+from PySide6.QtGui import (
+    QColor,
+    QGuiApplication,
+    QImage,
+    QImageWriter,
+    QPageLayout,
+    QPageSize,
+    QPainter,
+    QPdfWriter,
+)
 
 from ... import __version__
 from ...document.model import Document
@@ -32,7 +41,7 @@ from .styles import PictureStyle
 
 DEFAULT_WIDTH = 1600
 LARGEST_SIDE = 16384
-"""Longer side of the largest PNG, in pixels; Qt's painter ends at 32767."""
+"""Longer side of the largest picture, in pixels; Qt's painter ends at 32767."""
 
 PAGE_SIDE = 720.0
 """Longer side, in points of 1/72 inch, of a PDF page whose size nobody asked for."""
@@ -48,6 +57,32 @@ _MOST_DOTS = 2**31 - 1
 
 _DRAWN = 0.6
 """Share of a picture that is its drawing; painting follows."""
+
+
+@dataclass(frozen=True)
+class PixelFormat:
+    """A format of pictures in pixels that Qt writes.
+
+    Attributes
+    ----------
+    title
+        What it is called, and Qt calls it.
+    most
+        The longer side of the largest.
+    is_clear
+        Whether it can be seen through; else it has paper.
+    """
+
+    title: str
+    most: int = LARGEST_SIDE
+    is_clear: bool = True
+
+
+PNG, JPEG = PixelFormat("PNG"), PixelFormat("JPEG", is_clear=False)
+WEBP = PixelFormat("WebP", 16383)
+"""Its sides have 14 bits (RFC 9649, section 2.5)."""
+
+_HAS_PAPER = "A JPEG cannot be seen through: it has paper."
 
 
 def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
@@ -128,13 +163,13 @@ def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     return f"“{moved[0].shape or moved[0].name}” is {style.adjustment_of(moved[0].colour)}{more}."
 
 
-def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
+def _size(drawing: Drawing, options: Options, most: int = LARGEST_SIDE) -> tuple[int, int]:
     # Huge factors shall be refused, not overflow.
     width = round(min(_wanted_width(drawing, options), 1e9))
     height = round(width * drawing.frame.height / drawing.frame.width)
-    if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
+    if not 1 <= min(width, height) <= max(width, height) <= most:
         raise ExchangeError(
-            f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
+            f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {most}."
         )
     return width, height
 
@@ -165,7 +200,12 @@ def _paint(fitted: Drawing, painter: QPainter, style: PictureStyle, options: Opt
 
 
 def png_file(document: Document, options: Options) -> Written:
-    """Return a PNG file, `options.width` × `options.scale` pixels wide.
+    """Return a PNG file; see `pixel_file`."""
+    return pixel_file(document, options, PNG)
+
+
+def pixel_file(document: Document, options: Options, form: PixelFormat, quality: int = -1) -> Written:
+    """Return a picture in pixels, `options.width` × `options.scale` wide, of a quality from 1 to 100.
 
     Its pixels are as dense as true size asks for where that can be, else as on a screen.
 
@@ -174,14 +214,19 @@ def png_file(document: Document, options: Options) -> Written:
     ExchangeError
         If nothing can be drawn, or the picture would be too large.
     """
+    remarks: tuple[str, ...] = ()
+    if options.transparent and not form.is_clear:
+        options, remarks = msgspec.structs.replace(options, transparent=False), (_HAS_PAPER,)
     style = options.paper_style(document)
     drawing = _png_drawing(document, options, style)
-    size = _size(drawing, options)
+    size = _size(drawing, options, form.most)
     with application():
-        return Written(_pixels(drawing, size, options, style), drawing.deviation, drawing.remarks, size)
+        image = _image(drawing, size, options, style)
+        data = _saved(image, form, quality)
+        return Written(data, drawing.deviation, (*drawing.remarks, *remarks), size)
 
 
-def _pixels(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> bytes:
+def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> QImage:
     # On its own, as `_page` is.
     image = _painted(drawing, size, style, options)
     image.setText("Software", f"Curvebench {__version__}")
@@ -189,8 +234,14 @@ def _pixels(drawing: Drawing, size: tuple[int, int], options: Options, style: Pi
     dots = _true_dots_per_metre(drawing, options) or round(_DOTS_PER_METRE * options.scale)
     image.setDotsPerMeterX(dots)
     image.setDotsPerMeterY(dots)
-    buffer = _buffer()
-    if not image.save(buffer, "PNG"):  # type: ignore[call-overload]  # its stub forgets devices
+    return image
+
+
+def _saved(image: QImage, form: PixelFormat, quality: int) -> bytes:
+    buffer, name = _buffer(), form.title.lower()
+    if name.encode() not in [bytes(each.data()) for each in QImageWriter.supportedImageFormats()]:
+        raise ExchangeError(f"The Qt that is installed here writes no {form.title}.")
+    if not image.save(buffer, name, quality):  # type: ignore[call-overload]  # its stub forgets devices
         raise ExchangeError("The picture could not be made; there may be too little memory.")
     return bytes(buffer.data().data())
 

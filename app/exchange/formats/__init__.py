@@ -298,6 +298,12 @@ def can_write_back(path: Path) -> bool:
     return name.endswith(endings_of(drawings)) and name.endswith(endings_of(FORMATS.written))
 
 
+def are_read_alike(one: Path, other: Path) -> bool:
+    """Whether files of two names hold drawings that one function reads, such as packed ones and others."""
+    reads = [format_of(each, FORMATS.read).read for each in (one, other)]
+    return reads[0] is not None and reads[0] is reads[1]
+
+
 def can_import(path: Path) -> bool:
     """Whether a file that somebody hands over is to be imported; documents are opened."""
     name = path.name.lower()

@@ -1,30 +1,83 @@
-"""Pictures: in pixels, as a drawing, which is also read, and as a page."""
+"""Pictures: in pixels, as a drawing, which is also read, packed or not, and as a page."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .. import corner, drawing, svg
 from ..cubics_in import Imported
-from ..options import BY_DPI, DPI, PICTURE, SCALE, TEXT_AS_OUTLINES, TOLERANCE, WIDTH, Option
+from ..options import (
+    BY_DPI,
+    DPI,
+    PICTURE,
+    SCALE,
+    TEXT_AS_OUTLINES,
+    TOLERANCE,
+    TRANSPARENT,
+    WIDTH,
+    Option,
+    Options,
+    Whole,
+)
+from ..svg.compressed import packed, unpacked
 from ..svg.writer import svg_of
-from . import ContentKind, Format
+from . import ContentKind, Format, Written
+
+if TYPE_CHECKING:
+    from ...document.model import Document
+    from ...tasks.progress import Report
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:
     """Return the curves of a drawing on a page that stands on the origin; see `svg.reader.read_svg`."""
-    found = svg.reader.read_svg(data, tolerance)
+    found = svg.reader.read_svg(unpacked(data), tolerance)
     return replace(found, document=corner.from_lower_left(found.document))
 
 
-_IDLE_OF_PNG: dict[bool | None, tuple[Option[Any], ...]] = {
+def _rewritten(data: bytes, document: Document, begun: Document | None, report: Report) -> Written | None:
+    return svg.in_place.rewriting.rewritten(unpacked(data), document, begun, report)
+
+
+def _rewritten_packed(
+    data: bytes, document: Document, begun: Document | None, report: Report
+) -> Written | None:
+    content = unpacked(data)
+    kept = svg.in_place.rewriting.rewritten(content, document, begun, report)
+    if kept is None:
+        return None
+    # What is as it was stays packed as it was.
+    return replace(kept, content=data) if kept.data == content != data else packed(kept)
+
+
+_IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
     True: (WIDTH, SCALE),
     False: (SCALE, DPI),
     # Without a unit of length there is no inch.
     None: (BY_DPI, DPI),
 }
 """Options that do nothing where the resolution says how many pixels there are, and where the width does."""
+
+
+_IN_PIXELS = (BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:])
+
+QUALITY = Whole(
+    name="quality",
+    label="Quality",
+    tip="How much of the picture is kept: more is sharper, and a larger file",
+    default=90,
+    limits=(1, 100),
+    suffix=" %",
+    help="how much of a JPEG or WebP picture is kept, 1 to 100 (default: 90)",
+)
+
+
+def _jpeg(document: Document, options: Options) -> Written:
+    return drawing.image.pixel_file(document, options, drawing.image.JPEG, options[QUALITY])
+
+
+def _webp(document: Document, options: Options) -> Written:
+    return drawing.image.pixel_file(document, options, drawing.image.WEBP, options[QUALITY])
 
 
 # Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.
@@ -35,9 +88,31 @@ FORMATS = (
         title="PNG picture",
         description="Pixels, for slides and pages.",
         place=10,
-        options=(BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:]),
-        hidden=lambda values: _IDLE_OF_PNG[values[BY_DPI.name]],
+        options=_IN_PIXELS,
+        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
         write=lambda document, options: drawing.image.png_file(document, options),
+        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+        shows_contents=True,
+    ),
+    Format(
+        endings=(".jpg", ".jpeg"),
+        title="JPEG picture",
+        description="Pixels on paper, for mail and the web; lines are a little blurred.",
+        place=12,
+        options=(*(each for each in _IN_PIXELS if each is not TRANSPARENT), QUALITY),
+        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
+        write=_jpeg,
+        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+        shows_contents=True,
+    ),
+    Format(
+        endings=(".webp",),
+        title="WebP picture",
+        description="Pixels for web pages, in smaller files than PNG; without loss at 100 %.",
+        place=14,
+        options=(*_IN_PIXELS, QUALITY),
+        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
+        write=_webp,
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
         shows_contents=True,
     ),
@@ -53,9 +128,21 @@ FORMATS = (
         kind=ContentKind.DRAWING,
         plural="SVG drawings",
         read=read,
-        rewrite=lambda data, document, begun, report: svg.in_place.rewriting.rewritten(
-            data, document, begun, report
-        ),
+        rewrite=_rewritten,
+    ),
+    Format(
+        endings=(".svgz",),
+        title="Compressed SVG drawing",
+        description="An SVG drawing packed by gzip, of about a fifth of its size.",
+        place=25,
+        options=(*PICTURE, TOLERANCE),
+        write=lambda document, options: packed(svg_of(document, options)),
+        preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
+        shows_contents=True,
+        kind=ContentKind.DRAWING,
+        plural="Compressed SVG drawings",
+        read=read,
+        rewrite=_rewritten_packed,
     ),
     Format(
         endings=(".pdf",),

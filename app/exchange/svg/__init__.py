@@ -27,6 +27,7 @@
   ``copied``: as Inkscape does.
 - ``in_place``: files with the changes of a document in them, and everything else as it was.
 - ``own_data``: what we know of a shape, beside its element.
+- ``compressed``: packed by gzip.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 

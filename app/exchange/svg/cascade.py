@@ -16,7 +16,7 @@ import cssselect2
 import tinycss2
 
 from ..errors import ExchangeError
-from ..missed import Missed
+from ..missed import LEFT_OUT, Missed
 from .xml_tree import tag_of
 
 INHERITED = {
@@ -156,7 +156,7 @@ class Cascade:
             self._selectors += 1
 
     def _miss(self, name: str, number: int, why: str) -> None:
-        self.missed.append(Missed("<style>", name, number, why, "left out"))
+        self.missed.append(Missed("<style>", name, number, why, LEFT_OUT))
 
 
 def _declarations(text: str) -> list[_Declared]:

@@ -20,7 +20,7 @@ from ...document.model import Guide
 from ...document.shapes import tidy_shapes
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
-from ..missed import Missed
+from ..missed import LEFT_OUT, Missed, named_by_place
 from ..node_types import parted
 from . import own_data
 from .cascade import Cascade
@@ -65,9 +65,9 @@ _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
 _CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
-_NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", "left out")
-_ODD_GUIDE = Flaw("it does not say where it lies", "left out")
-_ONE_POINT = Flaw("it is a single point", "left out")
+_NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", LEFT_OUT)
+_ODD_GUIDE = Flaw("it does not say where it lies", LEFT_OUT)
+_ONE_POINT = Flaw("it is a single point", LEFT_OUT)
 _UNPAINTED = "it has neither a stroke nor a fill"
 
 
@@ -147,7 +147,7 @@ class SvgReader:
         """
         drawn = self.drawn()
         seen = [each for each in drawn if is_seen(each)]
-        instead = "left out" if seen else "it comes in as a line"
+        instead = LEFT_OUT if seen else "it comes in as a line"
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._missing.note(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
@@ -273,7 +273,7 @@ class SvgReader:
         reference = reference_of(element)
         target = self._elements.used(element)
         if target is None:
-            self._missing.note(element, Flaw("what it uses is not in the file", "left out"))
+            self._missing.note(element, Flaw("what it uses is not in the file", LEFT_OUT))
             return
         if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):
             raise self._missing.broken(element, f"it uses itself by way of “{reference[:40]}”.")
@@ -309,7 +309,7 @@ class SvgReader:
         if not drawn:
             return
         self._shapes.append(element)
-        name = state.clone or name_of(element) or f"{tag.capitalize()} {self._missing.number_of(element)}"
+        name = state.clone or name_of(element) or named_by_place(tag, self._missing.number_of(element))
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         controls = [each.controls for each in drawn]

@@ -19,6 +19,7 @@ from ...document.marker import MarkerKind
 from ...document.model import MAX_MAGNITUDE
 from ...document.style import NO_LINE, FillRule
 from ..cubics_in import ImportedPath, Look
+from ..missed import LEFT_OUT
 from .clips import clip_of_box
 from .elements import Elements
 from .flaw import Flaw
@@ -37,16 +38,16 @@ _NO_TEXT = Flaw("it has no letters that can be read here", "left out, but as pat
 NO_CURVES = {
     "text": _NO_TEXT,
     "flowRoot": _NO_TEXT,
-    "image": Flaw("it has no place", "left out"),
-    "foreignObject": Flaw("it is of another kind than SVG", "left out"),
-    "script": Flaw("programs are not run", "left out"),
+    "image": Flaw("it has no place", LEFT_OUT),
+    "foreignObject": Flaw("it is of another kind than SVG", LEFT_OUT),
+    "script": Flaw("programs are not run", LEFT_OUT),
     "animate": Flaw("motion is not taken over", "it comes in as it begins"),
 }
 NO_CURVES |= dict.fromkeys(("set", "animateMotion", "animateTransform"), NO_CURVES["animate"])
 """Elements that show something else than curves, and what is said of them where they do not come in."""
 
 _UNEVEN = Flaw("some of its letters are turned or stretched", "they come in as all others")
-_TOO_LONG = Flaw(f"of all texts {MOST_LETTERS} letters are read", "left out")
+_TOO_LONG = Flaw(f"of all texts {MOST_LETTERS} letters are read", LEFT_OUT)
 _NO_PICTURE = Flaw(
     f"it is no PNG or JPEG picture of up to {MOST_PIXELS // 1_000_000} megapixels, or too much beside others",
     "a frame shows where it is",

@@ -29,7 +29,6 @@ from ...exchange.formats import (
 from ...session.brought import choose_brought
 from ...session.next_style import Marked
 from ...storage.files import read
-from ...storage.foreign import Foreign
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
 from ...tasks.progress import Report
 from ...workbench.contents_here import as_here
@@ -40,6 +39,7 @@ from .export_commands import ExportCommands
 from .import_series import ImportSeries
 from .overwrite_commands import OverwriteCommands
 from .picture_commands import PictureCommands
+from .revert_commands import RevertCommands
 from .save_copy_commands import SaveCopyCommands
 
 if TYPE_CHECKING:
@@ -267,7 +267,7 @@ class ImportCommands:
         self, path: Path, arrival: Arrival, taken: Imported | PreparedTable, *, begins: bool, anew: bool
     ) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
-        session, step = self._session, f"Import {path.name}"
+        session, step, intake = self._session, f"Import {path.name}", import_export.intake
         is_home = (anew or path == self._opened) and can_write_back(path)
         if not begins:
             session.expect(arrival.views)
@@ -278,7 +278,7 @@ class ImportCommands:
                 path.stem,
                 "" if anew else step,
                 arrival.views,
-                _origin(path, arrival, taken) if is_home else None,
+                intake.origin_of(path, arrival, taken) if is_home else None,
             )
         except EditError as reason:
             session.refuse(str(reason))
@@ -315,13 +315,6 @@ class ImportCommands:
         self._session.say(f"{done}: {what}, {exact}. {rest}".rstrip())
 
 
-def _origin(path: Path, arrival: Arrival, taken: Imported | PreparedTable) -> Foreign:
-    """Return the file that a document begins with."""
-    if not isinstance(taken, exchange.cubics_in.Imported):
-        return Foreign(path.absolute())
-    return Foreign(path.absolute(), missed=taken.lost, opened=taken.digest, begun=arrival.document)
-
-
 @dataclass(frozen=True)
 class _OpenTable:
     """A table that was read so far that somebody can say what its columns are."""
@@ -337,4 +330,5 @@ COMMAND_SETS = (
     CopyCommands,
     SaveCopyCommands,
     OverwriteCommands,
+    RevertCommands,
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from ...storage.files import StorageError
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from ...workbench.file_names import file_stem, own_name
+from ...workbench.undrawn import words_about_undrawn
 from .. import import_export
 
 if TYPE_CHECKING:
@@ -78,6 +80,7 @@ class ExportCommands:
                 session.active_index,
                 session.selected.marked,
                 with_estimates=self._preferences.with_estimates,
+                undrawn=partial(words_about_undrawn, session),
             )
 
     def _ask_where(self, choice: ExportChoice) -> None:

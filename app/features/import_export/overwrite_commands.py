@@ -15,7 +15,7 @@ from ...actions.sections import FILE_SAVE
 from ...actions.situation import Situation
 from ...document.model import Document
 from ...document.words import count_of, names_of
-from ...exchange.formats import Written
+from ...exchange.formats import Written, are_read_alike
 from ...session import Beginning
 from ...storage.foreign import Foreign
 from ...storage.reasons import shown
@@ -47,7 +47,7 @@ def _words_about_loss(foreign: Foreign) -> str:
     them = "it" if count == 1 else "them"
     return (
         f"{count_of(count, 'thing')} in {name} did not come in as drawn and would be lost: "
-        f"{names_of(foreign.missed)}. Overwrite again to write it without {them}."
+        f"{names_of([each.words for each in foreign.missed])}. Overwrite again to write it without {them}."
     )
 
 
@@ -211,7 +211,7 @@ def _anew(foreign: Foreign, document: Document, copy: Path | None, report: Repor
 def written_to(path: Path, origin: Foreign | None, document: Document, report: Report) -> Done:
     """Write a document to another file, with all else in that which it came from if it is of that format."""
     writing, new = exchange.writing, Foreign(path)
-    content = origin.content() if origin is not None and origin.path.suffix == path.suffix else None
+    content = origin.content() if origin is not None and are_read_alike(origin.path, path) else None
     if origin is None or content is None:
         return _anew(new, document, None, report)
     ahead = part(report, 0.0, 0.9)

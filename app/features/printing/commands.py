@@ -14,6 +14,7 @@ from ...exchange.errors import ExchangeError
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from ...workbench.file_names import file_stem
+from ...workbench.undrawn import words_about_undrawn
 from .. import printing
 
 if TYPE_CHECKING:
@@ -46,6 +47,8 @@ class PrintCommands:
             return
         paper, document = printing.paper, self._session.committed
         printer = paper.printer_for(document, file_stem(self._session))
+        if undrawn := words_about_undrawn(self._session, document):
+            self._context.central.message_bar.warn(undrawn)
         dialog = paper.dialog_for(printer, self._context.window)
         dialog.accepted.connect(lambda: self._print(printer, document))
         dialog.finished.connect(dialog.deleteLater)

@@ -29,7 +29,7 @@ from ...document.model import Document, make_curve
 from ...document.paper import DocumentKind
 from ...document.several_curves import named
 from ...document.shapes import shape_of
-from ...document.style import GRADIENTS, Style
+from ...document.style import GRADIENTS, NO_PAINT, Style
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...session.next_style import Marked
@@ -46,6 +46,7 @@ from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .indicator import StyleIndicator
 from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
+from .palette_commands import PaletteCommands
 from .pattern_commands import PatternCommands
 from .subject import Shown, StyleSubject
 from .used_colours import UsedColours, UsedPatterns
@@ -198,7 +199,10 @@ class StyleCommands:
             self._set_next(lambda document, curves: with_style(document, curves, **fields))
 
     def _take_picked(self, paint: str, colour: str) -> None:
-        """Give what is chosen a colour that was picked from the drawing; of a gradient, the chosen stop."""
+        """Give what is chosen a colour of the drawing or of a palette; of a gradient, the chosen stop."""
+        if colour == NO_PAINT:
+            self._change({paint: colour})
+            return
         stop = self._stops(self._curves)[paint]
         self._colours.remember(colour)
         self._edit([paint], lambda document, curves: with_colour(document, curves, paint, stop, colour))
@@ -382,4 +386,10 @@ def _edited(edit: Callable[[Document, frozenset[int]], Document], style: Style) 
     return edit(Document((model,)), frozenset({0})).curves[0].style
 
 
-COMMAND_SETS = (StyleCommands, StyleClipboardCommands, PatternCommands, StyleViewCommands)
+COMMAND_SETS = (
+    StyleCommands,
+    StyleClipboardCommands,
+    PatternCommands,
+    StyleViewCommands,
+    PaletteCommands,
+)
