@@ -11,6 +11,7 @@ from ...document.shapes import is_of_several
 from ...view_model.shapes.clipping import with_clip_released, with_clip_set
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
+from .clip_editing import ClipEditing
 from .shape_work import ShapeWork
 
 
@@ -24,6 +25,21 @@ class ClipCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._work = ShapeWork(context)
+        self._editing = ClipEditing(context)
+
+    @action(
+        "editClip",
+        "Edit Clip",
+        CURVE_CLIPS,
+        icon="edit-clip",
+        full_name="Edit Clip of Shapes",
+        needs=Need("a shape that is clipped", _is_clipped),
+        keywords="clipping path outline points nodes crop mask change",
+    )
+    @also(CHOSEN_MENU(33))
+    def _edit(self) -> None:
+        """Show the outline that cuts the chosen shapes and change its points; Escape puts it back."""
+        self._editing.begin()
 
     @action(
         "setClip",

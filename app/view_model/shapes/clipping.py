@@ -65,7 +65,7 @@ def with_clip_released(
         for clip in own[0].style.clips:
             if clip not in given:
                 given.add(clip)
-                made[places] += _outlines(clip, own[0], names.next())
+                made[places] += curves_of_clip(clip, own[0], names.next())
     if not any(document.curves[places.start].style.clips for places in made):
         raise EditError("Nothing of this is clipped.")
     return Combined(*replaced(document, made), len(made), 0.0)
@@ -82,7 +82,7 @@ def _ring(pieces: FloatArray) -> ClipRing:
     return ring_of((x, y) for x, y in [pieces[0, 0].tolist(), *pieces[:, 1:].reshape(-1, 2).tolist()])
 
 
-def _outlines(clip: Clip, model: Curve, name: str) -> list[Curve]:
+def curves_of_clip(clip: Clip, model: Curve, name: str) -> list[Curve]:
     """Return the rings of a clip as curves of one shape, beside another one."""
     rings = [pieces for ring in clip.rings if len(pieces := _pieces(ring))]
     several = len(rings) > 1
