@@ -21,9 +21,19 @@ from .regions import Combined, Names, chosen_shapes, outlines_of, replaced, take
 
 
 def with_clip_set(
-    document: Document, views: Sequence[CurveView], curves: Collection[int], report: Report = silent
+    document: Document,
+    views: Sequence[CurveView],
+    curves: Collection[int],
+    report: Report = silent,
+    *,
+    letters: Sequence[FloatArray] = (),
 ) -> Combined:
     """Return the document with the foremost of some shapes as what cuts the others; it is gone itself.
+
+    Parameters
+    ----------
+    letters
+        The outlines of the foremost one, cubic pieces (k, 4, 2) each, where it is a text.
 
     Raises
     ------
@@ -34,7 +44,7 @@ def with_clip_set(
     if not others:
         raise EditError("Choose two shapes or more: the one in front cuts the others.")
     report(0.0, "Set clip")
-    outlines, deviation = outlines_of([views[place] for place in front])
+    outlines, deviation = (letters, 0.0) if letters else outlines_of([views[place] for place in front])
     style = document.curves[front.start].style
     rings = tuple(map(_ring, outlines))
     own = (Clip(rings, evenodd=style.fill_rule is FillRule.EVENODD and len(rings) > 1), *style.clips)
