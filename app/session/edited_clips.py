@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from ..document.model import Document
-from ..view_model.shapes.clip_outlines import followed_outlines
+from ..view_model.shapes.clip_outlines import followed_outlines, has_shape
 
 
 class EditedClips:
@@ -16,15 +16,22 @@ class EditedClips:
 
     def __init__(self) -> None:
         self.outlines: frozenset[frozenset[str]] = frozenset()
+        self._before: Document | None = None
+        self._there: list[frozenset[str]] = []
 
     def begin(self, outlines: Collection[frozenset[str]]) -> None:
         """Have what these cut follow them."""
-        self.outlines = self.outlines.union(outlines)
+        self.outlines, self._before = self.outlines.union(outlines), None
 
     def forget(self) -> None:
         """Take all outlines for shapes like others: the document is another one."""
-        self.outlines = frozenset()
+        self.outlines, self._before, self._there = frozenset(), None, []
 
     def followed(self, document: Document, before: Document) -> Document:
         """Return the document whose clips are as their outlines run now."""
-        return followed_outlines(document, before, self.outlines) if self.outlines else document
+        if not self.outlines:
+            return document
+        if self._before is not before:
+            # Once for a drag, not for each of its frames: most of the time none is there any more.
+            self._before, self._there = before, [names for names in self.outlines if has_shape(before, names)]
+        return followed_outlines(document, before, self._there) if self._there else document

@@ -78,6 +78,11 @@ def followed_outlines(document: Document, before: Document, outlines: Iterable[C
     return _with_swapped(document, swapped)
 
 
+def has_shape(document: Document, names: Collection[str]) -> bool:
+    """Whether a shape, or a curve, of one of these names is there."""
+    return _place(document, names) >= 0
+
+
 def outline_at(document: Document, names: Collection[str]) -> frozenset[int]:
     """Return the places of the outline of a clip that cuts something; none where it is none any more."""
     place = _place(document, names)
