@@ -11,6 +11,7 @@
 - ``next_style``: the style of what is drawn next.  ``stop_choice``: the stop of a gradient that is chosen.
   ``brought``: choosing what has come from elsewhere.
 - ``along_paths``: texts that follow the curves that they lie along.
+- ``edited_clips``: clips that follow their outlines.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """
 

@@ -24,6 +24,7 @@ from ..view_model.curve.curve_view import CurveView
 from .along_paths import followed, settled
 from .box import SelectionBox
 from .change import Change, raiser_of, why_not_kept, why_safe
+from .edited_clips import EditedClips
 from .files import Files
 from .following import Following
 from .history import Beginning, History, State
@@ -52,6 +53,8 @@ class Session(SessionSignals):
         What was chosen of the box around what is selected.
     scrub
         The scrub line.
+    clips
+        Clips whose outlines are edited.
     """
 
     def __init__(self) -> None:
@@ -65,6 +68,7 @@ class Session(SessionSignals):
         self._following = Following(self)
         self.box = SelectionBox(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
+        self.clips = EditedClips()
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
         self._home: Choice | None = None
@@ -243,7 +247,7 @@ class Session(SessionSignals):
     ) -> Document:
         """Return a document with plain values whose clones follow, and whose texts look as styles say."""
         painted = repainted(plain(document, self._shown), self._committed)
-        return follow(painted, self._committed, self._shown)
+        return follow(self.clips.followed(painted, self._committed), self._committed, self._shown)
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""
@@ -300,6 +304,7 @@ class Session(SessionSignals):
             self.files.close()
             self.undo_stack.resetClean()
         self._following.leave()
+        self.clips.forget()
         self.scrub.set(None)
         self.box.set_pivots(())
         # Another document's curves are nobody's last good shape.

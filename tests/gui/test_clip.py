@@ -47,6 +47,10 @@ def chosen(editor):
     return [editor.session.document.curves[place].name for place in sorted(editor.session.selected.chosen)]
 
 
+def names_in(editor):
+    return [curve.name for curve in editor.session.document.curves]
+
+
 def test_the_shape_in_front_cuts_the_others_and_comes_back(drawing):
     session, before = drawing.session, drawing.session.document
     drawing.click(LEFT)
@@ -121,3 +125,100 @@ def test_only_what_is_clipped_is_released_and_one_shape_cuts_nothing(drawing):
     drawing.click(LEFT)
     assert not drawing.action("setClip").isEnabled()
     assert not drawing.action("releaseClip").isEnabled()
+
+
+def test_the_outline_of_a_clip_is_edited_live_and_put_back_by_escape(drawing):
+    session = drawing.session
+    drawing.click(LEFT)
+    drawing.click(FRAME, keys=SHIFT)
+    drawing.trigger("setClip")
+    before = session.document
+    drawing.trigger("editClip")
+    assert session.undo_stack.undoText() == "Edit clip of Disc"
+    names = [curve.name for curve in session.document.curves]
+    assert names == ["Bar", "Disc", "Clip (1)", "Clip (2)"]
+    assert session.selected.is_editing
+    # The corner of the outer ring at (-1, 1), y up, goes to (-3, 3): more of the disc is seen.
+    more = (-1.5, 1.0)
+    (hidden,) = colours(drawing, more)
+    assert hidden != DISC
+    drawing.drag((-1.0, 1.0), to=(-3.0, 3.0))
+    assert session.undo_stack.undoText() != "Edit clip of Disc"
+    (seen,) = colours(drawing, more)
+    assert seen == DISC
+    while session.selected.is_editing:
+        drawing.escape()
+    drawing.settle()
+    assert session.undo_stack.undoText() == "Put back clip of Disc"
+    assert [curve.name for curve in session.document.curves] == ["Bar", "Disc"]
+    assert chosen(drawing) == ["Disc"]
+    (ring, _hole) = session.document.curves[1].style.clips[0].rings
+    # Within a pixel of where the corner was dropped.
+    assert min(np.hypot(x + 3, y - 3) for x, y in ring.places) < 0.05
+    session.undo_stack.undo()
+    assert [curve.name for curve in session.document.curves] == names
+    session.undo_stack.undo()
+    session.undo_stack.undo()
+    assert session.document == before
+
+
+def test_escape_or_a_click_on_something_else_puts_the_outline_back_as_it_was(drawing):
+    session = drawing.session
+    drawing.click(SEEN)
+    bar = session.document.curves[0].style.clips[0]
+    drawing.trigger("editClip")
+    assert names_in(drawing) == ["Bar", "Clip", "Disc", "Frame (1)", "Frame (2)"]
+    drawing.escape()
+    drawing.settle()
+    assert names_in(drawing) == ["Bar", "Disc", "Frame (1)", "Frame (2)"]
+    assert chosen(drawing) == ["Bar"]
+    drawing.trigger("editClip")
+    # While points are edited a click in another curve edits that.
+    drawing.click(LEFT)
+    drawing.settle()
+    assert names_in(drawing) == ["Bar", "Disc", "Frame (1)", "Frame (2)"]
+    assert session.selected.edited == {1}
+    # What was not touched is the same outline, but for roundings.
+    (again,) = session.document.curves[0].style.clips
+    corners, old = (
+        {(round(x, 9), round(y, 9)) for x, y in each.rings[0].places[::3]} for each in (again, bar)
+    )
+    assert {tuple(each) for each in corners} == {tuple(each) for each in old}
+
+
+def test_the_outline_follows_a_cancelled_drag_back_and_other_clips_stay(drawing):
+    session = drawing.session
+    drawing.click(LEFT)
+    drawing.click(FRAME, keys=SHIFT)
+    drawing.trigger("setClip")
+    bar = session.document.curves[0]
+    drawing.trigger("editClip")
+    before = session.document
+    drawing.press((-1.0, 1.0))
+    drawing.move((-2.0, 2.0))
+    drawing.move((-3.0, 3.0))
+    assert session.document.curves[1].style != before.curves[1].style
+    drawing.escape()
+    assert session.document == before
+    drawing.release((-3.0, 3.0))
+    assert session.document == before
+    assert session.document.curves[0] is bar
+
+
+def test_a_text_in_front_cuts_by_its_letters_and_comes_back_as_their_outlines(drawing):
+    session = drawing.session
+    drawn = DRAWING.replace("</svg>", '<text id="T" x="-4" y="3" font-size="8" fill="#000000">L</text></svg>')
+    session.commit(read_svg(drawn.encode(), None).document, "With a text", active=0)
+    session.selected.choose([1, len(session.document.curves) - 1])
+    drawing.trigger("setClip")
+    assert names_in(drawing) == ["Bar", "Disc", "Frame (1)", "Frame (2)"]
+    (clip,) = session.document.curves[1].style.clips
+    # An L has one outline of straight lines, as high as capitals are: 0.6 to 0.8 of the size of the font.
+    (ring,) = clip.rings
+    low, high = np.min(ring.places, axis=0), np.max(ring.places, axis=0)
+    assert low[1] == pytest.approx(-3.0, abs=1e-6)
+    assert 0.6 * 8 < high[1] - low[1] < 0.8 * 8
+    session.selected.choose([1])
+    drawing.trigger("releaseClip")
+    assert names_in(drawing) == ["Bar", "Disc", "Clip", "Frame (1)", "Frame (2)"]
+    assert len(session.document.curves[2].points) == 6

@@ -1,7 +1,8 @@
 """Shapes and groups: curves combined, with holes, and taken apart; grouped and ungrouped; boolean operations.
 
 - ``commands``: combining and grouping.  ``path_commands``: union, difference and the like.
-- ``clip_commands``: shapes cut by others.  ``simplify_commands``: the same with fewer points.
+- ``clip_commands``: shapes cut by others.  ``clip_editing``: what cuts them, while it is edited.
+- ``simplify_commands``: the same with fewer points.
 - ``shape_work``: what is made of chosen shapes, at once or beside the window.
 - ``offset_commands``: larger and smaller shapes.  ``corner_commands``: rounded corners.
 - ``field``: the fields on the canvas for distance and radius.  ``distances``: both as people type them.

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+from curvecore.arrays import FloatArray
+
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_CLIPS
 from ...actions.situation import Situation
 from ...actions.strips import CHOSEN_MENU
+from ...document.content import Lettering
+from ...document.contents import corners_of
+from ...document.model import Curve
 from ...document.shapes import is_of_several
+from ...qt.contents import letters_of
 from ...view_model.shapes.clipping import with_clip_released, with_clip_set
 from ...workbench.context import WindowContext
 from .chosen_shapes import meant
+from .clip_editing import ClipEditing
 from .shape_work import ShapeWork
 
 
@@ -19,11 +28,34 @@ def _is_clipped(now: Situation) -> bool:
     return any(curves[place].style.clips for place in meant(now.session))
 
 
+def _letters(curve: Curve) -> list[FloatArray]:
+    """Return the outlines of the letters of a text; none of anything else."""
+    if not isinstance(curve.form, Lettering):
+        return []
+    letters = letters_of(curve.form, corners_of(curve), curve.style)
+    return [contour for glyph, _style in letters for contour in glyph.contours]
+
+
 class ClipCommands:
     """Clips of the chosen shapes."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._work = ShapeWork(context)
+        self._session, self._work = context.session, ShapeWork(context)
+        self._editing = ClipEditing(context)
+
+    @action(
+        "editClip",
+        "Edit Clip",
+        CURVE_CLIPS,
+        icon="edit-clip",
+        full_name="Edit Clip of Shapes",
+        needs=Need("a shape that is clipped", _is_clipped),
+        keywords="clipping path outline points nodes crop mask change",
+    )
+    @also(CHOSEN_MENU(33))
+    def _edit(self) -> None:
+        """Show the outline that cuts the chosen shapes and change its points; Escape puts it back."""
+        self._editing.begin()
 
     @action(
         "setClip",
@@ -39,8 +71,10 @@ class ClipCommands:
     )
     @also(CHOSEN_MENU(32))
     def _set(self) -> None:
-        """Cut the chosen shapes by the outline of the one in front; Release Clip brings it back."""
-        self._work.compute("Set clip", with_clip_set)
+        """Cut the chosen shapes by the one in front, a text by its letters; Release Clip brings that back."""
+        document = self._session.committed
+        front = document.curves[max(meant(self._session))]
+        self._work.compute("Set clip", partial(with_clip_set, letters=_letters(front)))
 
     @action(
         "releaseClip",

@@ -21,9 +21,19 @@ from .regions import Combined, Names, chosen_shapes, outlines_of, replaced, take
 
 
 def with_clip_set(
-    document: Document, views: Sequence[CurveView], curves: Collection[int], report: Report = silent
+    document: Document,
+    views: Sequence[CurveView],
+    curves: Collection[int],
+    report: Report = silent,
+    *,
+    letters: Sequence[FloatArray] = (),
 ) -> Combined:
     """Return the document with the foremost of some shapes as what cuts the others; it is gone itself.
+
+    Parameters
+    ----------
+    letters
+        The outlines of the foremost one, cubic pieces (k, 4, 2) each, where it is a text.
 
     Raises
     ------
@@ -34,7 +44,7 @@ def with_clip_set(
     if not others:
         raise EditError("Choose two shapes or more: the one in front cuts the others.")
     report(0.0, "Set clip")
-    outlines, deviation = outlines_of([views[place] for place in front])
+    outlines, deviation = (letters, 0.0) if letters else outlines_of([views[place] for place in front])
     style = document.curves[front.start].style
     rings = tuple(map(_ring, outlines))
     own = (Clip(rings, evenodd=style.fill_rule is FillRule.EVENODD and len(rings) > 1), *style.clips)
@@ -65,7 +75,7 @@ def with_clip_released(
         for clip in own[0].style.clips:
             if clip not in given:
                 given.add(clip)
-                made[places] += _outlines(clip, own[0], names.next())
+                made[places] += curves_of_clip(clip, own[0], names.next())
     if not any(document.curves[places.start].style.clips for places in made):
         raise EditError("Nothing of this is clipped.")
     return Combined(*replaced(document, made), len(made), 0.0)
@@ -82,7 +92,7 @@ def _ring(pieces: FloatArray) -> ClipRing:
     return ring_of((x, y) for x, y in [pieces[0, 0].tolist(), *pieces[:, 1:].reshape(-1, 2).tolist()])
 
 
-def _outlines(clip: Clip, model: Curve, name: str) -> list[Curve]:
+def curves_of_clip(clip: Clip, model: Curve, name: str) -> list[Curve]:
     """Return the rings of a clip as curves of one shape, beside another one."""
     rings = [pieces for ring in clip.rings if len(pieces := _pieces(ring))]
     several = len(rings) > 1

@@ -17,11 +17,12 @@ from .cubics import RELATIVE_TOLERANCE
 
 def course_at(document: Document, place: int) -> tuple[Piece, ...]:
     """Return the pieces of the shape that a curve is a part of, in the plane; none where it has none."""
-    return tuple(piece for at in shape_of(document, place) for piece in _course(document.curves[at]))
+    return tuple(piece for at in shape_of(document, place) for piece in course_of_curve(document.curves[at]))
 
 
 @lru_cache(maxsize=64)
-def _course(curve: Curve) -> tuple[Piece, ...]:
+def course_of_curve(curve: Curve) -> tuple[Piece, ...]:
+    """Return the pieces of a curve, in the plane; none where it has none."""
     core = view_of(curve).curve
     if core is None:
         return ()
