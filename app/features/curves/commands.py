@@ -8,15 +8,14 @@ from msgspec.structs import replace
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.keymap import keys_text
-from ...actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
-from ...actions.sections import CURVE_NEW, CURVE_ORDER, CURVE_POINTS, CURVE_SHAPE, CURVE_WALK
+from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE, Need
+from ...actions.sections import CURVE_NEW, CURVE_POINTS, CURVE_SHAPE
 from ...actions.situation import Situation
 from ...actions.strips import (
     CANVAS_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
-    OBJECT_BAR,
     POINT_BAR,
     POINT_MENU,
 )
@@ -25,9 +24,7 @@ from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Parametrization
 from ...document.paper import is_for_paper
 from ...document.point_group import some_points
-from ...document.several_curves import in_order, named, place_in, whole_curves
-from ...document.shape_edits import at_end, stepped
-from ...document.shapes import shape_of
+from ...document.several_curves import named, whole_curves
 from ...document.words import count_of, number
 from ...tools.inserting import insert_at
 from ...view_model.fitting.reshape import Reshaped, reversed_curve
@@ -37,23 +34,8 @@ from ...view_model.points.midpoints import Halved, with_midpoints
 from ...view_model.points.straight import segments_between
 from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
+from .order_commands import OrderCommands
 from .segment_commands import SegmentCommands
-
-Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
-"""Returns the order of curves in which some are elsewhere, towards the front (1) or the back (−1)."""
-
-_CURVE_IN_FRONT = Need(
-    "a curve in front of this one",
-    lambda now: _has_curve_beside(now, 1),
-    why=lambda _now: "Nothing is in front of it: it is at the top already.",
-    is_so=True,
-)
-_CURVE_BEHIND = Need(
-    "a curve behind this one",
-    lambda now: _has_curve_beside(now, -1),
-    why=lambda _now: "Nothing is behind it: it is at the bottom already.",
-    is_so=True,
-)
 
 
 def _closing(now: Situation) -> str:
@@ -81,7 +63,7 @@ class CurveCommands:
         self._context = context
         self._session = context.session
 
-    # Number and order
+    # Number
 
     @action("newCurve", "New Curve", CURVE_NEW, "Ctrl+Shift+N", "plus")
     @also(CANVAS_MENU(22), CURVE_LIST_MENU(30), CURVE_LIST_BUTTONS(10))
@@ -93,102 +75,6 @@ class CurveCommands:
             f"New {fresh.name}", lambda document: in_front(document, front, fresh), active=front.place
         ):
             self._context.actions["addTool"].trigger()
-
-    @action(
-        "raiseCurve",
-        "Raise",
-        CURVE_ORDER,
-        "Ctrl+Shift+PgUp",
-        "move-up",
-        full_name="Raise Curve",
-        needs=_CURVE_IN_FRONT,
-    )
-    @also(OBJECT_BAR(31))
-    def _raise(self) -> None:
-        """Move the curve up in the list: it is drawn in front of the next one."""
-        self._put("Raise {}", stepped, 1, "one step to the front")
-
-    @action(
-        "lowerCurve",
-        "Lower",
-        CURVE_ORDER,
-        "Ctrl+Shift+PgDown",
-        "move-down",
-        full_name="Lower Curve",
-        needs=_CURVE_BEHIND,
-    )
-    @also(OBJECT_BAR(32))
-    def _lower(self) -> None:
-        """Move the curve down in the list: it is drawn behind the next one."""
-        self._put("Lower {}", stepped, -1, "one step to the back")
-
-    @action(
-        "raiseToTop",
-        "Raise to Top",
-        CURVE_ORDER,
-        "Ctrl+Shift+Home",
-        "move-to-top",
-        full_name="Raise Curve to Top",
-        needs=_CURVE_IN_FRONT,
-        keywords="bring to front order",
-    )
-    @also(OBJECT_BAR(30))
-    def _raise_to_top(self) -> None:
-        """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
-        self._put("Raise {} to top", at_end, 1, "at the top")
-
-    @action(
-        "lowerToBottom",
-        "Lower to Bottom",
-        CURVE_ORDER,
-        "Ctrl+Shift+End",
-        "move-to-bottom",
-        full_name="Lower Curve to Bottom",
-        needs=_CURVE_BEHIND,
-        keywords="send to back order",
-    )
-    @also(OBJECT_BAR(33))
-    def _lower_to_bottom(self) -> None:
-        """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
-        self._put("Lower {} to bottom", at_end, -1, "at the bottom")
-
-    def _put(self, name: str, arrange: Arrange, way: int, where: str) -> None:
-        """Put what is chosen elsewhere in the order, as one step."""
-        session, what = self._session, named(self._session.document, self._session.selected.whole)
-        document = in_order(session.document, arrange(session.document, session.selected.curves, way))
-        active = place_in(document, session.active_curve)
-        if session.change(name.format(what), lambda _: document, active=active):
-            session.say(f"{what}: {where}.")
-
-    @action(
-        "nextCurve",
-        "Next Curve",
-        CURVE_WALK,
-        "Ctrl+PgDown",
-        needs=SECOND_CURVE,
-        title=lambda now: f"Next {now.thing}",
-    )
-    def _go_on(self) -> None:
-        """Edit the next curve down the list."""
-        self._walk(-1)
-
-    @action(
-        "previousCurve",
-        "Previous Curve",
-        CURVE_WALK,
-        "Ctrl+PgUp",
-        needs=SECOND_CURVE,
-        title=lambda now: f"Previous {now.thing}",
-    )
-    def _go_back(self) -> None:
-        """Edit the next curve up the list."""
-        self._walk(1)
-
-    def _walk(self, step: int) -> None:
-        # The next one is the one below in the list, hence behind.
-        session = self._session
-        session.selected.activate((session.active_index + step) % len(session.document.curves))
-        session.say(f"Editing “{session.active_curve.seen_name}”.")
 
     # Shape
 
@@ -393,14 +279,4 @@ class CurveCommands:
         return made[0]
 
 
-def _has_curve_beside(now: Situation, step: int) -> bool:
-    """Whether what is selected can move a step to the front (1) or back (−1); of several, some can."""
-    curves, places = now.session.document.curves, shape_of(now.session.document, now.session.active_index)
-    if not now.selected <= set(places):
-        return len(now.selected) < len(curves)
-    beside = places.stop if step > 0 else places.start - 1
-    groups = curves[places.start].groups
-    return 0 <= beside < len(curves) and curves[beside].groups[: len(groups)] == groups
-
-
-COMMAND_SETS = (CurveCommands, JoinCommands, SegmentCommands)
+COMMAND_SETS = (CurveCommands, OrderCommands, JoinCommands, SegmentCommands)

@@ -1,0 +1,145 @@
+"""Order of curves: raised and lowered, and walked through."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+
+from ...actions.declaration import action, also
+from ...actions.needs import SECOND_CURVE, Need
+from ...actions.sections import CURVE_ORDER, CURVE_WALK
+from ...actions.situation import Situation
+from ...actions.strips import OBJECT_BAR
+from ...document.model import Document
+from ...document.several_curves import in_order, named, place_in
+from ...document.shape_edits import at_end, stepped
+from ...document.shapes import shape_of
+from ...workbench.context import WindowContext
+
+Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
+"""Returns the order of curves in which some are elsewhere, towards the front (1) or the back (−1)."""
+
+_CURVE_IN_FRONT = Need(
+    "a curve in front of this one",
+    lambda now: _has_curve_beside(now, 1),
+    why=lambda _now: "Nothing is in front of it: it is at the top already.",
+    is_so=True,
+)
+_CURVE_BEHIND = Need(
+    "a curve behind this one",
+    lambda now: _has_curve_beside(now, -1),
+    why=lambda _now: "Nothing is behind it: it is at the bottom already.",
+    is_so=True,
+)
+
+
+class OrderCommands:
+    """Puts what is chosen elsewhere in the order, and goes through it."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session = context.session
+
+    @action(
+        "raiseCurve",
+        "Raise",
+        CURVE_ORDER,
+        "Ctrl+Shift+PgUp",
+        "move-up",
+        full_name="Raise Curve",
+        needs=_CURVE_IN_FRONT,
+    )
+    @also(OBJECT_BAR(31))
+    def _raise(self) -> None:
+        """Move the curve up in the list: it is drawn in front of the next one."""
+        self._put("Raise {}", stepped, 1, "one step to the front")
+
+    @action(
+        "lowerCurve",
+        "Lower",
+        CURVE_ORDER,
+        "Ctrl+Shift+PgDown",
+        "move-down",
+        full_name="Lower Curve",
+        needs=_CURVE_BEHIND,
+    )
+    @also(OBJECT_BAR(32))
+    def _lower(self) -> None:
+        """Move the curve down in the list: it is drawn behind the next one."""
+        self._put("Lower {}", stepped, -1, "one step to the back")
+
+    @action(
+        "raiseToTop",
+        "Raise to Top",
+        CURVE_ORDER,
+        "Ctrl+Shift+Home",
+        "move-to-top",
+        full_name="Raise Curve to Top",
+        needs=_CURVE_IN_FRONT,
+        keywords="bring to front order",
+    )
+    @also(OBJECT_BAR(30))
+    def _raise_to_top(self) -> None:
+        """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
+        self._put("Raise {} to top", at_end, 1, "at the top")
+
+    @action(
+        "lowerToBottom",
+        "Lower to Bottom",
+        CURVE_ORDER,
+        "Ctrl+Shift+End",
+        "move-to-bottom",
+        full_name="Lower Curve to Bottom",
+        needs=_CURVE_BEHIND,
+        keywords="send to back order",
+    )
+    @also(OBJECT_BAR(33))
+    def _lower_to_bottom(self) -> None:
+        """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
+        self._put("Lower {} to bottom", at_end, -1, "at the bottom")
+
+    def _put(self, name: str, arrange: Arrange, way: int, where: str) -> None:
+        """Put what is chosen elsewhere in the order, as one step."""
+        session, what = self._session, named(self._session.document, self._session.selected.whole)
+        document = in_order(session.document, arrange(session.document, session.selected.curves, way))
+        active = place_in(document, session.active_curve)
+        if session.change(name.format(what), lambda _: document, active=active):
+            session.say(f"{what}: {where}.")
+
+    @action(
+        "nextCurve",
+        "Next Curve",
+        CURVE_WALK,
+        "Ctrl+PgDown",
+        needs=SECOND_CURVE,
+        title=lambda now: f"Next {now.thing}",
+    )
+    def _go_on(self) -> None:
+        """Edit the next curve down the list."""
+        self._walk(-1)
+
+    @action(
+        "previousCurve",
+        "Previous Curve",
+        CURVE_WALK,
+        "Ctrl+PgUp",
+        needs=SECOND_CURVE,
+        title=lambda now: f"Previous {now.thing}",
+    )
+    def _go_back(self) -> None:
+        """Edit the next curve up the list."""
+        self._walk(1)
+
+    def _walk(self, step: int) -> None:
+        # The next one is the one below in the list, hence behind.
+        session = self._session
+        session.selected.activate((session.active_index + step) % len(session.document.curves))
+        session.say(f"Editing “{session.active_curve.seen_name}”.")
+
+
+def _has_curve_beside(now: Situation, step: int) -> bool:
+    """Whether what is selected can move a step to the front (1) or back (−1); of several, some can."""
+    curves, places = now.session.document.curves, shape_of(now.session.document, now.session.active_index)
+    if not now.selected <= set(places):
+        return len(now.selected) < len(curves)
+    beside = places.stop if step > 0 else places.start - 1
+    groups = curves[places.start].groups
+    return 0 <= beside < len(curves) and curves[beside].groups[: len(groups)] == groups
