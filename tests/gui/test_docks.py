@@ -171,7 +171,8 @@ def test_a_panel_that_is_opened_takes_the_room_it_needs_and_gives_it_back(qtbot,
         editor.key(Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
         qtbot.waitUntil(lambda: not transform.widget().verticalScrollBar().maximum())
         spare = transform.widget().viewport().height() - transform.widget().content.sizeHint().height()
-        assert 0 <= spare <= 2
+        # In a high window its share is enough, and nothing is taken for it.
+        assert 0 <= spare <= 2 or (spare > 0 and abs(points.height() - before) <= 2)
         transform.close()
         qtbot.waitUntil(lambda: abs(points.height() - before) <= 2)
 

@@ -22,6 +22,8 @@ from .subject import Shown
 _SIZE = QSize(35, 16)
 _PADDING = 4
 
+_TITLE = "Fill and stroke"
+
 _Looks = tuple[str | None, str | None]
 """Fill and stroke; None for several."""
 
@@ -40,7 +42,7 @@ class StyleIndicator(FollowsTheme, QWidget):
     def __init__(self) -> None:
         super().__init__()
         named(self, "styleIndicator")
-        self._button = tool_button("styleNow", "Fill and stroke", "", flat=True)
+        self._button = tool_button("styleNow", _TITLE, f"{_TITLE}; a click opens the Style panel", flat=True)
         self._button.setIconSize(_SIZE)
         self._button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._button.clicked.connect(self.clicked)
@@ -80,7 +82,8 @@ def _common(styles: Collection[Style], paint: str) -> str | None:
 
 
 def _words(styles: Collection[Style], paint: str) -> str:
-    if any(GRADIENTS[paint] in each.gradients for each in styles):
-        return "gradient" if len(styles) == 1 else MIXED
+    laid = [gradient.kind.what for each in styles if (gradient := each.gradients.get(GRADIENTS[paint]))]
+    if laid:
+        return laid[0] if len(styles) == 1 else MIXED
     common = _common(styles, paint)
     return MIXED if common is None else common or "ink"
