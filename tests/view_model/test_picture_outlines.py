@@ -60,3 +60,15 @@ def test_pieces_close_and_stay_near_the_outline():
     # Along the radius an error of 0.4 across counts for no more than 1.2 times as much.
     assert np.abs(np.hypot(*drawn.T) - (60.0 + 12.0 * np.cos(3.0 * angles))).max() < 0.5
     assert len(pieces) <= 12
+
+
+def test_a_long_outline_can_be_given_up_in_the_middle():
+    angle = np.linspace(0.0, 2.0 * np.pi, 3000, endpoint=False)
+    radius = 400.0 + 40.0 * np.cos(7.0 * angle) + 9.0 * np.sin(23.0 * angle)
+    outline = np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1)
+
+    def stop():
+        raise InterruptedError
+
+    with pytest.raises(InterruptedError):
+        fitted_outline(outline, 0.4, stop)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from math import radians
 from typing import NamedTuple
@@ -54,8 +55,12 @@ class Line(NamedTuple):
         return place
 
 
-def fitted_outline(places: FloatArray, tolerance: float) -> FloatArray:
+def fitted_outline(
+    places: FloatArray, tolerance: float, heard: Callable[[], object] = lambda: None
+) -> FloatArray:
     """Return the closed pieces (k, 4, 2) near an outline (m, 2) whose places are a unit apart.
+
+    It is `heard` now and then that the work goes on; what that raises ends it.
 
     Raises
     ------
@@ -65,7 +70,7 @@ def fitted_outline(places: FloatArray, tolerance: float) -> FloatArray:
     around = np.append(places, places[:1], axis=0)
     corners = sharp_turns(around, _REACH, _TURN, closed=True) if len(places) > 4 * _REACH else []
     if not corners:
-        return _fitted(places, tolerance, closed=True)
+        return _fitted(places, tolerance, heard, closed=True)
     cuts = [*(corner - corners[0] for corner in corners), len(places)]
     around = np.roll(places, -corners[0], axis=0)
     around = np.append(around, around[:1], axis=0)
@@ -80,7 +85,7 @@ def fitted_outline(places: FloatArray, tolerance: float) -> FloatArray:
     for run, is_straight, start, end in zip(runs, straight, ends, [*ends[1:], ends[0]], strict=True):
         run[0], run[-1] = start, end
         pieces.append(
-            np.linspace(start, end, 4)[None] if is_straight else _fitted(run, tolerance, closed=False)
+            np.linspace(start, end, 4)[None] if is_straight else _fitted(run, tolerance, heard, closed=False)
         )
     return np.concatenate(pieces)
 
@@ -102,10 +107,15 @@ def _corner(place: FloatArray, before: Line, after: Line) -> FloatArray:
     return meeting
 
 
-def _fitted(places: FloatArray, tolerance: float, *, closed: bool) -> FloatArray:
+def _fitted(places: FloatArray, tolerance: float, heard: Callable[[], object], *, closed: bool) -> FloatArray:
     try:
         found = curvecore.fit(
-            places, HERMITE.curve_class, tolerance=tolerance, closed=closed, with_corners=False
+            places,
+            HERMITE.curve_class,
+            tolerance=tolerance,
+            closed=closed,
+            with_corners=False,
+            progress=lambda _share: heard(),
         )
     except CurveError as problem:
         raise EditError(f"An outline could not be fitted: {problem}.") from problem

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import msgspec
 import numpy as np
 from msgspec.structs import replace
@@ -97,8 +99,9 @@ def traced(document: Document, source: Source, limit: float, report: Report = si
         )
     contours, whole, done = list[FloatArray](), sum(map(len, outlines)), 0
     for outline in outlines:
-        report(done / whole, "Tracing")
-        contours.append(_on_plane(fitted_outline(outline, TOLERANCE), source))
+        hear = partial(report, done / whole, "Tracing")
+        hear()
+        contours.append(_on_plane(fitted_outline(outline, TOLERANCE, hear), source))
         done += len(outline)
     region = curvecore.Region(contours, curvecore.WindingRule.EVEN_ODD)
     name = Names(f"Trace of {source.name}", taken_names(document)).next()
