@@ -89,6 +89,8 @@ def test_all_corners_of_a_group_also_beside_curves_and_where_it_does_not_fit_is_
 
 def test_selected_corners_alone_become_arcs_which_are_selected(drawing):
     session = drawing.session
+    # The first enters the group.
+    drawing.double_click((30, -30))
     drawing.double_click((30, -30))
     tent = next(place for place, each in enumerate(session.document.curves) if each.name == "Tent")
     drawing.click((50, -40))

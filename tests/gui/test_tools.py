@@ -114,7 +114,7 @@ def test_the_sheet_of_keys_and_mouse_begins_with_what_it_does(raising):
     words = [label.text() for label in sheet.findChildren(QLabel)]
     assert words[1:4] == ["<b>Now: raising points</b>", "Drag upwards", "put a point above"]
     assert words.index("back to selecting") < words.index("<b>Otherwise</b>")
-    assert any("both ends of the segment" in each for each in words[words.index("<b>Otherwise</b>") :])
+    assert any("select both ends" in each for each in words[words.index("<b>Otherwise</b>") :])
 
 
 def test_its_hint_and_its_cursor_are_shown(raising):

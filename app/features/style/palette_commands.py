@@ -114,7 +114,7 @@ class PaletteCommands:
         "",
         "palette",
         full_name="Show Palette",
-        keywords="swatches colours colors strip",
+        keywords="swatches strip",
     )
     def _toggle(self) -> None:
         """Show colours below the canvas: a click paints the fill, Shift+click the stroke."""

@@ -35,18 +35,29 @@ _BLACK = "#000000"
 
 
 def _has_pattern(now: Situation) -> bool:
-    return bool(_patterned(now.session))
+    curves = now.session.document.curves
+    return any(
+        curves[place].style.is_placed and _tiles(curves[place].style) for place in now.session.selected.marked
+    )
+
+
+def _tiles(style: Style) -> list[tuple[str, Gradient]]:
+    """Return the paints of a style that are patterns, and these."""
+    return [
+        (paint, gradient)
+        for paint, field in GRADIENTS.items()
+        if (gradient := style.gradients.get(field)) is not None and gradient.tile is not None
+    ]
 
 
 def _patterned(session: Session) -> list[tuple[int, str, Gradient]]:
     """Return the first curves of chosen shapes with a pattern, with the paint that has it, and it."""
     curves = session.document.curves
     return [
-        (place, paint, gradient)
+        (place, *painted)
         for place in sorted(whole_shapes(session.document, session.selected.marked))
+        for painted in _tiles(curves[place].style)
         if shape_of(session.document, place).start == place
-        for paint, field in GRADIENTS.items()
-        if (gradient := curves[place].style.gradients.get(field)) is not None and gradient.tile is not None
     ]
 
 
