@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import msgspec
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtGui import QPainter
 
@@ -28,6 +29,12 @@ _WIDE = 8.0
 """Pixels of a line above which its edges show corners that its middle does not."""
 
 _MOST_FINER = 8.0
+
+_SMALL = 256.0
+"""Pixels of a curve of cubics up to which its pieces are painted as such, in a third of the time."""
+
+_NEAR = 20_000.0
+"""Pixels from the corner of the screen up to which Qt is given them."""
 
 Shape = tuple[CurveView, ...]
 """The curves of a shape, in order."""
@@ -143,9 +150,15 @@ def paint_shape(
 
 def parts_of(shape: Iterable[CurveView], style: Style, shown: PixelMap) -> list[Part]:
     """Return the curves of a shape as they are drawn in a style."""
-    has_markers = style.has_markers
-    return [
-        Part(line_of(view, shown, style).points, view.source.is_closed, view.ends if has_markers else None)
-        for view in shape
-        if view.has_curve
-    ]
+    return [_part_of(view, style, shown) for view in shape if view.has_curve]
+
+
+def _part_of(view: CurveView, style: Style, shown: PixelMap) -> Part:
+    ends, is_closed = view.ends if style.has_markers else None, view.source.is_closed
+    controls = view.cubics
+    if controls is not None:
+        pixels = shown.points(controls)
+        low, high = pixels.min(axis=(0, 1)), pixels.max(axis=(0, 1))
+        if float((high - low).max()) <= _SMALL and float(np.abs(pixels[0, 0]).max()) <= _NEAR:
+            return Part(controls.reshape(-1, 2), is_closed, ends, controls)
+    return Part(line_of(view, shown, style).points, is_closed, ends)

@@ -44,12 +44,14 @@ _FARTHEST_DASH = 20_000.0
 class Part(msgspec.Struct, frozen=True, eq=False):
     """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins.
 
-    The `ends` are those of a line with markers.
+    The `ends` are those of a line with markers. Of one that is small on the screen the `cubics` are painted,
+    its pieces, (n, 4, 2), for which Qt itself finds the vertices; its `points` tell how far it reaches.
     """
 
     points: FloatArray
     is_closed: bool
     ends: Ends | None = None
+    cubics: FloatArray | None = None
 
 
 class Ink(msgspec.Struct, frozen=True, eq=False):
@@ -127,6 +129,9 @@ def _fill(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, show
     area = QPainterPath()
     area.setFillRule(FILL_RULES[style.fill_rule])
     for part in parts:
+        if part.cubics is not None:
+            _add_cubics(area, part.cubics, shown, part.is_closed)
+            continue
         ring = ring_within(shown.points(part.points), shown.width, shown.height, MARGIN)
         if len(ring) > 2:
             area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
@@ -158,6 +163,9 @@ def _stroke(
         painter.setPen(pen)
         least, most = _FINE
         for part in parts:
+            if part.cubics is not None:
+                painter.strokePath(_outline(part.cubics, shown, part.is_closed), pen)
+                continue
             if least < width <= most:
                 line.show(part.points, shown, width)
                 line.draw(painter)
@@ -201,6 +209,9 @@ def _ends_in_pixels(ends: Ends | None, shown: PixelMap) -> Ends | None:
 
 def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:
     """Add a polyline to a path, cut to what may be seen; a closed one that is whole has no ends."""
+    if part.cubics is not None:
+        _add_cubics(line, part.cubics, shown, part.is_closed)
+        return
     pixels = shown.points(part.points)
     runs = list(_runs(pixels, shown, reach))
     is_whole = len(runs) == 1 and len(runs[0]) == len(pixels)
@@ -210,6 +221,22 @@ def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> 
         line.addPolygon(polygon(run[:, 0], run[:, 1]))
         if part.is_closed and is_whole:
             line.closeSubpath()
+
+
+def _outline(cubics: FloatArray, shown: PixelMap, is_closed: bool) -> QPainterPath:
+    """Return cubic pieces of the plane as a path in pixels."""
+    path = QPainterPath()
+    _add_cubics(path, cubics, shown, is_closed)
+    return path
+
+
+def _add_cubics(path: QPainterPath, cubics: FloatArray, shown: PixelMap, is_closed: bool) -> None:
+    pieces = shown.points(cubics).tolist()
+    path.moveTo(*pieces[0][0])
+    for _, (a, b), (c, d), (x, y) in pieces:
+        path.cubicTo(a, b, c, d, x, y)
+    if is_closed:
+        path.closeSubpath()
 
 
 def _runs(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[FloatArray]:
@@ -222,6 +249,10 @@ def _stroke_dashed(
 ) -> None:
     """Stroke with dashes that run on from the beginning of each polyline, however little of it is seen."""
     for part in parts:
+        if part.cubics is not None:
+            pen.setDashOffset(offset)
+            painter.strokePath(_outline(part.cubics, shown, part.is_closed), pen)
+            continue
         pixels = np.clip(shown.points(part.points), -1e15, 1e15)
         lengths = np.hypot(*np.diff(pixels, axis=0).T)
         starts = np.concatenate([[0.0], np.cumsum(lengths)])

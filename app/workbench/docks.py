@@ -37,7 +37,7 @@ class Stack(msgspec.Struct, frozen=True):
     height: int
 
 
-UPPER, LOWER, LEFT = Stack(_RIGHT, 445), Stack(_RIGHT, 335), Stack(_LEFT, 0)
+UPPER, LOWER, LEFT = Stack(_RIGHT, 460), Stack(_RIGHT, 320), Stack(_LEFT, 0)
 _STACKS = (UPPER, LOWER, LEFT)
 
 

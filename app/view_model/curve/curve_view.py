@@ -39,6 +39,8 @@ __all__ = [
 TOO_FEW = "A curve needs at least two points."
 
 _MOST_TOLERANCES = 2e4
+
+_CUBIC = 4
 """Size of a curve in tolerances up to which the whole of it is flattened to be carried along."""
 
 _LOOKS = ("stroke_bounds", "analysed")
@@ -175,6 +177,19 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
                 moved = _carried(self.carry, tolerance)
             self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
         return self._flattened[key]
+
+    @cached_property
+    def cubics(self) -> FloatArray | None:
+        """The control points (k, 4, 2) of a curve of cubics that is at rest; None of any other."""
+        if self.motion is not None or self.carry is not None or self.curve is None:
+            return None
+        found = list[FloatArray]()
+        for piece in self.curve.pieces:
+            controls = piece.bezier_pieces()
+            if controls is None or controls.shape[1] != _CUBIC:
+                return None
+            found.append(controls)
+        return np.concatenate(found)
 
     @cached_property
     def ends(self) -> Ends | None:
