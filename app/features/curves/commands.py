@@ -245,7 +245,7 @@ class CurveCommands:
     )
     @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16), POINT_BAR(40))
     def _toggle_closed(self) -> None:
-        """Let the curve return smoothly to its first point, or open it; likewise all of its shape or chosen."""
+        """Let the curve return smoothly to its first point, or open it; also all of its shape or chosen."""
         session, views = self._session, self._session.views
         closed, places = not session.active_curve.is_closed, self._several_whole or [session.active_index]
         what = whole_curves(session.document, places)
