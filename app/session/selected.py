@@ -76,6 +76,12 @@ class Selected:
         return self.curves if len(self.curves) > 1 else frozenset()
 
     @property
+    def meant(self) -> frozenset[int]:
+        """The curves that an act on whole curves is for: chosen, of selected points, or the edited shape."""
+        active = self._session.active_index
+        return self.chosen or self.group.curves or whole_shapes(self._session.document, (active,))
+
+    @property
     def marked(self) -> frozenset[int]:
         """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
         return self.curves if self.is_editing else self._chosen

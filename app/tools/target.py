@@ -8,9 +8,10 @@ from msgspec.structs import replace
 
 from ..document.edits import EditError
 from ..document.model import Document, Vector
-from ..document.point_group import PointGroup, points_of
+from ..document.point_group import PointGroup
 from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import changed_whole
+from ..document.shapes import shape_of
 from ..document.steps import reshaped
 from ..view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.boxes.pivot import Anchor, Pivot, anchored
@@ -76,9 +77,16 @@ class TransformTarget:
 
     @property
     def for_keys(self) -> PointGroup:
-        """The target of the keys: the same, or else all points of the curve that is edited."""
-        return self.group or points_of(
-            self._host.active_index, range(len(self._host.active_view.source.points))
+        """The target of the keys: the same, or else all points of the shape that is edited."""
+        return self.group or self._edited
+
+    @property
+    def _edited(self) -> PointGroup:
+        """All points of the active curve, and of the others of its shape: what has a hole is one thing."""
+        document, active = self._host.document, self._host.active_index
+        places = shape_of(document, active)
+        return PointGroup(
+            tuple((place, frozenset(range(len(document.curves[place].points)))) for place in places)
         )
 
     @property

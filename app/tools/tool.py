@@ -293,6 +293,10 @@ class Tool:
         """Remove what was left on the plot; return whether there was something."""
         return False
 
+    def gives_way(self, context: ToolContext) -> bool:
+        """Take back what the click did that was the first of two, where both mean a guide; whether it did."""
+        return False
+
     def reset(self) -> None:
         """Forget everything; another document is open."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -82,8 +83,8 @@ class Menus:
         for dock in docks:
             action = dock.toggleViewAction()
             action.setObjectName(f"{dock.objectName()}Shown")
-            action.setStatusTip(f"Bring the panel {dock.windowTitle()} to the front, or put it away")
-            set_full_name(action, f"{dock.windowTitle()} Panel")
+            _name_panel(action, dock.windowTitle())
+            dock.windowTitleChanged.connect(partial(_name_panel, action))
             self._submenu(VIEW_PANELS).addAction(action)
 
     def fill_with_files(
@@ -140,3 +141,8 @@ def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
     action.setObjectName(name)
     action.setStatusTip(f"Open {path.name}")
     return action
+
+
+def _name_panel(action: QAction, title: str) -> None:
+    action.setStatusTip(f"Bring the panel {title} to the front, or put it away")
+    set_full_name(action, f"{title} Panel")

@@ -39,8 +39,9 @@ class DockTitle(FollowsTheme, QWidget):
         dock.topLevelChanged.connect(self._show_place)
         # Text is the last to give way where there is little room. It is 80 wide then: its layout says so,
         # for Qt asks hundreds of times whenever docks are laid out.
-        words = Label(title)
+        self._words = words = Label(title)
         words.setMinimumWidth(9)
+        dock.windowTitleChanged.connect(self._show_title)
         buttons = self.float_button, self.close_button
         row_of((words, 1), *buttons, margins=(10, 1, 3, 1), spacing=2, parent=self)
         self.follow_theme()
@@ -50,6 +51,11 @@ class DockTitle(FollowsTheme, QWidget):
         """Take the colours of `theme`."""
         self.close_button.setIcon(icon("close", theme))
         self._show_icon()
+
+    def _show_title(self, title: str) -> None:
+        self._words.setText(title)
+        for button in (self.float_button, self.close_button):
+            button.setAccessibleName(f"{button.accessibleName().partition(' ')[0]} {title}")
 
     def _show_place(self, floats: bool) -> None:
         button, (verb, tip) = self.float_button, ("Dock", _DOCK) if floats else ("Float", _FLOAT)

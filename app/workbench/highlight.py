@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from ..document.layers import begun_again, layer_node, layer_of, without_layer
 from ..document.model import Document
-from ..document.several_curves import active_after_removal
+from ..document.several_curves import active_after_removal, counted
 from ..document.words import number
 from ..session import Change, Session
 from ..session.highlight import Highlight
@@ -42,7 +42,7 @@ def highlighted(context: WindowContext) -> Highlight:
 def highlighted_curves(context: WindowContext) -> frozenset[int]:
     """Return what commands on curves are about: rows of the list that has the focus, or the highlight."""
     focus, selected = QApplication.focusWidget(), context.session.selected
-    if isinstance(focus, ListsCurves):
+    if isinstance(focus, ListsCurves) and focus.meant:
         return focus.meant
     return selected.highlight(whole_curves=True).curves or selected.whole
 
@@ -77,6 +77,7 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
 def delete_layer(session: Session, layer: str) -> Change:
     """Remove a layer with all that is in it, as one step."""
     places = layer_node(session.document, layer).places
+    what = f"with {counted(session.document, places)}" if places else "which was empty"
     change = session.change(
         f"Delete {layer}",
         lambda document: without_layer(document, layer),
@@ -85,6 +86,7 @@ def delete_layer(session: Session, layer: str) -> Change:
     if change:
         session.selected.choose(())
         session.selected.set_layer(layer_of(session.document, session.active_index))
+        session.say(f"Deleted layer “{layer}”{' ' if places else ', '}{what}.")
     return change
 
 

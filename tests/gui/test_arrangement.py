@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QScrollArea, QTabBar, QToolButton
+from PySide6.QtWidgets import QDockWidget, QLabel, QScrollArea, QTabBar, QToolButton
 
 from app.document.model import Page
 from app.document.plane_edits import set_page
@@ -108,7 +108,7 @@ def test_what_a_person_has_changed_in_either_kind_is_there_in_the_next_of_it(edi
     click_tab(editor, "History")
     begin_drawing(editor)
     editor.key(Qt.Key.Key_F8)
-    click_tab(editor, "Curves")
+    click_tab(editor, "Objects")
     click_tab(editor, "Joints")
     begin_lesson(editor)
     assert not shows_functions(editor)
@@ -158,7 +158,7 @@ def test_it_is_remembered_from_window_to_window(fresh, tmp_path):
     first = fresh()
     begin_drawing(first)
     first.key(Qt.Key.Key_F8)
-    click_tab(first, "Curves")
+    click_tab(first, "Objects")
     path = tmp_path / "drawing.curve.json"
     save(path, first.session.document)
     first.window.close()
@@ -202,3 +202,16 @@ def test_the_panels_of_a_drawing_are_no_wider_than_their_docks(fresh):
     for dock in docks:
         area = dock.findChild(QScrollArea)
         assert not area.horizontalScrollBar().isVisible(), dock.objectName()
+
+
+def test_what_is_listed_are_objects_in_drawings_and_curves_elsewhere(editor):
+    """It was called “Curves” where texts and pictures stand in it, too."""
+    dock = editor.window.findChild(QDockWidget, "curvesDock")
+    close, shown = dock.titleBarWidget().close_button, editor.action("curvesDockShown")
+    assert (dock.windowTitle(), shown.text().replace("&", "")) == ("Curves", "Curves")
+    begin_drawing(editor)
+    assert (dock.windowTitle(), shown.text().replace("&", "")) == ("Objects", "Objects")
+    assert close.accessibleName() == "Close Objects"
+    assert "the panel Objects" in shown.statusTip()
+    begin_lesson(editor)
+    assert (dock.windowTitle(), close.accessibleName()) == ("Curves", "Close Curves")

@@ -98,7 +98,7 @@ def test_whatever_is_new_comes_to_the_front_of_the_present_layer(layered, qtbot)
     assert newest(editor).groups == ("Art",)
     click_row(editor, "Back")
     assert layer_now(editor) == "Layer: Back"
-    draw(editor, "ellipseTool", (25, -5), (35, -15))
+    draw(editor, "ellipseTool", (26, -4), (36, -14))
     assert session.active_index == 1
     assert newest(editor).groups == ("Back",)
     click_row(editor, "Notes")
@@ -173,6 +173,7 @@ def test_empty_layers_stay_in_the_list_and_in_files(layered):
     editor, session = layered, layered.session
     assert rows(editor) == ["Notes", "Art", "Sketch", "Back"]
     click_row(editor, "Back")
+    editor.trigger("selectAllInLayer")
     editor.trigger("deleteSelection")
     assert rows(editor) == ["Notes", "Art", "Sketch", "Back"]
     document = session.document
@@ -194,7 +195,7 @@ def test_an_emptied_layer_is_seen_and_locked_as_it_was(layered):
     editor, session, view = layered, layered.session, view_of(layered)
     begun = read_svg(SVG.encode()).document
     click_row(editor, "Back", Spot.EYE)
-    click_row(editor, "Back")
+    session.selected.choose((0,))
     editor.trigger("deleteSelection")
     row = view.curves.row(rows(editor).index("Back"))
     assert (row.visible, row.locked) == (False, False)
@@ -446,6 +447,32 @@ def test_all_in_a_layer_is_chosen_and_nothing_locked_or_of_another_layer(layered
     layered.trigger("selectAllInLayer")
     assert layered.status == "“Sketch” has no curve that is seen and not locked."
     assert session.selected.choice == before
+
+
+def test_a_click_on_the_row_of_a_layer_chooses_nothing_in_it(layered):
+    """It chose all of it, so that a swatch or a key hit the whole layer."""
+    session, before = layered.session, layered.session.document
+    click_row(layered, "Art")
+    assert (layer_now(layered), session.selected.marked) == ("Layer: Art", frozenset())
+    assert not layered.action("cutPoints").isEnabled()
+    QTest.keyClick(view_of(layered), Qt.Key.Key_Down)
+    assert session.selected.marked == frozenset()
+    assert layer_now(layered) == "Layer: Sketch"
+    assert session.document == before
+
+
+def test_delete_on_the_row_of_a_layer_says_what_it_deletes_and_of_another_row_takes_that(layered):
+    session, before = layered.session, layered.session.document
+    click_row(layered, "Art")
+    QTest.keyClick(view_of(layered), Qt.Key.Key_Delete)
+    assert [curve.name for curve in session.document.curves] == ["ground"]
+    assert layered.status == "Deleted layer “Art” with 2 curves."
+    layered.trigger("undo")
+    assert session.document == before
+    click_row(layered, "Notes")
+    QTest.keyClick(view_of(layered), Qt.Key.Key_Delete)
+    assert layered.status == "Deleted layer “Notes”, which was empty."
+    assert len(session.document.curves) == 3
 
 
 def test_the_menu_of_a_row_has_the_submenus_of_the_canvas(layered):

@@ -20,6 +20,7 @@ from app.families import HERMITE
 from app.features.guides.commands import GuideCommands
 from app.features.guides.places import TypedPlace, read_place
 from app.storage.files import load, save
+from app.tools.canvas.add import ADD
 
 LINE = Document((make_curve(((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))),))
 
@@ -337,6 +338,29 @@ def test_a_double_click_types_its_place(drawing):
     type_place(drawing, "-2.25")
     assert guides(drawing) == [("x", -2.25)]
     assert drawing.session.undo_stack.undoText() == "Move guide to x = −2.25"
+
+
+def test_the_pen_of_a_new_drawing_gives_way_to_a_double_click_on_a_guide(editor):
+    """It began a curve there. A single press on a guide draws with the pen, snapped to it, as in Inkscape.
+
+    Two that would leave a lone point behind mean the guide.
+    """
+    editor.trigger("newDrawing")
+    editor.settle()
+    assert editor.window.store.state.uses(ADD)
+    with_guides(editor, ("x", 50.0))
+    before = editor.session.document
+    double_click(editor, editor.window.canvas.to_pixel(50.0, 100.0))
+    assert field(editor).isVisible()
+    assert editor.session.document == before
+    type_place(editor, "60")
+    assert guides(editor) == [("x", 60.0)]
+    # While a path is drawn, a double click on a guide ends it there.
+    editor.click((20, 40))
+    double_click(editor, editor.window.canvas.to_pixel(60.0, 100.0))
+    assert len(editor.curve.points) == 2
+    assert not field(editor).isVisible()
+    assert "finished" in editor.status
 
 
 def test_the_key_that_enters_a_place_chooses_nothing(drawing):

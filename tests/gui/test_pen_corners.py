@@ -37,6 +37,11 @@ def drawn(editor, segment):
     return view.curve.evaluate(np.linspace(*view.parameters[segment : segment + 2], 9))
 
 
+def cubics(editor):
+    """The control points of all segments, (k, 4, 2)."""
+    return np.concatenate([piece.bezier_pieces() for piece in editor.session.active_view.pieces])
+
+
 def test_on_a_page_clicks_make_a_polygon_of_cubics(paper):
     places = [(20, 20), (120, 20), (120, 90), (30, 100)]
     for place in places:
@@ -69,6 +74,33 @@ def test_what_is_drawn_stays_while_the_pen_goes_on(paper):
     assert not paper.curve.points[2].tied
     np.testing.assert_allclose(drawn(paper, 0), first, atol=1e-9)
     np.testing.assert_allclose(drawn(paper, 1), second, atol=1e-9)
+
+
+def test_a_click_beside_a_smooth_point_is_a_bare_corner(paper):
+    """It got a handle half way: none was drawn out. The control point lies on the corner, as in Inkscape."""
+    paper.click((20, 20))
+    paper.drag((80, 30), (100, 60))
+    paper.click((150, 60))
+    pieces = cubics(paper)
+    assert pieces[0][1] == pytest.approx(pieces[0][0], abs=1e-12)
+    assert pieces[1][2] == pytest.approx(pieces[1][3], abs=1e-12)
+    # What was drawn out is a mirror image of itself about the smooth point.
+    assert pieces[0][3] - pieces[0][2] == pytest.approx(pieces[1][1] - pieces[1][0], abs=1e-9)
+    assert pieces[1][1] == pytest.approx((100, 60), abs=2 * paper.pixel)
+    paper.click((20, 20))
+    (*_, closing) = cubics(paper)
+    assert is_line(paper.curve, 2)
+    assert closing[0] == pytest.approx((150, 60), abs=2 * paper.pixel)
+
+
+def test_a_click_that_closes_beside_a_smooth_point_is_bare_too(paper):
+    paper.click((20, 20))
+    paper.click((80, 20))
+    paper.drag((90, 80), (60, 100))
+    paper.click((20, 20))
+    (*_, closing) = cubics(paper)
+    assert paper.curve.is_closed
+    assert closing[2] == pytest.approx(closing[3], abs=1e-12)
 
 
 def test_a_key_and_alt_make_smooth_points(paper):

@@ -12,6 +12,7 @@ from PySide6.QtCore import QMimeData
 
 from ... import exchange
 from ...actions.declaration import action, also
+from ...actions.keymap import keys_text
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
@@ -189,10 +190,13 @@ class PasteCommands:
             if not session.change(f"Paste {name}", lambda _: document, active=places.start):
                 return
             choose_brought(session.selected, places)
-        if not framing.shows_curves(places):
-            self._context.actions["fitView"].trigger()
         is_one = name_of(document, places) is not None
-        session.say(f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen.")
+        said = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
+        if not framing.shows_curves(places):
+            # The view stays where somebody is at work.
+            key = keys_text(self._context.actions["fitSelection"].shortcuts()[-1:])
+            said = f"{said} Not all of {'it' if is_one else 'them'} is in sight: {key} shows all."
+        session.say(said)
         self._context.work.warn_of(remarks)
 
     # Points

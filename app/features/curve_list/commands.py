@@ -28,6 +28,7 @@ from ...actions.strips import (
 from ...appearance.theme import LIGHT, Theme
 from ...document.curve_tree import Node, NodeKind, whole_nodes
 from ...document.layers import all_shown, all_unlocked, begun_again, layer_node
+from ...document.paper import DocumentKind, kind_of
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
     active_after_removal,
@@ -102,6 +103,10 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session, selected = self._session, self._session.selected
+        # In drawings there are texts and pictures among them.
+        self._dock.setWindowTitle(
+            "Objects" if kind_of(session.document) is DocumentKind.DRAWING else "Curves"
+        )
         marks = Marks(session.active_index, selected.is_editing, selected.marked, selected.layer)
         self.panel.render_document(session.document, marks)
 

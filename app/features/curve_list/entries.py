@@ -80,10 +80,10 @@ class Marks(NamedTuple):
         return self.is_editing and is_one and self.active in entry.node.places
 
     def is_chosen(self, entry: Entry) -> bool:
-        """Whether an entry is of what is chosen; an empty layer, while new curves come there and none is."""
-        if not entry.places:
-            return self.is_layer_now(entry) and not self.curves
-        return entry.places <= self.curves
+        """Whether an entry is of what is chosen; a layer, while new curves come there and none is."""
+        if not self.curves:
+            return self.is_layer_now(entry)
+        return bool(entry.places) and entry.places <= self.curves
 
     def is_chosen_whole(self, entry: Entry) -> bool:
         """Whether an entry is chosen to be acted on as a whole: not where it alone is edited."""

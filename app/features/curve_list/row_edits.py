@@ -48,7 +48,8 @@ class RowEdits:
     def _choose_entry(self, node: Node) -> None:
         """Choose what a row is about; while a curve is edited, edit that of the row, as the arrow does.
 
-        A curve of an opened shape is chosen alone: whoever opened the shape wants a part of it.
+        A curve of an opened shape is chosen alone: whoever opened the shape wants a part of it. A layer
+        becomes the present one, and nothing is chosen: whoever goes to a layer wants to draw in it.
         """
         selected = self._session.selected
         if node.kind is NodeKind.CURVE and selected.is_editing:
@@ -56,7 +57,7 @@ class RowEdits:
         elif node.kind is NodeKind.CURVE:
             selected.set_curves(node.places)
         else:
-            selected.choose(node.places)
+            selected.choose(() if node.kind is NodeKind.LAYER else node.places)
         if node.kind is NodeKind.LAYER:
             selected.set_layer(node.name)
 
@@ -70,13 +71,11 @@ class RowEdits:
 
     def _choose_meant(self, node: Node) -> None:
         session, places = self._session, frozenset(node.places)
-        if not places:
+        if node.kind is NodeKind.LAYER:
             self._choose_entry(node)
             return
         active = session.active_index if session.active_index in places else max(places)
         session.selected.set_curves(self._meant(places), active)
-        if node.kind is NodeKind.LAYER:
-            session.selected.set_layer(node.name)
 
     def switch_row_visible(self, node: Node) -> None:
         """Hide what a row is about, or show it."""
@@ -143,11 +142,14 @@ class RowEdits:
         except EditError as reason:
             session.refuse(str(reason))
             return
-        chosen = [moved.order.index(place) for place in session.selected.curves]
+        chosen = [moved.order.index(place) for place in session.selected.marked]
         active = moved.order.index(session.active_index)
         what = names_of(layers) if is_layer else named(before, curves)
         if session.change(_words_for(before, document, moved, what), lambda _: document, active=active):
-            session.selected.set_curves(chosen, active)
+            if chosen:
+                session.selected.set_curves(chosen, active)
+            elif is_layer:
+                session.selected.set_layer(node.name)
 
     def _set_name(self, node: Node, name: str) -> None:
         def edit(document: Document) -> Document:

@@ -77,8 +77,9 @@ class CurveListView(ClaimsKeys, QListView):
         self.setModel(model)
         tip = (
             "The curve in front is at the top. Click a row to choose it, or to edit its curve while one is"
-            " edited; right-click › Edit Curve shows its points. Double-click to rename, drag to another"
-            " place; Ctrl or Shift+click chooses several. Left and Right fold shapes and groups"
+            " edited; what is new comes into the layer that is clicked; right-click › Edit Curve shows its"
+            " points. Double-click to rename, drag to another place; Ctrl or Shift+click chooses several."
+            " Left and Right fold shapes and groups"
         )
         named(self, "curveList", "Curves", tip)
         self._delegate = RowDelegate(self, model, self.parts)
@@ -126,7 +127,7 @@ class CurveListView(ClaimsKeys, QListView):
             return False
         entry, marks = self.curves.entries[row], self.curves.marks
         if not marks.curves:
-            return not entry.places and self.curves.marks.is_chosen(entry)
+            return marks.is_layer_now(entry)
         is_of_one = len(marks.curves) == 1 and marks.active in entry.places and not entry.is_open
         return entry.places == marks.curves or is_of_one
 
@@ -147,8 +148,13 @@ class CurveListView(ClaimsKeys, QListView):
 
     @property
     def meant(self) -> frozenset[int]:
-        """The curves that commands are about while the list has the keys: of an open shape also one alone."""
+        """The curves that commands are about while the list has the keys: of an open shape also one alone.
+
+        None while a layer is the present one and nothing in it is chosen.
+        """
         marks = self.curves.marks
+        if marks.chosen_layer(self.curves.entries[self._current]) and not marks.curves:
+            return frozenset()
         here = self._places(self._current) or marks.curves or frozenset({marks.active})
         return marks.curves if len(marks.curves) > 1 else here
 

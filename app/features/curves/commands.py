@@ -23,7 +23,7 @@ from ...document import curve_edits
 from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Parametrization
 from ...document.paper import is_for_paper
-from ...document.point_group import some_points
+from ...document.point_group import NO_POINTS, some_points
 from ...document.several_curves import named, whole_curves
 from ...document.words import count_of, number
 from ...tools.inserting import insert_at
@@ -210,7 +210,7 @@ class CurveCommands:
     )
     @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15), POINT_BAR(41))
     def _reverse(self) -> None:
-        """Run through the curve, or through all that are chosen as wholes, the other way."""
+        """Run through the curve, all of its shape or all that are chosen as wholes the other way."""
         session, view = self._session, self._session.active_view
         several = self._several_whole
         views = [session.views[place] for place in several] or [view]
@@ -221,15 +221,15 @@ class CurveCommands:
             turned = {place: reversed_curve(session.views[place]).curve for place in several}
             what = whole_curves(session.document, several)
             if session.change(f"Reverse {what.words}", lambda document: _with_curves(document, turned)):
+                session.selected.set_group(NO_POINTS)
                 session.say(f"Reversed {what.quoted}.")
         elif self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
             session.selected.set_points([])
 
     @property
     def _several_whole(self) -> list[int]:
-        """The curves that are chosen as wholes, where these are several and have a course."""
-        session = self._session
-        chosen = session.selected.chosen if not session.selected.is_editing else ()
+        """The curves that are meant, where these are several, those that have a course."""
+        session, chosen = self._session, self._session.selected.meant
         several = [place for place in sorted(chosen) if len(session.document.curves[place].points) > 1]
         return several if len(chosen) > 1 else []
 
@@ -245,7 +245,7 @@ class CurveCommands:
     )
     @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16), POINT_BAR(40))
     def _toggle_closed(self) -> None:
-        """Let the curve return smoothly to its first point, or open it; likewise all chosen as wholes."""
+        """Let the curve return smoothly to its first point, or open it; also all of its shape or chosen."""
         session, views = self._session, self._session.views
         closed, places = not session.active_curve.is_closed, self._several_whole or [session.active_index]
         what = whole_curves(session.document, places)

@@ -194,6 +194,8 @@ class FitCommands(QObject):
         assert self._asked is not None
         view, wish = self._asked
         text = f"{count_of(len(view.source.points), 'point')} become {found.words}"
+        if view.source.shape:
+            text += f" Only “{view.source.seen_name}” of its shape is fitted; Simplify takes all of it."
         is_short = wish.tolerance is not None and found.deviation > wish.tolerance
         if is_short and not found.is_scattered:
             text += f" No {wish.family.title} curve was found nearer."

@@ -77,7 +77,7 @@ def _reshaped(now: Situation, family: Family) -> str:
     if not is_for_paper(now.session.document):
         return ""
     views = now.session.views
-    chosen = [views[index] for index in sorted(now.session.selected.chosen)] or [now.view]
+    chosen = [views[index] for index in sorted(now.session.selected.meant)]
     away = max(view_model.fitting.convert.change_of_shape(view, family) for view in chosen)
     if not away:
         return ""
@@ -142,7 +142,7 @@ class RuleCommands:
     @also_for_each(lambda family: (_place_of(family),))
     def _use_family(self, family: Family) -> None:
         session = self._session
-        chosen = sorted(session.selected.chosen) or [session.active_index]
+        chosen = sorted(session.selected.meant)
         several = f"{named(session.document, chosen)} to " if len(chosen) > 1 else ""
         before = list[CurveView]()
 

@@ -29,7 +29,9 @@ from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .form_row import FormRow
 from .pivot_chooser import PivotChooser
 
-_CORNER = "{} of the pivot; in drawings of the corner from which x and y grow"
+_CORNER = (
+    "{} of the chosen place; in drawings first of the corner from which x and y grow, and sizes with them"
+)
 _EACH_TIME = "Degrees, {}; Enter turns each time"
 _SKEWS = {
     False: "Degrees: the top goes right, or the right side up; Enter: the top",
@@ -57,7 +59,7 @@ class Situated(msgspec.Struct, frozen=True):
     readings
         How that and angles are told.
     place
-        Which of the nine places the pivot is; None for none of them.
+        Which of the nine places is chosen; None for none of them.
     angle
         Degrees by which a form is turned, and all else was since it was selected.
     unit

@@ -26,7 +26,7 @@ from ...view_model.boxes.bounds import NINE
 from ...view_model.boxes.pivot import Turning
 from ...view_model.boxes.resizing import SIDES, resized
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.shapes.formed import Formed, formed, with_form
+from ...view_model.shapes.formed import Formed, formed, with_even_corners, with_form
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
@@ -127,14 +127,13 @@ class TransformPanelCommands(QObject):
             return transform.panel.Situated(
                 "Nothing chosen", None, (False, False), (0.0, 0.0), None, 0.0, "", "", self._readings
             )
-        bounds, bare, pivot = target.bounds, target.bare_bounds.size, target.centre
-        places = [at for at in NINE if bounds.place(*at) == pivot]
+        bounds, bare = target.bounds, target.bare_bounds.size
         words, group = target.words, target.for_keys
         # A name is shown as it is; all else is a sentence's beginning.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
         return transform.panel.Situated(
             what, bounds, (bare[0] > 0.0, bare[1] > 0.0), self._told_place,
-            places[len(places) // 2] if places else None, self._angle(),
+            self._chosen_place, self._angle(),
             session.document.unit, target.refusal_of_keys, self._readings,
             tuple(now.form for now in self._formed().values()),
             " ".join(words_about_room(form) for form in self._texts()),
@@ -151,10 +150,23 @@ class TransformPanelCommands(QObject):
 
     @property
     def _told_place(self) -> Vector:
-        """The place that X and Y are of: the pivot, or in drawings the corner from which they grow."""
-        if kind_of(self._session.committed) is DocumentKind.SKETCH:
-            return self._target.centre
-        return self._target.bounds.place(-1, 1 if self._readings.is_down else -1)
+        """The place that X and Y are of, and from which typed sizes grow: the pivot.
+
+        In drawings it is the corner from which X and Y grow, until one of the nine places is chosen.
+        """
+        target = self._target
+        if kind_of(self._session.committed) is DocumentKind.SKETCH or self._chosen_place is not None:
+            return target.centre
+        return target.bounds.place(-1, 1 if self._readings.is_down else -1)
+
+    @property
+    def _chosen_place(self) -> tuple[int, int] | None:
+        """Which of the nine places the pivot is, that which nobody chose counting in sketches; or None."""
+        bounds, pivot = self._target.bounds, self._target.pivot
+        if pivot is None:
+            return None if kind_of(self._session.committed) is DocumentKind.DRAWING else (0, 0)
+        places = [at for at in NINE if bounds.place(*at) == pivot]
+        return places[len(places) // 2] if places else None
 
     def _formed(self) -> dict[int, Formed]:
         """Return the curves that are acted on, with what they are of the forms that they were drawn as.
@@ -201,8 +213,9 @@ class TransformPanelCommands(QObject):
         return f"{number(value, 6)} {self._session.document.unit}".rstrip()
 
     def _choose_pivot(self, across: int, up: int) -> None:
-        is_middle = (across, up) == (0, 0)
-        self._target.pivot = None if is_middle else self._target.bounds.place(across, up)
+        # In drawings nobody's choice is the corner of X and Y; the middle can be chosen.
+        forgets = (across, up) == (0, 0) and kind_of(self._session.committed) is DocumentKind.SKETCH
+        self._target.pivot = None if forgets else self._target.bounds.place(across, up)
         self._render()
 
     def _set_number(self, field: FormField, value: float) -> None:
@@ -234,7 +247,7 @@ class TransformPanelCommands(QObject):
         self._change(text, lambda document: moved(document, group, by))
 
     def _size(self, axis: int, value: float) -> None:
-        session, group, pivot = self._session, self._target.for_keys, self._target.centre
+        session, group, about = self._session, self._target.for_keys, self._told_place
         wanted = (value, None) if axis == 0 else (None, value)
         strokes, is_even = (
             self._context.central.canvas.tools.settings.strokes,
@@ -242,7 +255,8 @@ class TransformPanelCommands(QObject):
         )
 
         def sized(document: Document) -> Document:
-            return resized(document, session.views, group, wanted, strokes, pivot, keeps_proportions=is_even)
+            new = resized(document, session.views, group, wanted, strokes, about, keeps_proportions=is_even)
+            return with_even_corners(document, new, group)
 
         self._change(f"Set {SIDES[axis]} of {self._target.words} to {self._length(value)}", sized)
 

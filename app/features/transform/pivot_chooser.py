@@ -38,7 +38,7 @@ class PivotChooser(Guarded, QWidget):
         for place, at in enumerate(NINE):
             words = name_of_place(*at)
             name = "pivot" + "".join(word.capitalize() for word in words.split())
-            tip = f"Pivot: {words} of the box; what is turned, scaled and mirrored is so about it"
+            tip = f"Pivot: {words} of the box; X and Y are of it, and transforms are about it"
             button = named(QToolButton(), name, f"Pivot: {words}", tip)
             button.setCheckable(True)
             button.setFixedSize(_SIDE, _SIDE)

@@ -16,6 +16,7 @@ from ...storage.format_error import FormatError
 from ...view_model.boxes.bounds import Strokes
 from ...view_model.boxes.resizing import Wanted, resized, resized_apart, size_of
 from ...view_model.curve.curve_view import view_of
+from ...view_model.shapes.formed import with_even_corners
 from ...workbench.clipboard import clipboard_data, drawing_in, own_in
 from ...workbench.context import WindowContext
 
@@ -124,10 +125,14 @@ class PasteSizeCommands:
 
         def edit(document: Document) -> Document:
             if each.apart:
-                return resized_apart(
+                new = resized_apart(
                     document, session.views, chosen, wanted, strokes, keeps_proportions=is_even
                 )
-            return resized(document, session.views, group, wanted, strokes, about, keeps_proportions=is_even)
+            else:
+                new = resized(
+                    document, session.views, group, wanted, strokes, about, keeps_proportions=is_even
+                )
+            return with_even_corners(document, new, group)
 
         subject = f"each of {named(session.document, chosen)}" if each.apart else target.words
         if session.change(f"Paste {each.what} to {subject}", edit) and stays:

@@ -75,8 +75,7 @@ def with_own_lengths(document: Document, curve: int, index: int) -> Document:
 def with_segment_by_handles(document: Document, curve: int, segment: int) -> Document:
     """Return the document with a segment straight where no handle lies in it, or one along its chord.
 
-    Where one leads elsewhere, the end without one becomes a corner whose handle lies halfway to the tip of
-    the other: the curve sets out that way, and is flat there.
+    Where one leads elsewhere, the end without one becomes a corner whose handle is retracted, as pens do.
     """
     made = document.curves[curve]
     if why_not_straight(made.family):
@@ -88,21 +87,17 @@ def with_segment_by_handles(document: Document, curve: int, segment: int) -> Doc
     if len(handles) < 2 and all(_leads_along(each, chord_of(made, segment)) for each in handles):
         made = with_straight_segments(view_of(made), [segment])
     elif ahead is None and behind is not None:
-        made = _aimed(made, segment, start, behind)
+        made = _retracted(made, segment, start)
     elif behind is None and ahead is not None:
-        made = _aimed(made, segment, end, ahead)
+        made = _retracted(made, segment, end)
     return document.with_curve(curve, made)
 
 
-def _aimed(made: Curve, segment: int, index: int, other: Vector) -> Curve:
-    """Return the curve with the velocity at one end of a segment that fits the one at its `other` end."""
-    view = view_of(made)
+def _retracted(made: Curve, segment: int, index: int) -> Curve:
+    """Return the curve with no handle at one end of a segment: its control point lies on the corner."""
     if inner_points(made, [index]) and not made.points[index].corner:
-        made = with_corners(view, [index])
-    h = float(view.parameters[segment + 1] - view.parameters[segment])
-    # Without acceleration at this end, as that of a natural spline: 3 Δp/h = 2 v + w.
-    x, y = ((3.0 * way / h - known) / 2.0 for way, known in zip(chord_of(made, segment), other, strict=True))
-    return with_jet_values(made, [JetValue(index, 1, index == ends_of(made, segment)[0], (x, y))])
+        made = with_corners(view_of(made), [index])
+    return with_jet_values(made, [JetValue(index, 1, index == ends_of(made, segment)[0], (0.0, 0.0))])
 
 
 def _leads_along(handle: Vector, chord: Vector) -> bool:

@@ -13,8 +13,9 @@ from curvecore.arrays import FloatArray
 from ...document.curve_edits import replace_curve
 from ...document.form import FormHandle
 from ...document.form_edits import formed_anew
-from ...document.forms import AnyForm
+from ...document.forms import AnyForm, Rectangle
 from ...document.model import Curve, Document, Vector
+from ...document.point_group import PointGroup
 from ...document.transforms import IDENTITY, Affine, least_turn
 from ...families import HERMITE
 from ..curve.curve_view import view_of
@@ -134,3 +135,30 @@ def formed(curve: Curve) -> Formed | None:
 def with_form(document: Document, place: int, form: AnyForm, by: Affine) -> Document:
     """Return the document with a curve that is another form, mapped as the one before was."""
     return replace_curve(document, place, formed_anew(document.curves[place], form, by))
+
+
+def with_even_corners(before: Document, after: Document, group: PointGroup) -> Document:
+    """Return a document in which curves were stretched along the axes, with round corners that stay even.
+
+    As in Inkscape, one radius is for both while they are one, and it grows with the width of the rectangle.
+    """
+    for place, _ in group.parts:
+        form = before.curves[place].form
+        if not isinstance(form, Rectangle) or form.rx != form.ry or not form.rx:
+            continue
+        then, now = formed(before.curves[place]), formed(after.curves[place])
+        if then is None or now is None or not _is_along_axes(now.by):
+            continue
+        was, made = then.form, now.form
+        if isinstance(was, Rectangle) and isinstance(made, Rectangle) and was.rx == was.ry:
+            radius = made.rx if made.rx == made.ry else min(made.rx, made.width / 2, made.height / 2)
+            if (radius, radius) != (made.rx, made.ry):
+                even = msgspec.structs.replace(made, rx=radius, ry=radius)
+                after = with_form(after, place, even, now.by)
+    return after
+
+
+def _is_along_axes(by: Affine) -> bool:
+    """Whether the sides of a form that was mapped so are along the axes: a quarter turn, a mirror image."""
+    turned, straight = (1.0 + by.xx, 1.0 + by.yy), (by.xy, by.yx)
+    return max(map(abs, straight)) <= _SAME or max(map(abs, turned)) <= _SAME
