@@ -13,13 +13,16 @@ from PySide6.QtWidgets import QDialog
 
 from app.cli.windows import open_windows
 from app.document.model import Curve, Document, make_curve
+from app.document.style import Style
 from app.families import HERMITE
 from app.features.import_export import group_tree
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
+from app.plotting import printed
 from app.storage import files, validation
 from app.testing import Editor
 from app.tools import target
+from app.view_model.curve import flattener
 from tests.effort import calls_of, noted_calls
 
 COUNT = 450
@@ -347,3 +350,30 @@ def test_the_groups_of_a_drawing_are_counted_once_each(qtbot, monkeypatch):
     assert tree.topLevelItem(0).text(1) == "60 curves"
     assert tree.topLevelItem(0).child(2).text(1) == "20 curves"
     assert len(counted) == 4
+
+
+def test_small_curves_of_cubics_are_not_flattened_anew_at_another_zoom(editor, monkeypatch):
+    """Those of 2,000 paths took a second of every step of the wheel."""
+    corners = [(0.0, 0.0), (0.7, 0.1), (0.9, 0.8), (0.2, 0.6)]
+    look = Style(fill="#0088ff", stroke="#000000", width=0.02)
+    curves = tuple(
+        replace(
+            make_curve([(x + k % 5, y + k // 5) for x, y in corners], family=HERMITE),
+            name=f"Leaf {k}",
+            closed=True,
+            style=look,
+        )
+        for k in range(25)
+    )
+    editor.session.commit(Document(curves), "Draw")
+    editor.session.selected.choose([])
+    editor.window.canvas.camera.show_box((-0.5, 4.5), (0, 4))
+    editor.wait_for_rest()
+    flattened = noted_calls(monkeypatch, flattener, "flatten_pieces")
+    painted = noted_calls(monkeypatch, printed, "_add_cubics")
+    editor.trigger("zoomIn")
+    editor.wait_for_rest()
+    assert 120 < editor.window.canvas.pixel_map.sx < 200
+    # For the fill and for the line.
+    assert len(painted) == 2 * len(curves)
+    assert not flattened
