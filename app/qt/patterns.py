@@ -39,11 +39,12 @@ def _picture(tile: Tile, colour: str, width: int, height: int, opacity: float) -
     with QPainter(picture) as painter:
         painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
         painter.setOpacity(opacity)
-        _renderer(tile, colour).render(painter, QRectF(0, 0, width, height))
+        renderer_of(tile, colour).render(painter, QRectF(0, 0, width, height))
     return picture
 
 
-def _renderer(tile: Tile, colour: str) -> QSvgRenderer:
+def renderer_of(tile: Tile, colour: str) -> QSvgRenderer:
+    """Return what draws a tile, whose own colour is this, into any rectangle."""
     # Not kept: it would be gone with the application that an export ends with.
     box = " ".join(map(repr, tile.view))
     text = (
