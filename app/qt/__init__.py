@@ -5,7 +5,7 @@
 - ``labels``: words of others as they are written, not as HTML.
 - ``glyphs``: outlines of letters, as the fonts of the system have them.
 - ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise;
-  ``patterns``: of those.
+  ``patterns``: of those.  ``tile_texts``: words in them.
 - ``clips``: what they are cut by.  ``masks``: how much is seen of them.
   ``markers``: what stands at their ends.
 - ``blurs``: what is softened, as a picture.

@@ -35,7 +35,10 @@ cy=".5" r=".4" fill="#00ff00"/></mask>
 transform="rotate(10)"><rect x="10" y="45" width="40" height="20" fill-opacity=".5"/></g></mask>
 <mask id="half" maskUnits="userSpaceOnUse" x="-20" y="-20" width="40" height="40"><rect x="-10" y="-10"
 width="10" height="30" fill="#ff0000"/><rect y="-4" width="10" height="8" fill="#ffff00"
-fill-opacity=".7"/></mask>"""
+fill-opacity=".7"/></mask>
+<mask id="words" maskUnits="userSpaceOnUse" width="120" height="80"><text font-size="24" font-weight="bold"
+font-family="DejaVu Sans" fill="#fff"><tspan x="10" y="30">Mask</tspan><tspan x="20" y="60">two</tspan></text>
+</mask>"""
 
 SHAPES = {
     "a box in the units of the page": '<rect x="5" y="5" width="30" height="30" fill="#0000aa" stroke="#000"'
@@ -46,6 +49,8 @@ SHAPES = {
     '<rect x="25" y="45" width="15" height="30" fill="#0000aa"/></g>',
     "turned, and two": '<g transform="translate(90 60) rotate(20) scale(1.5)" mask="url(#half)">'
     '<rect x="-10" y="-10" width="20" height="20" fill="#000" style="mask:url(#half)"/></g>',
+    # The words were on one line: QtSvg has all parts of a text one behind the other.
+    "two lines of words": '<rect x="5" y="5" width="100" height="70" fill="#0000aa" mask="url(#words)"/>',
     "a shape used": '<defs><rect id="u" width="20" height="20" fill="#770077"/></defs><use xlink:href="#u"'
     ' x="10" y="10" mask="url(#fade)"/>',
     "a picture": '<image x="60" y="10" width="30" height="30" preserveAspectRatio="none" mask="url(#fade)"'
@@ -135,7 +140,7 @@ def test_masks_pass_through_files_and_svg_however_often():
     document = read_svg(svg("".join(SHAPES.values()))).document
     assert decode(encode(document)) == document
     upright = [curve for curve in document.curves if len(curve.style.masks) == 1]
-    assert len(upright) == 7
+    assert len(upright) == 8
     for _ in range(3):
         again = read_svg(svg_of(document).data).document
         for one, other in zip(document.curves, again.curves, strict=True):
