@@ -225,3 +225,31 @@ def test_a_mask_of_a_file_refers_to_nothing_outside(body):
     curve = replace(document.curves[0], style=replace(style, masks=(mask,)))
     with pytest.raises(FormatError, match="refer to nothing but its own parts"):
         validate(replace(document, curves=(curve,)))
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        '<g transform="translate(20 10) scale(.8) rotate(15)"><rect width="80" height="60"/></g>',
+        '<g transform="translate(20 10) rotate(5)"><text y="30" font-size="30" font-family="DejaVu Sans"'
+        ' transform="scale(1.5)">MM</text></g>',
+        '<g transform="translate(20 5) rotate(15)">'
+        + SHAPES["a picture"].replace(' mask="url(#fade)"', "").replace('x="60"', 'x="20"')
+        + "</g>",
+    ],
+    ids=["shape", "text", "picture"],
+)
+def test_a_file_that_was_opened_takes_a_new_mask(body, by_librsvg):
+    data = svg(body)
+    document = opened(data, None).document
+    (mask,) = opened(svg(SHAPES["alpha, of a group"]), None).document.curves[0].style.masks
+    (fade,) = opened(svg(SHAPES["a box in the units of the page"]), None).document.curves[0].style.masks
+    fade = fade.mapped(lambda place: (3.0 * place[0], 2.0 * place[1]))
+    for masks in ((mask,), (fade, mask)):
+        style = replace(document.curves[0].style, masks=masks)
+        masked = document.with_curve(0, replace(document.curves[0], style=style))
+        written = rewritten(data, masked)
+        assert differs(by_librsvg(written.data), by_librsvg(data)) > 2000
+        assert differs(by_librsvg(written.data), ours(masked)) == 0
+        assert differs(ours(opened(written.data, None).document), ours(masked)) == 0
+        assert rewritten(written.data, masked, masked).data == written.data

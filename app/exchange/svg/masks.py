@@ -28,7 +28,7 @@ from .lengths import Viewport, length
 from .matrices import Box, combined, inverse_of, moved, transform_of
 from .state import State
 from .tiles import TileBody
-from .xml_tree import speaks_to_us, tag_of
+from .xml_tree import tag_of
 
 _UNKNOWN = Flaw("a mask covers some of it", "it comes in whole")
 _TOGETHER = Flaw("it is masked as a whole", "each of its shapes is")
@@ -55,39 +55,81 @@ class Masks:
             return drawn, ()
         try:
             with np.errstate(all="ignore"):
-                mask = self._mask(declared, state, drawn)
+                masks = self._masks(declared["mask"], state, _box(drawn, state.matrix), 0)
         except (ExchangeError, np.linalg.LinAlgError):
-            mask = None
-        if mask is None or any(len(each.path.look.style.masks) >= MOST_MASKS for each in drawn):
+            masks = ()
+        most = max(len(each.path.look.style.masks) for each in drawn)
+        if not masks or most + len(masks) > MOST_MASKS:
             return drawn, (_UNKNOWN,)
-        return [_under(mask, each) for each in drawn], (_TOGETHER,) if _do_any_meet(drawn) else ()
+        return [_under(masks, each) for each in drawn], (_TOGETHER,) if _do_any_meet(drawn) else ()
 
-    def _mask(self, declared: Mapping[str, str], state: State, drawn: Sequence[Drawn]) -> Mask | None:
-        element = self._elements.referred(declared["mask"])
+    def _masks(self, value: str, state: State, box: Box, depth: int) -> tuple[Mask, ...]:
+        """Return a mask and those that all of it is masked by; none if one is not known."""
+        element = self._elements.referred(value)
         if element is None or tag_of(element) != "mask" or element.get("color-interpolation") == "linearRGB":
-            return None
-        box = _box(drawn, state.matrix)
+            return ()
+        group, rest = _lone_group(element, {"mask"}), tuple[Mask, ...]()
+        if group is not None and depth < MOST_MASKS and self._is_in_plane(group.get("mask", "")):
+            rest = self._masks(group.get("mask", ""), state, box, depth + 1)
+        holder = element if group is None or not rest else group
+        mask = self._mask(element, holder, state, box)
+        return () if mask is None else (mask, *rest)
+
+    def _is_in_plane(self, value: str) -> bool:
+        """Whether a mask hangs on no box."""
+        mask = self._elements.referred(value)
+        return mask is not None and (
+            mask.get("maskUnits", _BOX) != _BOX and mask.get("maskContentUnits") != _BOX
+        )
+
+    def _mask(self, element: ET.Element, holder: ET.Element, state: State, box: Box) -> Mask | None:
+        """Return the mask of an element, with what a `holder` in it holds."""
         is_of_box = element.get("maskContentUnits") == _BOX
         content = np.array([[box[2], 0, box[0]], [0, box[3], box[1]]]) if is_of_box else np.eye(2, 3)
         region = _region(element, state.viewport, box)
-        holder = element
-        parts = [each for each in element if speaks_to_us(each) and tag_of(each) != "defs"]
-        view = _seen(region, content)
-        if len(parts) == 1 and _is_plain_group(parts[0]):
-            # As it is written here: the rest of its plane is that of the group.
-            inner = combined(content, transform_of(parts[0].get("transform", "")))
-            if (within := _seen(region, inner)) is not None:
-                holder, view = parts[0], within
-        if view is None:
-            return None
-        x, y, width, height = region
-        corners = moved(np.array([(x, y), (x + width, y), (x, y + height)]), state.matrix)
+        shown = self._within_group(holder, content, region)
+        if shown is None:
+            view = _seen(region, content)
+            if view is None:
+                return None
+            shown = holder, view, content
+        holder, view, content = shown
+        x, y, width, height = view
+        places = np.array([(x, y), (x + width, y), (x, y + height)])
+        corners = moved(places, combined(state.matrix, content))
         body = TileBody(self._elements).of_pattern(element, holder)
         if len(body) > MOST_LETTERS or not (np.abs(np.append(corners, view)) <= MAX_MAGNITUDE).all():
             return None
         start, end, side = [(float(a), float(b)) for a, b in corners]
         is_alpha = self._elements.declared(element).get("mask-type") == "alpha"
         return Mask(Tile(body, view), start, end, side, is_alpha)
+
+    def _within_group(
+        self, holder: ET.Element, content: FloatArray, region: Box
+    ) -> tuple[ET.Element, Box, FloatArray] | None:
+        """Return the group that is all of a mask, what is shown of its plane, and the way from that.
+
+        So they are written here: with the rectangle as a clip in the group where that is turned. None where
+        nothing is gained.
+        """
+        group = _lone_group(holder, {"transform", "id"})
+        if group is None:
+            return None
+        inner = combined(content, transform_of(group.get("transform", "")))
+        if (view := _seen(region, inner)) is not None:
+            return group, view, inner
+        cut = _lone_group(group, {"clip-path"})
+        clip = None if cut is None else self._elements.referred(cut.get("clip-path", ""))
+        if cut is None or clip is None or [tag_of(each) for each in clip] != ["rect"]:
+            return None
+        if set(clip.attrib) != {"id"} or set(clip[0].attrib) != set(_USUAL):
+            return None
+        left, top, wide, high = (length(clip[0].get(name, "")) or 0.0 for name in _USUAL)
+        corners = np.array([(left + i * wide, top + j * high) for i in (0, 1) for j in (0, 1)])
+        low, size = np.array(region[:2]), np.array(region[2:])
+        share = (moved(corners, inner) - low) / size
+        is_in = bool((np.abs(share - 0.5) <= 0.5 + _ROUNDING).all()) and wide > 0 and high > 0
+        return (cut, (left, top, wide, high), inner) if is_in else None
 
 
 def _region(mask: ET.Element, viewport: Viewport, box: Box) -> Box:
@@ -122,8 +164,12 @@ def _seen(region: Box, content: FloatArray) -> Box | None:
     return float(left) + 0.0, float(top) + 0.0, float(across[0]), float(down[1])
 
 
-def _is_plain_group(element: ET.Element) -> bool:
-    return tag_of(element) == "g" and set(element.attrib) <= {"transform", "id"} and bool(len(element))
+def _lone_group(holder: ET.Element, attributes: set[str]) -> ET.Element | None:
+    """Return the group that is all of an element, if it says no more than these; None otherwise."""
+    parts = [each for each in holder if tag_of(each) != "defs"]
+    found = parts[0] if len(parts) == 1 else None
+    is_plain = found is not None and tag_of(found) == "g" and len(found) and set(found.attrib) <= attributes
+    return found if is_plain else None
 
 
 def _box(drawn: Sequence[Drawn], matrix: FloatArray) -> Box:
@@ -134,9 +180,9 @@ def _box(drawn: Sequence[Drawn], matrix: FloatArray) -> Box:
     return left, top, right - left, bottom - top
 
 
-def _under(mask: Mask, drawn: Drawn) -> Drawn:
+def _under(masks: tuple[Mask, ...], drawn: Drawn) -> Drawn:
     look = drawn.path.look
-    style = structs.replace(look.style, masks=(*look.style.masks, mask))
+    style = structs.replace(look.style, masks=(*look.style.masks, *masks))
     return replace(drawn, path=replace(drawn.path, look=replace(look, style=style)))
 
 

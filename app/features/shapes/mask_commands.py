@@ -48,7 +48,7 @@ class MaskCommands:
         ),
         keywords="masking luminance fade transparency opacity hide object",
     )
-    @also(CHOSEN_MENU(34))
+    @also(CHOSEN_MENU(33))
     def _set(self) -> None:
         """Show the chosen objects where the one in front is light, and not where it is black or clear."""
         session, document = self._session, self._session.document
@@ -80,7 +80,7 @@ class MaskCommands:
         needs=Need("a shape that is masked", _is_masked),
         keywords="unmask remove whole luminance",
     )
-    @also(CHOSEN_MENU(34))
+    @also(CHOSEN_MENU(33))
     def _release(self) -> None:
         """Show the chosen shapes whole, and what masked them as objects of their own."""
         session, document = self._session, self._session.document
