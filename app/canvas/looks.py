@@ -21,6 +21,7 @@ from ..view_model.curve.curve_view import CurveView, Polyline
 from .blurs import Blurs, paint_blurred
 from .content_ink import paint_content
 from .desk_outline import outline_on_desk
+from .masked import paint_through
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
@@ -86,6 +87,7 @@ def _is_plain(style: Style) -> bool:
         and style.stroke_opacity == style.opacity == 1.0
         and style.stroke_gradient is None
         and not style.clips
+        and not style.masks
         and not style.blur
         and not style.has_markers
     )
@@ -130,6 +132,17 @@ def paint_shape(
     """
     style = looks.style_of(shape[0]) if style is None else style
     width = usual if style.width is None else style.width * shown.sx
+    if style.masks:
+        whole = replace(style, masks=())
+        paint_through(
+            painter,
+            shape,
+            style,
+            shown,
+            width,
+            lambda inner: paint_shape(inner, shape, looks, shown, theme, usual, line, blurs, style=whole),
+        )
+        return
     if style.blur:
         sharp = replace(style, blur=0.0, clips=())
 

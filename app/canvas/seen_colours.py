@@ -23,6 +23,7 @@ from ..view_model.curve.curve_view import CurveView
 from .blurs import blurred_box, paint_blurred
 from .content_ink import paint_content
 from .looks import Looks, Shape, parts_of
+from .masked import paint_through
 
 _LEAST = 5.0
 """Pixels of a line, at least: nobody points at a hairline exactly."""
@@ -86,6 +87,12 @@ def _box(shape: Shape, style: Style) -> FloatArray:
 
 
 def _paint(painter: QPainter, shape: Shape, style: Style, shown: PixelMap, spot: PixelMap) -> None:
+    if style.masks:
+        whole, width = replace(style, masks=()), (style.width or 0.0) * shown.sx
+        paint_through(
+            painter, shape, style, spot, width, lambda inner: _paint(inner, shape, whole, shown, spot)
+        )
+        return
     if style.blur:
         sharp, width = replace(style, blur=0.0, clips=()), (style.width or 0.0) * shown.sx
 

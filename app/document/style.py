@@ -12,6 +12,7 @@ from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
 from .gradient import Gradient
 from .marker import MarkerKind
+from .mask import MOST_MASKS, Mask
 from .value import Value, Vector
 from .words import NamedEnum
 
@@ -95,6 +96,8 @@ class Style(Value, frozen=True):
         What paints in place of the colour, which stands for it where there are no gradients.
     clips
         Areas beyond each of which nothing of it is seen.
+    masks
+        Pictures each of which says how much of it is seen.
     paint_order
         Which of fill and stroke covers the other.
     start_marker, end_marker
@@ -120,6 +123,7 @@ class Style(Value, frozen=True):
     end_marker: Annotated[MarkerKind, "End marker"] = MarkerKind.NONE
     blur: Annotated[float, at_least(0), LENGTH, "Blur"] = 0.0
     paint_order: Annotated[PaintOrder, "Paint order"] = PaintOrder.STROKE_ABOVE
+    masks: Annotated[tuple[Mask, ...], few(MOST_MASKS, f"hold at most {MOST_MASKS} masks"), "Mask"] = ()
 
     @property
     def has_stroke(self) -> bool:
@@ -182,7 +186,8 @@ class Style(Value, frozen=True):
     @property
     def is_placed(self) -> bool:
         """Whether it hangs on places of the plane."""
-        return self.fill_gradient is not None or self.stroke_gradient is not None or bool(self.clips)
+        has_gradient = self.fill_gradient is not None or self.stroke_gradient is not None
+        return has_gradient or bool(self.clips) or bool(self.masks)
 
     @property
     def goes_along(self) -> bool:
@@ -204,13 +209,14 @@ class Style(Value, frozen=True):
 
     @property
     def flat(self) -> Style:
-        """The style for curves elsewhere: sharp, without clips, with the colours in which gradients begin."""
+        """The style for curves elsewhere: sharp, whole, with the colours in which gradients begin."""
         if not self.goes_along:
             return self
         paints = {"fill": self.fill_gradient, "stroke": self.stroke_gradient}
         return replace(
             self.with_fields({name: found.stops[0].colour for name, found in paints.items() if found}),
             clips=(),
+            masks=(),
             blur=0.0,
         )
 
@@ -221,13 +227,14 @@ class Style(Value, frozen=True):
         return {name: gradient for name, gradient in found.items() if gradient is not None}
 
     def mapped(self, place: Callable[[Vector], Vector]) -> Style:
-        """Return the style with its gradients and clips where an affine map puts them; its blur grows."""
+        """Return the style with all that lies in the plane where an affine map puts it; its blur grows."""
         if not self.goes_along:
             return self
         gradients = {name: each.mapped(place) for name, each in self.gradients.items()}
         clips = tuple(each.mapped(place) for each in self.clips)
+        masks = tuple(each.mapped(place) for each in self.masks)
         blur = self.blur * _scale_of(place) if self.blur else 0.0
-        return replace(self, **gradients, clips=clips, blur=blur)
+        return replace(self, **gradients, clips=clips, masks=masks, blur=blur)
 
     @property
     def colour(self) -> str:

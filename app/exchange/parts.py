@@ -146,9 +146,9 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
 
 
 def said_of_paints(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    """Return what a format has to say that knows colours alone, no gradients, clips and blurs."""
+    """Return what a format has to say that knows colours alone, no gradients, clips, masks and blurs."""
     named = list(styles)
-    said = (_said_of_gradients, _said_of_clips, _said_of_blurs, _said_of_order)
+    said = (_said_of_gradients, _said_of_clips, _said_of_masks, _said_of_blurs, _said_of_order)
     return tuple(sentence for each in said for sentence in each(named))
 
 
@@ -182,6 +182,13 @@ def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
     if not names:
         return ()
     return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} clipped, and written whole.",)
+
+
+def _said_of_masks(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.masks))
+    if not names:
+        return ()
+    return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} masked, and written whole.",)
 
 
 def _said_of_gradients(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QTransform
 from PySide6.QtSvg import QSvgRenderer
 
 from ..document.gradient import Gradient, Tile
+from .tile_texts import on_lines
 
 _FINER = 2.0
 """Pixels of a tile for each pixel of the device: it need not lie on their grid."""
@@ -39,16 +40,17 @@ def _picture(tile: Tile, colour: str, width: int, height: int, opacity: float) -
     with QPainter(picture) as painter:
         painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
         painter.setOpacity(opacity)
-        _renderer(tile, colour).render(painter, QRectF(0, 0, width, height))
+        renderer_of(tile, colour).render(painter, QRectF(0, 0, width, height))
     return picture
 
 
-def _renderer(tile: Tile, colour: str) -> QSvgRenderer:
+def renderer_of(tile: Tile, colour: str) -> QSvgRenderer:
+    """Return what draws a tile, whose own colour is this, into any rectangle."""
     # Not kept: it would be gone with the application that an export ends with.
     box = " ".join(map(repr, tile.view))
     text = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-        f' viewBox="{box}">{tile.body.replace("currentColor", colour)}</svg>'
+        f' viewBox="{box}">{on_lines(tile.body).replace("currentColor", colour)}</svg>'
     )
     renderer = QSvgRenderer(QByteArray(text.encode()))
     renderer.setAspectRatioMode(Qt.AspectRatioMode.IgnoreAspectRatio)

@@ -203,3 +203,14 @@ def test_a_file_is_overwritten_with_its_own_clips_and_with_those_that_were_set()
     styled = replace(path, style=replace(path.style, clips=rect.style.clips))
     (clip,) = written(replace(document, curves=(rect, styled)))[1].style.clips
     assert clip.rings[0].numbers == pytest.approx(rect.style.clips[0].rings[0].numbers)
+
+
+def test_what_cuts_a_use_lies_where_the_use_is_moved_to():
+    """A `use` at x = 100 is cut 100 to the right: it was cut at the place of what it shows."""
+    found = read(
+        '<rect id="r" width="40" height="40"/><use href="#r" x="100" y="50" clip-path="url(#rect)"/>'
+    )
+    (clip,) = found.document.curves[1].style.clips
+    places = np.array(clip.rings[0].places)
+    assert places.min(axis=0).tolist() == [190.0, -170.0]
+    assert places.max(axis=0).tolist() == [290.0, -70.0]

@@ -1,9 +1,14 @@
-"""What the devices of painters show of brushes."""
+"""What the devices of painters show of brushes, and what is painted there side by side."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from collections.abc import Sequence
+from itertools import combinations
+
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QBrush, QPaintEngine, QPainter
+
+_MOST_COMPARED = 200
 
 
 def has_alpha(brush: QBrush) -> bool:
@@ -23,3 +28,8 @@ def holds_words(painter: QPainter) -> bool:
     """Whether what it paints on holds letters as such."""
     engine = painter.paintEngine()
     return engine is not None and engine.type() == QPaintEngine.Type.Pdf
+
+
+def do_any_meet(boxes: Sequence[QRectF]) -> bool:
+    """Whether any of some boxes meet, or may where they are many."""
+    return len(boxes) > _MOST_COMPARED or any(one.intersects(other) for one, other in combinations(boxes, 2))

@@ -272,16 +272,19 @@ def pdf_file(document: Document, options: Options) -> Written:
 
 
 def _pictures_in(drawing: Drawing) -> tuple[str, ...]:
-    """Return the sentence about what is a picture in a PDF, be it a gradient or a blur; none without."""
+    """Return the sentence about what is a picture in a PDF: gradients, blurs and masks; none without."""
     return (*_gradient_pictures(drawing), *_blurred_pictures(drawing))
 
 
 def _blurred_pictures(drawing: Drawing) -> tuple[str, ...]:
-    names = [f"“{shape[0].shape or shape[0].name}”" for shape in drawing.shapes if shape[0].style.blur]
-    if not names:
-        return ()
-    verb = "is blurred, and a picture" if len(names) == 1 else "are blurred, and pictures"
-    return (f"{names_of(names)} {verb} of at most {BLUR_DPI} dpi in a PDF.",)
+    said = list[str]()
+    for word, field in (("blurred", "blur"), ("masked", "masks")):
+        shapes = [shape[0] for shape in drawing.shapes if getattr(shape[0].style, field)]
+        names = [f"“{each.shape or each.name}”" for each in shapes]
+        verb = f"is {word}, and a picture" if len(names) == 1 else f"are {word}, and pictures"
+        if names:
+            said.append(f"{names_of(names)} {verb} of at most {BLUR_DPI} dpi in a PDF.")
+    return tuple(said)
 
 
 def _gradient_pictures(drawing: Drawing) -> tuple[str, ...]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import combinations
 
 from msgspec.structs import replace
 from PySide6.QtCore import QRect, QRectF, QSize, Qt
@@ -28,11 +27,12 @@ from ...qt.clips import clipped
 from ...qt.contents import inked, paint_picture
 from ...qt.gradients import brush_of
 from ...qt.markers import path_of
+from ...qt.masks import beside, paint_masked
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...qt.written import CLEAR, Writing, write, writings_of
 from ...tasks.progress import Report, told
 from .annotation_painting import paint_annotations, paint_points
-from .devices import has_alpha, holds_words, is_raster
+from .devices import do_any_meet, has_alpha, holds_words, is_raster
 from .drawing import Drawing
 from .grouped import units_of
 from .outlines import Outline, length_within, markers_at
@@ -44,7 +44,7 @@ _MOST_DASHES = 100_000
 
 _PICTURE = QImage.Format.Format_ARGB32_Premultiplied
 _SMOOTHLY = QPainter.RenderHint.SmoothPixmapTransform | QPainter.RenderHint.LosslessImageRendering
-_MOST_BLURRED, _MOST_COMPARED = 16_000_000, 200
+_MOST_BLURRED = 16_000_000
 
 BLUR_DPI = 300
 """Dots an inch of what is blurred in a PDF, at most."""
@@ -79,12 +79,12 @@ class Painting:
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         self._height = drawing.frame.height
         self._frame = QRectF(0, 0, drawing.frame.width, drawing.frame.height)
+        self._way = QTransform(1, 0, 0, -1, 0, self._height)
 
     def paint(self, *, points: bool, report: Report) -> None:
         """Paint all of it, from the back to the front."""
-        frame = self._drawing.frame
         if self._style.paper:
-            self._painter.fillRect(QRectF(0, 0, frame.width, frame.height), QColor(self._style.paper))
+            self._painter.fillRect(self._frame, QColor(self._style.paper))
         paint_annotations(self._painter, self._drawing, self._style, "grid")
         for look, run in told(units_of(self._drawing.shapes, 0), report, "Painting"):
             self._paint_unit(look, run, 0)
@@ -109,7 +109,7 @@ class Painting:
         """
         painter = self._painter
         boxes = [self._reach(shape) for shape in shapes]
-        if not is_raster(painter) and not _do_any_meet(boxes):
+        if not is_raster(painter) and not do_any_meet(boxes):
             for shape in shapes:
                 share = opacity * math.prod(each.opacity for each in shape[0].group_looks[depth:])
                 style = replace(shape[0].style, opacity=shape[0].style.opacity * share)
@@ -121,17 +121,14 @@ class Painting:
         if place.isEmpty():
             return
         fine = 1.0 if is_raster(painter) else BLUR_DPI / 72
-        fine *= min(1.0, math.sqrt(_MOST_BLURRED / (place.width() * place.height() * fine * fine)))
         place = QRectF(QRectF(place).toAlignedRect())
-        picture = QImage((place.size() * fine).toSize().expandedTo(QSize(1, 1)), _PICTURE)
-        picture.fill(Qt.GlobalColor.transparent)
-        with QPainter(picture) as inner:
-            inner.setRenderHints(painter.renderHints() | QPainter.RenderHint.Antialiasing)
-            inner.scale(picture.width() / place.width(), picture.height() / place.height())
-            inner.translate(-place.topLeft())
+
+        def paint(inner: QPainter) -> None:
             within = Painting(self._drawing, inner, self._style)
             for look, run in units_of(shapes, depth):
                 within._paint_unit(look, run, depth)
+
+        picture = beside(painter, place, fine, paint)
         painter.save()
         painter.setOpacity(opacity)
         painter.setRenderHints(_SMOOTHLY)
@@ -148,11 +145,26 @@ class Painting:
         reach = 1 + BLUR_REACH * style.blur + (overhang_of(pen) if pen is not None else 0.0)
         return box.adjusted(-reach, -reach, reach, reach)
 
+    def _paint_masked(self, shape: tuple[Outline, ...]) -> None:
+        """Paint a shape as a picture of what its masks let be seen, which all formats have."""
+        style = shape[0].style
+        whole = replace(shape[0], style=replace(style, masks=()))
+
+        def paint(inner: QPainter) -> None:
+            Painting(self._drawing, inner, self._style)._paint_shape((whole, *shape[1:]))
+
+        place = self._reach(shape).intersected(self._frame)
+        fine = 1.0 if is_raster(self._painter) else BLUR_DPI / 72
+        paint_masked(self._painter, style.masks, self._way, place, fine, paint)
+
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
+        if shape[0].style.masks:
+            self._paint_masked(shape)
+            return
         if clips := shape[0].style.clips:
             # Outlines of a shape have one style.
             whole = replace(shape[0], style=replace(shape[0].style, clips=()))
-            with clipped(self._painter, clips, QTransform(1, 0, 0, -1, 0, self._height)):
+            with clipped(self._painter, clips, self._way):
                 self._paint_shape((whole, *shape[1:]))
             return
         if shape[0].style.blur:
@@ -235,7 +247,7 @@ class Painting:
 
     def _paint_content(self, frame: Outline) -> None:
         """Paint a text or a picture in its frame."""
-        content, way = frame.content, QTransform(1, 0, 0, -1, 0, self._height)
+        content, way = frame.content, self._way
         if isinstance(content, Picture):
             paint_picture(self._painter, content, frame.corners, way, frame.style.opacity, None)
         elif isinstance(content, Lettering) and self._writes and holds_words(self._painter):
@@ -260,8 +272,7 @@ class Painting:
             self._stroke(painter, whole, pen)
 
     def _inked(self, frame: Outline, text: Lettering) -> Iterator[tuple[QPainterPath, Style]]:
-        way, area = QTransform(1, 0, 0, -1, 0, self._height), self._frame
-        return iter(inked(text, frame.corners, way, frame.style, area))
+        return iter(inked(text, frame.corners, self._way, frame.style, self._frame))
 
     def _fill_and_stroke(
         self,
@@ -289,7 +300,7 @@ class Painting:
         if isinstance(brush, QColor) or not has_alpha(brush) or is_raster(painter):
             painter.fillPath(path, brush)
             return
-        place = path.boundingRect().intersected(QRectF(0, 0, self._drawing.frame.width, self._height))
+        place = path.boundingRect().intersected(self._frame)
         if place.isEmpty():
             return
         most = FINEST if brush.gradient() is not None else FINEST_TILES
@@ -323,8 +334,7 @@ class Painting:
     def _bounds(self, path: QPainterPath, markers: QPainterPath, pen: QPen) -> QRect:
         """Return the pixels of the device that a shape can reach."""
         reach = 1 + overhang_of(pen)
-        frame = self._drawing.frame
-        within = QRectF(0, 0, math.ceil(frame.width), math.ceil(frame.height))
+        within = QRectF(0, 0, math.ceil(self._frame.width()), math.ceil(self._height))
         seen = path.controlPointRect().united(markers.controlPointRect())
         return seen.adjusted(-reach, -reach, reach, reach).intersected(within).toAlignedRect()
 
@@ -351,8 +361,7 @@ class Painting:
     def _markers(self, shape: Sequence[Outline]) -> QPainterPath:
         style = shape[0].style
         width = self._drawing.usual_width if style.width is None else style.width
-        way = QTransform(1, 0, 0, -1, 0, self._height)
-        return way.map(path_of(markers_at(shape, width)))
+        return self._way.map(path_of(markers_at(shape, width)))
 
     def _path(self, shape: Iterable[Outline]) -> QPainterPath:
         path = QPainterPath()
@@ -388,8 +397,3 @@ class Painting:
     def _served(self, gradient: Gradient, opacity: float) -> QBrush | QColor:
         ink = QColor(self._style.ink)
         return brush_of(gradient, ink, opacity, lambda place: (place[0], self._height - place[1]))
-
-
-def _do_any_meet(boxes: Sequence[QRectF]) -> bool:
-    """Whether any of some boxes meet, or may where they are many."""
-    return len(boxes) > _MOST_COMPARED or any(one.intersects(other) for one, other in combinations(boxes, 2))

@@ -60,6 +60,7 @@ OWN = {
     "filter": "none",
     "inline-size": "auto",
     "mask": "none",
+    "mask-type": "luminance",
     "mix-blend-mode": "normal",
     "opacity": "1",
     "overflow": "",

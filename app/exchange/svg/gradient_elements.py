@@ -61,7 +61,7 @@ class GradientElements(DefinedElements):
         pairs["viewBox"] = " ".join(map(number, tile.view))
         yield f'    <pattern id="{name}" patternUnits="userSpaceOnUse"{_attributes(pairs)}'
         colour = pattern.stops[0].colour or self._picture.ink
-        body = _own_names(tile.body, name).replace("currentColor", colour)
+        body = own_names(tile.body, name).replace("currentColor", colour)
         yield f'        preserveAspectRatio="none">{body}'
         yield "    </pattern>"
 
@@ -72,7 +72,7 @@ class GradientElements(DefinedElements):
         return _attributes(pairs)
 
 
-def _own_names(body: str, name: str) -> str:
+def own_names(body: str, name: str) -> str:
     """Return the body of a tile with ids that nothing else in the file has."""
     return _NAMED.sub(lambda found: f"{found[1]}{name}-{found[2]}", body)
 

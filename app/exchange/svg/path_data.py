@@ -62,6 +62,11 @@ class Subpath:
         return np.asarray(self.pieces[-1][-1, 3]) if self.pieces else self.start
 
     @property
+    def has_length(self) -> bool:
+        """Whether it is more than a point."""
+        return bool((self.controls != self.start).any())
+
+    @property
     def controls(self) -> FloatArray:
         """All pieces, (k, 4, 2)."""
         return np.concatenate(self.pieces) if self.pieces else np.empty((0, 4, 2))

@@ -33,6 +33,7 @@ from .gradients import Ground
 from .groups import Drawn, Settled, is_seen, settled, with_line, without_lone_groups
 from .guides import guides_of
 from .lengths import Viewport
+from .masks import Masks
 from .matrices import (
     Box,
     box_of,
@@ -50,7 +51,6 @@ from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, label_of, name_of
 from .our_own import OurOwn
 from .own_data import NOTHING
 from .paint import Paints, share_of
-from .path_data import Subpath
 from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
@@ -99,11 +99,10 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     # Those of one file are no others' when something of both comes into one document.
     drawn, guides = reader.all_paths(f"{crc32(data):08x}-"), reader.guides()
     found = imported(drawn.paths, missed=reader.missed)
-    sheet = reader.sheet
     document = msgspec.structs.replace(
         found.document,
-        unit=sheet.unit,
-        page=sheet.page,
+        unit=reader.sheet.unit,
+        page=reader.sheet.page,
         guides=guides,
         layers=drawn.layers,
         empty_layers=drawn.empty_layers,
@@ -135,7 +134,7 @@ class SvgReader:
         paints = Paints(elements)
         self._styles = StyleReader(paints, elements)
         self._shown = Shown(paints, elements)
-        self._clips, self._filters = Clips(elements), Filters(elements)
+        self._clips, self._filters, self._masks = Clips(elements), Filters(elements), Masks(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
@@ -184,17 +183,23 @@ class SvgReader:
         declared = self._cascade.of(element)
         anchor = state.anchor or Anchor(element, state)
         state = self._entered(element, declared, state)
-        first = len(self._shapes)
+        first, found = len(self._shapes), iter(tuple[Drawn, ...]())
         if tag in CONTENTS:
-            yield from self._content(element, tag, state, anchor)
+            found = self._content(element, tag, state, anchor)
         elif tag in NO_CURVES and state.properties.is_visible:
             self._missing.note(element, NO_CURVES[tag])
         elif tag in SHAPES:
-            yield from self._shape(element, tag, declared, state, anchor)
+            found = self._shape(element, tag, declared, state, anchor)
         elif tag == "use":
-            yield from self._used(element, replace(state, anchor=anchor), depth)
+            found = self._used(element, replace(state, anchor=anchor), depth)
         elif tag in _CONTAINERS:
-            yield from self._contained(element, tag, state, depth, anchor)
+            found = self._contained(element, tag, state, depth, anchor)
+        if declared.get("mask", "none") == "none":
+            yield from found
+        else:
+            masked, flaws = self._masks.over(list(found), declared, state)
+            self._missing.note(element, *(flaws if state.properties.is_visible else ()))
+            yield from masked
         count = len(self._shapes) - first
         if count and state.properties.is_visible:
             self._note_effects(element, declared, state, is_many=count > 1)
@@ -211,6 +216,9 @@ class SvgReader:
                 raise self._missing.broken(element, str(problem)) from None
             if not np.isfinite(matrix).all():
                 raise self._missing.broken(element, "its transform is beyond all numbers.")
+        if tag_of(element) == "use":
+            x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
+            matrix = combined(matrix, shifting(x, y))
         if (box := self._clips.box(declared, state.viewport)) is not None:
             windows = (*windows, Window(box, matrix, is_clip=True))
         else:
@@ -277,16 +285,14 @@ class SvgReader:
             return
         if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):
             raise self._missing.broken(element, f"it uses itself by way of “{reference[:40]}”.")
-        x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
         # Of several within each other the outermost is what a person sees as the clone.
         name = state.clone or name_of(element) or f"Clone of {name_of(target)}"
         state = replace(state, inside=(*state.inside, element), clone=name)
         if tag_of(target) in ("symbol", "svg"):
-            state = self._in_view_box(target, element, state, (x, y))
+            state = self._in_view_box(target, element, state, (0.0, 0.0))
             entered = self._entered(target, self._cascade.of(target), state)
             yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
         else:
-            state = replace(state, matrix=combined(state.matrix, shifting(x, y)))
             yield from self._drawn(target, state, depth + 1)
 
     def _shape(
@@ -302,7 +308,7 @@ class SvgReader:
             return
         except ExchangeError as problem:
             raise self._missing.broken(element, str(problem)) from None
-        drawn = [each for each in subpaths if _has_length(each)]
+        drawn = [each for each in subpaths if each.has_length]
         # A point without a round or square cap is not seen.
         if len(drawn) < len(subpaths) and state.properties.shows_points:
             self._missing.note(element, _ONE_POINT)
@@ -392,9 +398,3 @@ class SvgReader:
         if element is self._root and is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
         self._missing.note(element, *found)
-
-
-def _has_length(subpath: Subpath) -> bool:
-    """Whether a subpath is more than a point."""
-    controls = subpath.controls
-    return bool((controls != subpath.start).any())

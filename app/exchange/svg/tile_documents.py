@@ -1,4 +1,4 @@
-"""Documents as tiles of patterns, and tiles as documents."""
+"""Documents as tiles of patterns and masks, and tiles as documents."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from msgspec.structs import replace
 
 from ...document.gradient import Gradient, Tile
 from ...document.layers import out_of_layers
-from ...document.model import Document
+from ...document.mask import Mask
+from ...document.model import Document, Vector
 from ...document.several_curves import mapped, whole_curves
 from ...document.transforms import Affine
 from ..errors import ExchangeError
@@ -22,7 +23,7 @@ _BLACK = "#000000"
 
 
 def tile_of(document: Document) -> Tile:
-    """Return what lies on the page of a document as the tile of a pattern.
+    """Return what lies on the page of a document as the tile of a pattern or a mask.
 
     Raises
     ------
@@ -32,7 +33,7 @@ def tile_of(document: Document) -> Tile:
     root = parsed(svg_of(replace(out_of_layers(document), guides=())).data)
     box = box_of(root.get("viewBox", ""))
     if box is None:
-        raise ExchangeError("A pattern needs a width and a height.")
+        raise ExchangeError("It needs a width and a height.")
     return Tile(TileBody(Elements.within(root, Cascade(root).of)).of_elements(root), box)
 
 
@@ -44,11 +45,24 @@ def document_of(pattern: Gradient) -> Document:
     ExchangeError
         If there are none in it.
     """
-    tile = pattern.tile
-    if tile is None:
+    if pattern.tile is None:
         raise ExchangeError("It is no pattern.")
+    return _laid(pattern.tile, pattern.stops[0].colour or _BLACK, pattern.start, pattern.end, pattern.side)
+
+
+def objects_of(mask: Mask) -> Document:
+    """Return what a mask shows, where it lies, as curves.
+
+    Raises
+    ------
+    ExchangeError
+        If there are none in it.
+    """
+    return _laid(mask.tile, _BLACK, mask.start, mask.end, mask.side)
+
+
+def _laid(tile: Tile, colour: str, start: Vector, end: Vector, side: Vector) -> Document:
     left, top, width, height = tile.view
-    colour = pattern.stops[0].colour or _BLACK
     text = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
         f' width="{width!r}" height="{height!r}" viewBox="{left!r} {top!r} {width!r} {height!r}">'
@@ -58,14 +72,14 @@ def document_of(pattern: Gradient) -> Document:
     page = found.page
     assert page is not None
     corner = (page.x, page.y + page.height)
-    (a, b), (c, d) = pattern.axes
-    # Its plane has y upwards, and the side of a pattern is what leads down the tile.
+    (x, y), (a, b), (c, d) = start, end, side
+    # Its plane has y upwards, and the side is what leads down the tile.
     place = Affine(
-        a / page.width - 1.0,
-        -c / page.height,
-        b / page.width,
-        -d / page.height - 1.0,
+        (a - x) / page.width - 1.0,
+        -(c - x) / page.height,
+        (b - y) / page.width,
+        -(d - y) / page.height - 1.0,
         corner,
-        (pattern.start[0] - corner[0], pattern.start[1] - corner[1]),
+        (x - corner[0], y - corner[1]),
     )
     return mapped(found, whole_curves(found, range(len(found.curves))), place)

@@ -29,6 +29,7 @@ from .filter_elements import FilterElements
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
 from .marker_elements import MarkerElements
+from .mask_elements import MaskElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
@@ -78,7 +79,7 @@ class Tree:
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
         self.clips, self._markers = ClipElements(self._ids), MarkerElements(self._ids)
-        self._filters = FilterElements(self._ids)
+        self._filters, self._masks = FilterElements(self._ids), MaskElements(self._ids)
         self._courses = CourseElements(self._ids, self._carrier)
         contents = (shape[0].content for shape in shapes)
         texts = (each for each in contents if isinstance(each, Lettering) and each.along is not None)
@@ -93,7 +94,7 @@ class Tree:
     @property
     def definitions(self) -> list[str]:
         """What paints what was written, cuts it and ends its lines, in an element of their own."""
-        found = [*self._gradients.lines, *self.clips.lines, *self._filters.lines]
+        found = [*self._gradients.lines, *self.clips.lines, *self._filters.lines, *self._masks.lines]
         found += [*self._markers.lines, *self._courses.lines]
         return ["  <defs>", *found, "  </defs>"] if found else []
 
@@ -123,15 +124,17 @@ class Tree:
         """Return the element that draws a shape."""
         first = shape[0]
         style = self._styled(with_markers_seen(first.style, shape), self._usual_width)
-        clips = first.style.clips
+        clips, masks = first.style.clips, first.style.masks
         # Texts lie along paths alone, as SVG 1.1 has it: browsers know no others.
         tag, runs = _as_form(shape, as_path=first.identity in self._courses_of_texts) or ("path", "")
         if tag == "path":
             runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
+        cut += f' mask="{self._masks.reference(masks[:1])}"' if masks else ""
         cut += self._blurred(first.style, _corners_of(shape))
         runs = f"{called}{_own_data_of(shape)}{runs}"
-        return self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
+        element = self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
+        return self._masks.around(element, masks[1:])
 
     def _is_unseen(self, outline: Outline) -> bool:
         """Whether a shape itself is hidden, and not a layer around it."""
@@ -150,7 +153,7 @@ class Tree:
         return f' filter="{self._filters.reference(style.blur, corners, overhang)}"'
 
     def _content(self, frame: Outline, called: str, more: str) -> str:
-        """Return a text or a picture; the clips are around it, for they do not lie in its units."""
+        """Return a text or a picture; what cuts it is around it, for that does not lie in its units."""
         frame = uncut(frame)
         assert frame.content is not None
         content, plane, path = self._courses.under(frame.content, plane_of(frame.content, frame.corners))
@@ -164,9 +167,8 @@ class Tree:
         beyond = min(right - left, bottom - top) / 4
         around = np.array([(left - beyond, top - beyond), (right + beyond, bottom + beyond)])
         painted += self._blurred(style, around)
-        return self.clips.around(
-            content_element(content, plane, f"{called}{painted}{more}", path), frame.style.clips
-        )
+        element = content_element(content, plane, f"{called}{painted}{more}", path)
+        return self._masks.around(self.clips.around(element, frame.style.clips), frame.style.masks)
 
     def _carrier(self, identity: str) -> str:
         """Return the id of the path that shows a curve; empty where none does."""

@@ -28,6 +28,7 @@ from ...workbench.context import WindowContext
 from .chosen_shapes import AN_OBJECT, meant
 from .clip_commands import ClipCommands
 from .corner_commands import CornerCommands
+from .mask_commands import MaskCommands
 from .offset_commands import OffsetCommands
 from .path_commands import PathCommands
 from .simplify_commands import SimplifyCommands
@@ -173,4 +174,12 @@ class ShapeCommands:
         self._session.selected.choose(curves)
 
 
-COMMAND_SETS = (ShapeCommands, OffsetCommands, CornerCommands, PathCommands, SimplifyCommands, ClipCommands)
+COMMAND_SETS = (
+    ShapeCommands,
+    OffsetCommands,
+    CornerCommands,
+    PathCommands,
+    SimplifyCommands,
+    ClipCommands,
+    MaskCommands,
+)

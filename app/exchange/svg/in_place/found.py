@@ -83,7 +83,8 @@ class Wanted:
         """Its style; of a text and of a picture what is drawn of it."""
         style = self.outlines[0].style
         if isinstance(self.content, Picture):
-            return Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips, blur=style.blur)
+            bare = Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips, blur=style.blur)
+            return replace(bare, masks=style.masks)
         if self.content is not None:
             none = MarkerKind.NONE
             return replace(style, fill_rule=FillRule.NONZERO, start_marker=none, end_marker=none)

@@ -23,12 +23,14 @@ from ..clip_elements import ClipElements
 from ..filter_elements import FilterElements
 from ..gradient_elements import GradientElements
 from ..marker_elements import MarkerElements
+from ..mask_elements import MaskElements
 from ..matrices import mean_scale, moved
 from ..numbers import number
 from ..state import State
 from .source import Node
 
 _ROUNDING = 1e-6
+_OF_FILL = ("fill", "fill_rule", "fill_opacity", "opacity", "fill_gradient", "clips", "masks", "blur")
 
 
 class Part(NamedTuple):
@@ -40,6 +42,7 @@ class Part(NamedTuple):
 
 
 _CLIP = Part(("clips",), ("clip-path",), "")
+_MASK = Part(("masks",), ("mask",), "")
 _BLUR = Part(("blur",), ("filter",), "")
 _START = Part(("start_marker",), ("marker-start",), "")
 _END = Part(("end_marker",), ("marker-end",), "")
@@ -56,6 +59,7 @@ _PARTS = (
     _START,
     _END,
     _CLIP,
+    _MASK,
     _BLUR,
 )
 
@@ -65,17 +69,18 @@ class Definitions:
 
     Attributes
     ----------
-    gradients, clips, markers, filters
+    gradients, clips, markers, filters, masks
         Those that were asked for so far.
     """
 
     def __init__(self, ids: Names) -> None:
         self.gradients, self.clips = GradientElements(INK, ids), ClipElements(ids)
         self.markers, self.filters = MarkerElements(ids), FilterElements(ids)
+        self.masks = MaskElements(ids)
 
     def taken(self) -> str:
         """Return as elements those that were asked for since it was asked last."""
-        kinds = (self.gradients, self.clips, self.markers, self.filters)
+        kinds = (self.gradients, self.clips, self.markers, self.filters, self.masks)
         return "\n".join(line for each in kinds for line in each.taken())
 
 
@@ -101,8 +106,7 @@ class Looks:
             if style.join is not LineJoin.MITER:
                 style = replace(style, miter_limit=4.0)
         else:
-            of_fill = ("fill", "fill_rule", "fill_opacity", "opacity", "fill_gradient", "clips", "blur")
-            style = Style(stroke=NO_PAINT, **{name: getattr(style, name) for name in of_fill})
+            style = Style(stroke=NO_PAINT, **{name: getattr(style, name) for name in _OF_FILL})
         if style.has_fill:
             style = replace(style, fill=self._picture.fill_of(style))
         else:
@@ -125,8 +129,12 @@ class Looks:
         else in that group.
         """
         found = self.differing(one, other, with_gradients=with_gradients)
-        counts = other.clips or value_of(node, "clip-path") not in ("", "none")
-        return found if counts else tuple(each for each in found if each is not _CLIP)
+        of_group = {
+            part
+            for part, has_own in ((_CLIP, other.clips), (_MASK, other.masks))
+            if not has_own and value_of(node, part.properties[0]) in ("", "none")
+        }
+        return tuple(each for each in found if each not in of_group)
 
     def differing(self, one: Style, other: Style, *, with_gradients: bool = False) -> tuple[Part, ...]:
         """Return the parts in which two styles are drawn differently, or all of the other that are placed."""
@@ -140,6 +148,7 @@ class Looks:
             if part.paint in new
             or (with_gradients and not other.gradients.keys().isdisjoint(part.fields))
             or (with_gradients and part is _CLIP and bool(other.clips))
+            or (with_gradients and part is _MASK and bool(other.masks))
             or (with_gradients and part is _BLUR and bool(other.blur))
             or not all(self._is_same(getattr(one, name), getattr(other, name)) for name in part.fields)
         )
@@ -212,6 +221,9 @@ class Looks:
             else "none",
             "clip-path": made.clips.reference(tuple(each.mapped(there) for each in style.clips))
             if _CLIP in parts
+            else "none",
+            "mask": made.masks.reference(tuple(each.mapped(there) for each in style.masks))
+            if _MASK in parts
             else "none",
         }
 

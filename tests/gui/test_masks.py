@@ -1,0 +1,121 @@
+"""Objects masked by the one in front, seen through it, and whole again; real clicks and pixels."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
+
+from app.exchange.svg.writer import svg_of
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">
+<linearGradient id="g"><stop stop-color="#000"/><stop offset="1" stop-color="#fff"/></linearGradient>
+<rect id="Board" x="10" y="20" width="80" height="40" fill="#0000ff"/>
+<circle id="Dot" cx="20" cy="80" r="8" fill="#aa0033"/>
+<rect id="Fade" x="20" y="10" width="60" height="60" fill="url(#g)"/></svg>"""
+
+
+@pytest.fixture
+def drawing(open_drawing):
+    editor = open_drawing(DRAWING)
+    editor.window.context.store.change(grid=False)
+    return editor
+
+
+def colour(editor, *place):
+    """The colour of the canvas at a place, with nothing chosen, as red, green and blue."""
+    editor.session.selected.choose([])
+    editor.settle()
+    canvas = editor.window.canvas
+    found = canvas.viewport().grab().toImage().pixelColor(canvas.to_pixel(*place))
+    return [found.red(), found.green(), found.blue()]
+
+
+def choose(editor, *names):
+    curves = editor.session.document.curves
+    editor.session.selected.choose([place for place, curve in enumerate(curves) if curve.name in names])
+    editor.settle()
+
+
+def names_in(editor):
+    return [curve.name for curve in editor.session.document.curves]
+
+
+def test_what_lies_in_front_masks_the_others_and_comes_back(drawing):
+    session, before = drawing.session, drawing.session.document
+    drawing.click((85.0, 60.0))
+    drawing.click((50.0, 35.0), keys=SHIFT)
+    drawing.trigger("setMask")
+    assert session.undo_stack.undoText() == "Set mask of Board and Fade"
+    assert names_in(drawing) == ["Board", "Dot"]
+    # From black to white along 60: a quarter of the way there a quarter of the blue is seen.
+    for x in (35.0, 50.0, 65.0):
+        share = 255.0 * (1.0 - (x - 20.0) / 60.0)
+        assert colour(drawing, x, 60.0) == pytest.approx([share, share, 255], abs=4)
+    assert colour(drawing, 15.0, 60.0) == colour(drawing, 85.0, 60.0) == [255, 255, 255]
+    # It goes with the shape.
+    choose(drawing, "Board")
+    drawing.drag((60.0, 60.0), to=(60.0, 40.0))
+    assert colour(drawing, 50.0, 40.0) == pytest.approx([128, 128, 255], abs=4)
+    session.undo_stack.undo()
+    choose(drawing, "Board")
+    drawing.trigger("releaseMask")
+    assert session.undo_stack.undoText() == "Release mask of Board"
+    assert names_in(drawing) == ["Board", "Mask", "Dot"]
+    board, mask, _ = session.document.curves
+    assert board.style == before.curves[0].style
+    assert mask.style.fill_gradient is not None
+    old, new = ([point.position for point in each.points] for each in (before.curves[2], mask))
+    for one, other in zip(old, new, strict=True):
+        assert other == pytest.approx(one, abs=1e-9)
+    session.undo_stack.undo()
+    session.undo_stack.undo()
+    assert session.document == before
+
+
+def test_a_group_masks_and_is_masked_and_comes_back_as_one(drawing):
+    choose(drawing, "Dot", "Fade")
+    drawing.trigger("groupCurves")
+    choose(drawing, "Board", "Dot", "Fade")
+    drawing.trigger("setMask")
+    assert names_in(drawing) == ["Board"]
+    assert colour(drawing, 50.0, 60.0) == pytest.approx([128, 128, 255], abs=4)
+    choose(drawing, "Board")
+    drawing.trigger("releaseMask")
+    _, dot, fade = drawing.session.document.curves
+    assert dot.groups[-1:] == fade.groups[-1:] != ()
+
+
+@pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="librsvg is not installed")
+def test_librsvg_shows_what_was_masked_as_the_canvas_does(drawing, tmp_path):
+    choose(drawing, "Board", "Fade")
+    drawing.trigger("setMask")
+    (tmp_path / "a.svg").write_bytes(svg_of(drawing.session.document).data)
+    command = ["rsvg-convert", "--width=1000", "--background-color=white", "-o", f"{tmp_path}/a.png"]
+    subprocess.run([*command, f"{tmp_path}/a.svg"], check=True, timeout=60)
+    image = QImage(f"{tmp_path}/a.png")
+    for x, y in ((15, 60), (30, 60), (55, 50), (75, 45), (85, 60), (20, 20)):
+        theirs = image.pixelColor(10 * x, 1000 - 10 * y)
+        shown = [theirs.red(), theirs.green(), theirs.blue()]
+        assert colour(drawing, float(x), float(y)) == pytest.approx(shown, abs=4)
+
+
+def test_what_cannot_be_masked_is_not_offered(drawing):
+    choose(drawing, "Board")
+    assert not drawing.action("setMask").isEnabled()
+    assert not drawing.action("releaseMask").isEnabled()
+
+
+def test_the_eyedropper_takes_the_colour_that_is_seen_through_a_mask(drawing):
+    choose(drawing, "Board", "Fade")
+    drawing.trigger("setMask")
+    choose(drawing, "Dot")
+    drawing.trigger("eyedropperTool")
+    drawing.click((50.0, 60.0))
+    dot = next(each for each in drawing.session.document.curves if each.name == "Dot")
+    taken = [int(dot.style.fill[at : at + 2], 16) for at in (1, 3, 5)]
+    assert taken == pytest.approx([128, 128, 255], abs=4)
