@@ -7,7 +7,7 @@ read, and no DTD or entity inside it. What does not come in as it is drawn is to
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from zlib import crc32
 
@@ -68,6 +68,7 @@ _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width a
 _NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", LEFT_OUT)
 _ODD_GUIDE = Flaw("it does not say where it lies", LEFT_OUT)
 _ONE_POINT = Flaw("it is a single point", LEFT_OUT)
+_NOTHING: Iterable[Drawn] = ()
 _UNPAINTED = "it has neither a stroke nor a fill"
 
 
@@ -183,7 +184,7 @@ class SvgReader:
         declared = self._cascade.of(element)
         anchor = state.anchor or Anchor(element, state)
         state = self._entered(element, declared, state)
-        first, found = len(self._shapes), iter(tuple[Drawn, ...]())
+        first, found = len(self._shapes), _NOTHING
         if tag in CONTENTS:
             found = self._content(element, tag, state, anchor)
         elif tag in NO_CURVES and state.properties.is_visible:
@@ -194,12 +195,10 @@ class SvgReader:
             found = self._used(element, replace(state, anchor=anchor), depth)
         elif tag in _CONTAINERS:
             found = self._contained(element, tag, state, depth, anchor)
-        if declared.get("mask", "none") == "none":
-            yield from found
-        else:
-            masked, flaws = self._masks.over(list(found), declared, state)
+        if declared.get("mask", "none") != "none":
+            found, flaws = self._masks.over(list(found), declared, state)
             self._missing.note(element, *(flaws if state.properties.is_visible else ()))
-            yield from masked
+        yield from found
         count = len(self._shapes) - first
         if count and state.properties.is_visible:
             self._note_effects(element, declared, state, is_many=count > 1)
