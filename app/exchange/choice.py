@@ -161,8 +161,8 @@ def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
     """Return what a document remembers of an export to a file; what a part was called says nothing of it."""
     if choice[EXTENT] is Extent.CHOSEN:
         name = last.name if last.ending == choice.ending else ""
-    values = {key: value for key, value in choice.values.items() if value is not Extent.CHOSEN}
-    options = tuple((key, msgspec.json.encode(value).decode()) for key, value in sorted(values.items()))
+    values = sorted(choice.values.items())
+    options = tuple((key, msgspec.json.encode(value).decode()) for key, value in values)
     return Export(choice.ending, name, options)
 
 

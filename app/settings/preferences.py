@@ -214,6 +214,9 @@ class Preferences:
     scale_strokes = SwitchOfAction("transform/scale_strokes", default=True)
     """Whether strokes get wider with the curve that they are of."""
 
+    scale_corners = SwitchOfAction("transform/scale_corners", default=True)
+    """Whether the radii of round corners grow with the rectangle that they are of."""
+
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 

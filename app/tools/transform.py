@@ -12,6 +12,8 @@ from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
 from ..document.several_curves import mapped, moved, scaled_strokes
 from ..document.transforms import LARGEST_SKEW, rotation, scaling, skewing
+from ..view_model.boxes.bounds import BARE, Strokes
+from ..view_model.shapes.formed import with_round_corners
 from .drag import Drag, plus
 from .drags import MovePoints
 from .pointer import SNAP_KEY, STEP_KEYS, Pointer
@@ -85,8 +87,8 @@ class Transform(Drag, frozen=True):
         Whether it is dragged by the grip of a box, where no keys are taken.
     everything
         Whether it acts on all points of the curve because none is selected: the words say so.
-    scales_strokes
-        Whether a scale changes the widths of strokes, too.
+    strokes
+        Whether a scale changes the widths of strokes, and the radii of round corners, too.
     """
 
     kind: TransformKind
@@ -101,7 +103,7 @@ class Transform(Drag, frozen=True):
     typed: TypedAmount = TypedAmount()
     by_grip: bool = False
     everything: bool = False
-    scales_strokes: bool = False
+    strokes: Strokes = BARE
 
     @property
     def name(self) -> str:
@@ -197,7 +199,8 @@ class Transform(Drag, frozen=True):
             return mapped(self.document, self.group, by)
         x, y = self._factors(pointer)
         document = mapped(self.document, self.group, scaling(x, y, self.centre))
-        return scaled_strokes(document, self.group, x, y) if self.scales_strokes else document
+        document = scaled_strokes(document, self.group, x, y) if self.strokes.scaled else document
+        return with_round_corners(self.document, document, self.group, grow=self.strokes.rounded)
 
     def _move(self) -> MovePoints:
         return MovePoints(self.document, self.group, self.start, self.snapper, self.grip, self.axis)

@@ -35,7 +35,7 @@ def transforming(context: ToolContext, kind: TransformKind) -> Transform:
         context.snappers.for_group(group, grip),
         grip,
         everything=target.group is None,
-        scales_strokes=context.settings.strokes.scaled,
+        strokes=context.settings.strokes,
     )
 
 

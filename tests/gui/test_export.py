@@ -692,13 +692,37 @@ def test_nobody_is_asked_about_an_export_alone(editor, dialog, tmp_path, monkeyp
     assert (asked, editor.session.files.path) == ([], None)
 
 
-def test_which_curves_were_chosen_is_not_remembered(waves, tmp_path, monkeypatch):
+def test_a_document_whose_page_was_exported_offers_that_again_though_something_is_chosen(
+    waves, tmp_path, monkeypatch
+):
+    """It fell back to what was chosen, and files held a part of the drawing."""
+    editor = waves("ABC")
+    editor.session.selected.choose({0})
+
+    def dialog():
+        editor.trigger("exportPicture")
+        return settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+
+    what = dialog().form.fields["extent"].widget
+    assert what.currentText() == "Chosen curves"
+    choose(what, "All curves")
+    export(editor, dialog(), tmp_path / "a.png", monkeypatch)
+    again = dialog()
+    assert again.form.fields["extent"].widget.currentText() == "All curves"
+    choose(again.form.fields["extent"].widget, "Chosen curves")
+    export(editor, again, tmp_path / "a.png", monkeypatch)
+    last = dialog()
+    assert last.form.fields["extent"].widget.currentText() == "Chosen curves"
+    last.close()
+
+
+def test_that_a_part_was_exported_is_remembered_and_not_which(waves, tmp_path, monkeypatch):
     editor = waves("ABC")
     editor.session.selected.set_curves({0, 2})
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
     export(editor, dialog, tmp_path / "a.png", monkeypatch)
-    assert editor.session.files.last_export.options == ()
+    assert editor.session.files.last_export.options == (("extent", '"chosen"'),)
     assert "chosen" not in editor.window.preferences.export_choice
 
 

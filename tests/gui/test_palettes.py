@@ -7,7 +7,7 @@ import colorsys
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QFileDialog, QListWidget, QMenu
+from PySide6.QtWidgets import QApplication, QComboBox, QFileDialog, QListWidget, QMenu
 
 from app.document.style_edits import colours_of
 from app.storage.files import StorageError
@@ -72,6 +72,21 @@ def test_it_is_shown_in_drawings_and_switched_by_its_action(editor):
     assert strip(editor).isVisible()
     editor.trigger("newSketch")
     assert not strip(editor).isVisible()
+
+
+def test_after_a_click_the_keys_are_the_canvas_s(drawn):
+    """Enter painted once more, the fill with what the stroke was painted with."""
+    canvas = drawn.window.canvas
+    canvas.setFocus()
+    had = QApplication.focusWidget()
+    click(strip(drawn), "Red, ")
+    click(strip(drawn), "None", Qt.KeyboardModifier.ShiftModifier)
+    assert (style(drawn).fill, style(drawn).stroke) == ("#fa5252", "none")
+    assert QApplication.focusWidget() is had is not None
+    QTest.keyClick(had, Qt.Key.Key_Return)
+    drawn.settle()
+    assert style(drawn).fill == "#fa5252"
+    assert drawn.session.selected.is_editing
 
 
 def test_a_click_paints_the_fill_and_shift_click_the_stroke_one_step_each(drawn):

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit, QToolButton
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QToolButton
 
 from app.view_model.shapes.formed import formed
 
@@ -94,3 +95,29 @@ def test_even_corners_stay_even_and_grow_with_the_width_as_inkscape_has_them(rec
     rectangle.trigger("undo")
     rectangle.trigger("undo")
     assert formed(rectangle.curve).form.rx == pytest.approx(6)
+
+
+def test_round_corners_keep_their_radius_where_they_are_not_scaled(rectangle):
+    """By typed sides, keys and grips; turned ones, too."""
+    box = rectangle.window.findChild(QCheckBox, "scaleCornersSwitch")
+    rectangle.trigger("scaleCorners")
+    assert not box.isChecked()
+
+    def radii():
+        form = formed(rectangle.curve).form
+        return (form.rx, form.ry)
+
+    enter(rectangle, "Width", "30")
+    enter(rectangle, "Height", "44")
+    assert shown(rectangle) == (4, 5, 30, 44)
+    assert radii() == (6, 6)
+    assert np.ptp([each.position for each in rectangle.curve.points], axis=0) == pytest.approx((30, 44))
+    rectangle.trigger("doubleSize")
+    assert shown(rectangle)[2:] == (60, 88)
+    assert radii() == pytest.approx((6, 6))
+    rectangle.trigger("rotateLeftStep")
+    rectangle.trigger("halveSize")
+    assert radii() == pytest.approx((6, 6))
+    rectangle.trigger("scaleCorners")
+    rectangle.trigger("doubleSize")
+    assert radii() == pytest.approx((12, 12))

@@ -15,11 +15,11 @@ from app.features.import_export.export_dialog import ExportDialog
 pytestmark = pytest.mark.usefixtures("drawings_read_here")
 
 SVG = """<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">
-<defs><mask id="m"><rect width="50" height="50" fill="#fff"/></mask></defs>
-<rect id="shade" x="10" y="10" width="50" height="50" mask="url(#m)"/>
+<defs><filter id="m"><feTurbulence baseFrequency="0.1"/></filter></defs>
+<rect id="shade" x="10" y="10" width="50" height="50" filter="url(#m)"/>
 <path d="M1 1L50 9L9 40z" style="mix-blend-mode:multiply"/>
 <foreignObject width="3" height="3"/><path id="whole" d="M60 60h9v9z"/></svg>"""
-MASK = "<rect> “shade” (a mask covers some of it)"
+FILTER = "<rect> “shade” (a filter changes it)"
 BLEND = "<path> (element 6) (it is blended with what lies below)"
 OTHER = "<foreignObject> (element 7) (it is of another kind than SVG)"
 
@@ -62,9 +62,9 @@ def remove(editor, name):
 
 
 def test_export_says_how_many_things_are_not_drawn_and_which(opened, qtbot):
-    """Nothing was said of the mask after the file was open: the picture was whole, and nobody knew."""
+    """Nothing was said of the filter after the file was open: the picture was whole, and nobody knew."""
     assert said_by_dialog(opened, qtbot) == (
-        f"3 things in icon.svg are drawn otherwise here, or not at all: {MASK}, {BLEND} and {OTHER}."
+        f"3 things in icon.svg are drawn otherwise here, or not at all: {FILTER}, {BLEND} and {OTHER}."
     )
 
 
@@ -83,7 +83,7 @@ def test_what_was_renamed_is_told_all_the_same(opened, qtbot):
         "Rename",
         lambda document: document.with_curve(place, replace(document.curves[place], name="Shadow")),
     )
-    assert MASK in said_by_dialog(opened, qtbot)
+    assert FILTER in said_by_dialog(opened, qtbot)
 
 
 def test_a_chosen_object_is_exported_without_a_word_about_others(opened, qtbot):
@@ -91,7 +91,7 @@ def test_a_chosen_object_is_exported_without_a_word_about_others(opened, qtbot):
     (place,) = [at for at, curve in enumerate(session.document.curves) if curve.name == "whole"]
     session.selected.choose({place})
     text = said_by_dialog(opened, qtbot)
-    assert MASK not in text
+    assert FILTER not in text
     assert BLEND not in text
 
 
@@ -121,6 +121,6 @@ def test_the_command_line_says_it_of_each(verb, tmp_path, capsys):
     assert main([verb, str(path), *(["-o"] if verb == "render" else []), target]) == 0
     said = capsys.readouterr().err
     assert said.startswith("curvebench: 3 elements of icon.svg come in otherwise than they are drawn:\n")
-    assert "<rect> “shade”: a mask covers some of it; it comes in whole." in said
+    assert "<rect> “shade”: a filter changes it; it comes in without." in said
     assert "<path> (element 6): it is blended with what lies below; it covers that." in said
     assert "<foreignObject> (element 7): it is of another kind than SVG; left out." in said

@@ -52,10 +52,11 @@ class ExportCommands:
         self._dialog.bring_up()
 
     def _usual_choice(self) -> ExportChoice:
-        """Return the choice of the last time, of this document or of any; where some are chosen, of these."""
+        """Return the choice of this document; else that of any, and what is chosen if anything is."""
         remembered, session = exchange.choice, self._session
-        usual = remembered.choice_of(session.files.last_export)
-        usual = usual or remembered.choice_from(self._preferences.export_choice)
+        if of_document := remembered.choice_of(session.files.last_export):
+            return of_document
+        usual = remembered.choice_from(self._preferences.export_choice)
         return usual.of_chosen() if session.selected.chosen else usual
 
     @property

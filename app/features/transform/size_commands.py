@@ -16,7 +16,7 @@ from ...storage.format_error import FormatError
 from ...view_model.boxes.bounds import Strokes
 from ...view_model.boxes.resizing import Wanted, resized, resized_apart, size_of
 from ...view_model.curve.curve_view import view_of
-from ...view_model.shapes.formed import with_even_corners
+from ...view_model.shapes.formed import with_round_corners
 from ...workbench.clipboard import clipboard_data, drawing_in, own_in
 from ...workbench.context import WindowContext
 
@@ -132,7 +132,7 @@ class PasteSizeCommands:
                 new = resized(
                     document, session.views, group, wanted, strokes, about, keeps_proportions=is_even
                 )
-            return with_even_corners(document, new, group)
+            return with_round_corners(document, new, group, grow=strokes.rounded)
 
         subject = f"each of {named(session.document, chosen)}" if each.apart else target.words
         if session.change(f"Paste {each.what} to {subject}", edit) and stays:

@@ -137,28 +137,36 @@ def with_form(document: Document, place: int, form: AnyForm, by: Affine) -> Docu
     return replace_curve(document, place, formed_anew(document.curves[place], form, by))
 
 
-def with_even_corners(before: Document, after: Document, group: PointGroup) -> Document:
-    """Return a document in which curves were stretched along the axes, with round corners that stay even.
+def with_round_corners(before: Document, after: Document, group: PointGroup, *, grow: bool) -> Document:
+    """Return a document in which curves were scaled, with the round corners of rectangles as they should be.
 
-    As in Inkscape, one radius is for both while they are one, and it grows with the width of the rectangle.
+    As in Inkscape: where they grow, one radius is for both while they are one, and follows the width; where
+    they do not, they stay as they were.
     """
     for place, _ in group.parts:
         form = before.curves[place].form
-        if not isinstance(form, Rectangle) or form.rx != form.ry or not form.rx:
+        if not isinstance(form, Rectangle) or not form.rx or (grow and form.rx != form.ry):
             continue
         then, now = formed(before.curves[place]), formed(after.curves[place])
-        if then is None or now is None or not _is_along_axes(now.by):
+        if then is None or now is None or not _is_rigid(now.by):
             continue
         was, made = then.form, now.form
-        if isinstance(was, Rectangle) and isinstance(made, Rectangle) and was.rx == was.ry:
-            radius = made.rx if made.rx == made.ry else min(made.rx, made.width / 2, made.height / 2)
-            if (radius, radius) != (made.rx, made.ry):
-                even = msgspec.structs.replace(made, rx=radius, ry=radius)
-                after = with_form(after, place, even, now.by)
+        if isinstance(was, Rectangle) and isinstance(made, Rectangle):
+            rx, ry = _grown(was, made) if grow else (was.rx, was.ry)
+            if (rx, ry) != (made.rx, made.ry):
+                after = with_form(after, place, msgspec.structs.replace(made, rx=rx, ry=ry), now.by)
     return after
 
 
-def _is_along_axes(by: Affine) -> bool:
-    """Whether the sides of a form that was mapped so are along the axes: a quarter turn, a mirror image."""
-    turned, straight = (1.0 + by.xx, 1.0 + by.yy), (by.xy, by.yx)
-    return max(map(abs, straight)) <= _SAME or max(map(abs, turned)) <= _SAME
+def _grown(was: Rectangle, made: Rectangle) -> Vector:
+    """Return the radii of a rectangle that was scaled."""
+    if was.rx != was.ry or made.rx == made.ry:
+        return (made.rx, made.ry)
+    radius = min(made.rx, made.width / 2, made.height / 2)
+    return (radius, radius)
+
+
+def _is_rigid(by: Affine) -> bool:
+    """Whether the sides of a form that was mapped so are as long as before, and upright on each other."""
+    linear = np.array([[1.0 + by.xx, by.xy], [by.yx, 1.0 + by.yy]])
+    return bool(np.abs(linear.T @ linear - np.eye(2)).max() <= _SAME)
