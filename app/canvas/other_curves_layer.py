@@ -33,6 +33,9 @@ _SLOW = 0.008
 
 _REST_MS = 80
 
+_NEAR = (0.25, 4.0)
+"""How much a picture is reduced or enlarged at most to stand for another one."""
+
 _AT_ONCE = 200
 """Curves that are painted before the window is heard again: a few hundredths of a second."""
 
@@ -74,6 +77,8 @@ class OtherCurvesLayer(Layer):
         # Sheets of what moves, by its first place: they serve until it does, or the view.
         self._kept: dict[int, tuple[PixelMap, QPixmap]] = {}
         self._picture: Sheets | None = None
+        # What was whole last, of another part of the plane: it is seen until the picture is.
+        self._before: Sheets | None = None
         self._seconds = 0.0
         self._is_resting = False
         self._rest = QTimer(plot, singleShot=True, interval=_REST_MS)
@@ -120,6 +125,7 @@ class OtherCurvesLayer(Layer):
         if way is None:
             return False
         self._picture, self._is_resting = picture.moved(way), False
+        self._before = None if self._before is None else self._before.moved(way)
         self._rest.start()
         return True
 
@@ -164,9 +170,10 @@ class OtherCurvesLayer(Layer):
             self._rest.start()
             self._paint_more(picture)
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
-            self._compose(painter, shown, picture)
+            self._compose(painter, shown, self._before or picture)
             return
         if picture is None or picture.key != key or picture.shown != shown:
+            self._before = self._seen_until_then(picture, shown, key)
             sheets = [
                 transparent(shown.width, shown.height, ratio) for each in self._sections if each.is_still
             ]
@@ -174,7 +181,17 @@ class OtherCurvesLayer(Layer):
             self._kept.clear()
             self._painted, self._seconds, self._is_resting = 0, 0.0, False
         self._paint_more(picture)
-        self._compose(painter, shown, picture)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._before is not None)
+        self._compose(painter, shown, self._before or picture)
+
+    def _seen_until_then(
+        self, picture: Sheets | None, shown: PixelMap, key: tuple[object, ...]
+    ) -> Sheets | None:
+        """Return what is seen until a picture of this part of the plane is whole; None for that itself."""
+        whole = self._before or picture
+        if picture is None or whole is None or whole.key != key:
+            return None
+        return whole if _NEAR[0] < shown.sx / whole.shown.sx < _NEAR[1] else None
 
     def _rejoin(self) -> None:
         """Have all in one picture again, when many were painted in frame after frame for nothing."""
@@ -225,12 +242,14 @@ class OtherCurvesLayer(Layer):
             self._seconds += perf_counter() - began
             if self._painted < before:
                 self._next.start()
+        if self._painted >= before:
+            self._before = None
 
     def _may_wait(self, shown: PixelMap) -> bool:
         """Whether the picture is slow to make, and good enough for a view that is moving."""
         assert self._picture is not None
         magnified = shown.sx / self._picture.shown.sx
-        return self._seconds > _SLOW and not self._is_resting and 0.25 < magnified < 4
+        return self._seconds > _SLOW and not self._is_resting and _NEAR[0] < magnified < _NEAR[1]
 
     def _make_anew(self) -> None:
         self._is_resting = True

@@ -90,12 +90,13 @@ def paint_printed(
         _paint_together(painter, parts, style, ink, shown)
         return
     is_lined = style.has_stroke and ink.width > 0
+    path = _whole_path(parts, shown)
     if is_lined and style.has_covered_stroke:
-        _stroke(painter, parts, style, ink, shown, line or RoundLine())
+        _stroke(painter, parts, style, ink, shown, path, line or RoundLine())
     if style.has_fill:
-        _fill(painter, parts, style, ink, shown)
+        _fill(painter, parts, style, ink, shown, path)
     if is_lined and not style.has_covered_stroke:
-        _stroke(painter, parts, style, ink, shown, line or RoundLine())
+        _stroke(painter, parts, style, ink, shown, path, line or RoundLine())
     if is_lined and style.has_markers:
         _mark(painter, parts, style, ink, shown)
 
@@ -125,17 +126,44 @@ def _smoothly(painter: QPainter, gradient: Gradient | None) -> None:
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
 
 
-def _fill(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
-    area = QPainterPath()
-    area.setFillRule(FILL_RULES[style.fill_rule])
+def _whole_path(parts: Sequence[Part], shown: PixelMap) -> QPainterPath | None:
+    """Return the path of a shape all of which lies near the area, to fill and to stroke; None of another.
+
+    Of thousands of small shapes, to cut each for its fill and again for its line takes longer than all
+    that Qt does.
+    """
+    path = QPainterPath()
     for part in parts:
         if part.cubics is not None:
-            _add_cubics(area, part.cubics, shown, part.is_closed)
+            _add_cubics(path, part.cubics, shown, part.is_closed)
             continue
-        ring = ring_within(shown.points(part.points), shown.width, shown.height, MARGIN)
-        if len(ring) > 2:
-            area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
-            area.closeSubpath()
+        pixels = shown.points(part.points)
+        if not _is_near(pixels, shown):
+            return None
+        path.addPolygon(polygon(pixels[:, 0], pixels[:, 1]))
+        if part.is_closed:
+            path.closeSubpath()
+    return path
+
+
+def _is_near(pixels: FloatArray, shown: PixelMap) -> bool:
+    """Whether all of a polyline (k, 2) in pixels, an area at least, lies where nothing is cut."""
+    if len(pixels) < 3 or not np.minimum.reduce(pixels, axis=None) >= -MARGIN:
+        return False
+    right, low = np.maximum.reduce(pixels, axis=0).tolist()
+    return bool(right <= shown.width + MARGIN and low <= shown.height + MARGIN)
+
+
+def _fill(
+    painter: QPainter,
+    parts: Sequence[Part],
+    style: Style,
+    ink: Ink,
+    shown: PixelMap,
+    whole: QPainterPath | None,
+) -> None:
+    area = _area(parts, shown) if whole is None else whole
+    area.setFillRule(FILL_RULES[style.fill_rule])
     opacity = style.fill_opacity * style.opacity
     if style.fill_gradient is None:
         painter.fillPath(area, with_opacity(ink.fill, opacity))
@@ -144,12 +172,32 @@ def _fill(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, show
         painter.fillPath(area, _brush(style.fill_gradient, ink, opacity, shown))
 
 
+def _area(parts: Sequence[Part], shown: PixelMap) -> QPainterPath:
+    """Return the inside of a shape, cut to what may be seen."""
+    area = QPainterPath()
+    for part in parts:
+        if part.cubics is not None:
+            _add_cubics(area, part.cubics, shown, part.is_closed)
+            continue
+        ring = ring_within(shown.points(part.points), shown.width, shown.height, MARGIN)
+        if len(ring) > 2:
+            area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
+            area.closeSubpath()
+    return area
+
+
 def _brush(gradient: Gradient, ink: Ink, opacity: float, shown: PixelMap) -> QBrush | QColor:
     return brush_of(gradient, ink.ink, opacity, lambda place: shown.point(*place))
 
 
 def _stroke(
-    painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap, line: RoundLine
+    painter: QPainter,
+    parts: Sequence[Part],
+    style: Style,
+    ink: Ink,
+    shown: PixelMap,
+    whole: QPainterPath | None,
+    line: RoundLine,
 ) -> None:
     _smoothly(painter, style.stroke_gradient)
     pen, width = _pen(style, ink, shown), min(ink.width, _WIDEST)
@@ -174,10 +222,15 @@ def _stroke(
             stroke.fill(shown.points(part.points), shown.width, shown.height)
             stroke.draw(painter)
     else:
-        path = QPainterPath()
-        for part in parts:
-            _add_line(path, part, shown, reach)
-        painter.strokePath(path, pen)
+        painter.strokePath(_line(parts, shown, reach) if whole is None else whole, pen)
+
+
+def _line(parts: Sequence[Part], shown: PixelMap, reach: float) -> QPainterPath:
+    """Return the line of a shape, cut to what may be seen."""
+    path = QPainterPath()
+    for part in parts:
+        _add_line(path, part, shown, reach)
+    return path
 
 
 def _pen(style: Style, ink: Ink, shown: PixelMap) -> QPen:

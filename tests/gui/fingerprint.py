@@ -36,7 +36,7 @@ PASSING = {
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_in_sight", "_seconds", "_stamps", "_stroke", "_strokes"),
-    *("_styled", "_watcher", "__dict__"),
+    *("_styled", "_watcher", "__dict__", "OtherCurvesLayer._before"),
     *(
         "Cardinals._key",
         "Cardinal.growth",
