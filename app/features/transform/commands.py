@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
 from ...actions.needs import Need
-from ...actions.sections import EDIT_SCALING, EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
+from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
 from ...actions.strips import CURVE_MENU, OBJECT_BAR, TRANSFORM_BUTTONS
 from ...document.model import Vector
 from ...document.readings import readings_of
@@ -218,7 +218,7 @@ class SelectionCommands:
         "keep_proportions",
         "keepProportions",
         "Keep Proportions",
-        EDIT_SCALING,
+        EDIT_TRANSFORM_BOX,
         icon="lock",
         full_name="Transform Panel: Keep Proportions",
     )
@@ -229,7 +229,7 @@ class SelectionCommands:
         "measure_strokes",
         "measureStrokes",
         "Measure with Strokes",
-        EDIT_SCALING,
+        EDIT_TRANSFORM_BOX,
         keywords="visual geometric bounding box line width size",
     )
     def _toggle_measured(self) -> None:
@@ -239,7 +239,7 @@ class SelectionCommands:
         "scale_strokes",
         "scaleStrokes",
         "Scale Stroke Widths",
-        EDIT_SCALING,
+        EDIT_TRANSFORM_BOX,
         keywords="line width thickness",
     )
     def _toggle_strokes(self) -> None:
@@ -249,7 +249,7 @@ class SelectionCommands:
         "scale_corners",
         "scaleCorners",
         "Scale Round Corners",
-        EDIT_SCALING,
+        EDIT_TRANSFORM_BOX,
         keywords="radius radii rounded rectangle keep",
     )
     def _toggle_corners(self) -> None:
