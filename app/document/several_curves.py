@@ -13,7 +13,6 @@ from msgspec.structs import replace
 
 from . import whole_edits
 from .clone_links import with_own_links
-from .contents import is_content
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import moving
@@ -306,11 +305,12 @@ def named(document: Document, curves: Collection[int]) -> str:
 
 def counted(document: Document, curves: Collection[int]) -> str:
     """Return "3 curves"; on a page, or with whole shapes, groups or texts among them, "2 objects"."""
-    if kind_of(document) is DocumentKind.DRAWING or any(
-        is_content(document.curves[curve]) for curve in curves
-    ):
+    marked = [document.curves[curve] for curve in curves]
+    if kind_of(document) is DocumentKind.DRAWING or [
+        each for each in marked if each.form is not None and each.form.is_content
+    ]:
         return count_of(len(whole_nodes(document.curves, curves, document.layers)), "object")
-    if any(document.curves[curve].shape or document.curves[curve].groups for curve in curves):
+    if [each for each in marked if each.shape or each.groups]:
         return counted_nodes(whole_nodes(document.curves, curves, document.layers))
     return count_of(len(curves), "curve")
 

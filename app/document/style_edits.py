@@ -43,8 +43,9 @@ def colours_of(curves: Iterable[Curve]) -> list[str]:
 
 def tiles_of(curves: Iterable[Curve]) -> list[Tile]:
     """Return the tiles of the patterns that curves are painted with, each once."""
-    gradients = (gradient for curve in curves for gradient in curve.style.gradients.values())
-    return list(dict.fromkeys(each.tile for each in gradients if each.tile is not None))
+    styles = [curve.style for curve in curves]
+    paints = [paint for each in styles for paint in (each.fill_gradient, each.stroke_gradient)]
+    return list(dict.fromkeys(each.tile for each in paints if each is not None and each.tile is not None))
 
 
 def with_paints_swapped(document: Document, curves: Collection[int]) -> Document:
