@@ -110,10 +110,12 @@ class NextStyle:
     def note(self, document: Document, marked: Collection[int], active: int) -> None:
         """Take note of the style of what was chosen until now; of several, of the active or front one.
 
-        Texts and pictures are painted otherwise than curves.
+        Texts and pictures are painted otherwise than curves, and nobody means to draw what has no paint.
         """
         if self.marked is Marked.ASKED and (lending := with_points(document.curves, marked)):
-            self.take(document, document.curves[active if active in lending else max(lending)].style)
+            style = document.curves[active if active in lending else max(lending)].style
+            if style.has_fill or style.has_stroke:
+                self.take(document, style)
 
     def follow(self, before: Document, after: Document, active: int) -> None:
         """Take note of what a step has made of the active curve: begun or worked on, it is chosen.

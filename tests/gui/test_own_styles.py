@@ -141,3 +141,23 @@ def test_in_a_sketch_the_pen_goes_on_with_the_last_style(editor):
     for x in (1, 4):
         editor.click((x, 5))
     assert [curve.style.fill for curve in editor.session.document.curves[-2:]] == [BLUE, BLUE]
+
+
+def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(drawing):
+    """A rectangle was drawn that nobody could see."""
+    rectangle(drawing, 20)
+    style_set(drawing, "fillPaintHex", BLUE)
+    style_set(drawing, "strokePaintHex", "none")
+    style_set(drawing, "fillPaintHex", "none")
+    drawing.key(Qt.Key.Key_V)
+    drawing.session.selected.choose(())
+    drawn = rectangle(drawing, 120)
+    assert drawn.has_fill or drawn.has_stroke
+    # With nothing chosen it is what was asked for.
+    drawing.key(Qt.Key.Key_V)
+    drawing.session.selected.choose(())
+    drawing.settle()
+    for field in ("fillPaintHex", "strokePaintHex"):
+        style_set(drawing, field, "none")
+    drawn = rectangle(drawing, 220)
+    assert not (drawn.has_fill or drawn.has_stroke)
