@@ -152,7 +152,7 @@ def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(drawing):
     drawing.key(Qt.Key.Key_V)
     drawing.session.selected.choose(())
     drawn = rectangle(drawing, 120)
-    assert drawn.has_fill or drawn.has_stroke
+    assert drawn.has_stroke or drawn.has_fill
     # With nothing chosen it is what was asked for.
     drawing.key(Qt.Key.Key_V)
     drawing.session.selected.choose(())
@@ -160,4 +160,5 @@ def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(drawing):
     for field in ("fillPaintHex", "strokePaintHex"):
         style_set(drawing, field, "none")
     drawn = rectangle(drawing, 220)
-    assert not (drawn.has_fill or drawn.has_stroke)
+    assert not drawn.has_fill
+    assert not drawn.has_stroke
