@@ -30,7 +30,7 @@ INKSCAPE: Final = KeySet(
         "addTool": "B; Shift+F6",
         "pencilTool": "P",
         "rectangleTool": "R",
-        "ellipseTool": "E; F5",
+        "ellipseTool": "F5",
         "starTool": "*",
         "textTool": "T; Shift+T",
         "gradientTool": "G; Ctrl+F1",

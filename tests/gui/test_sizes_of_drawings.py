@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QLineEdit, QScrollArea, QToolButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QToolButton
 
 from app.view_model.shapes.formed import formed
 
@@ -121,15 +121,3 @@ def test_round_corners_keep_their_radius_where_they_are_not_scaled(rectangle):
     rectangle.trigger("scaleCorners")
     rectangle.trigger("doubleSize")
     assert radii() == pytest.approx((12, 12))
-
-
-def test_the_panel_is_as_wide_as_its_dock_is_first(rectangle):
-    """A switch more had made it wider, and it was to be scrolled sideways."""
-    panel = rectangle.window.findChild(QWidget, "transformPanel")
-    area = next(each for each in ancestors(panel) if isinstance(each, QScrollArea))
-    assert panel.minimumSizeHint().width() <= 350 - area.verticalScrollBar().sizeHint().width()
-
-
-def ancestors(widget):
-    while widget := widget.parentWidget():
-        yield widget
