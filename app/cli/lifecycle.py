@@ -43,6 +43,17 @@ _FIRST_SIGNAL_CODE = 128
 """Added to a signal's number it is what a shell expects of a program that the signal ended."""
 
 
+def _seek_no_garbage() -> None:
+    """Have no garbage sought until the event at hand is through.
+
+    A search in a destructor of Qt's may destroy another object of Qt's, which waits for a lock that the first
+    one holds: the program stood still for ever when a window was closed.
+    """
+    if gc.isenabled():
+        gc.disable()
+        QTimer.singleShot(0, gc.enable)
+
+
 class Lifecycle(QObject):
     """Keeper of the work of some windows, however the program ends.
 
@@ -186,6 +197,7 @@ class Lifecycle(QObject):
             autosave.finish()  # it was asked, so what is not saved is not wanted
         else:
             autosave.leave()
+        window.destroyed.connect(_seek_no_garbage)
         # Neither has a parent that goes with the window. What they are connected to lives as long as they do.
         for each in (window, window.session, autosave):
             each.deleteLater()
