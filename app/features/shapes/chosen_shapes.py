@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint
 from ...actions.needs import Need
 from ...canvas.canvas import Canvas
 from ...document.selection import with_points
-from ...document.shapes import whole_shapes
+from ...document.shapes import is_of_several, whole_shapes
 from ...session import Session
 
 AN_OBJECT: Final = Need("a curve", lambda now: bool(meant(now.session)) and not now.is_blank)
@@ -18,6 +18,10 @@ AN_OBJECT: Final = Need("a curve", lambda now: bool(meant(now.session)) and not 
 A_SHAPE: Final = Need(
     "a shape",
     lambda now: bool(with_points(now.session.document.curves, meant(now.session))) and not now.is_blank,
+)
+
+SEVERAL_SHAPES: Final = Need(
+    "two chosen shapes or more", lambda now: is_of_several(now.session.document, meant(now.session))
 )
 
 _BESIDE = 6

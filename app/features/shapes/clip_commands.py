@@ -14,11 +14,10 @@ from ...actions.strips import CHOSEN_MENU
 from ...document.content import Lettering
 from ...document.contents import corners_of
 from ...document.model import Curve
-from ...document.shapes import is_of_several
 from ...qt.contents import letters_of
 from ...view_model.shapes.clipping import with_clip_released, with_clip_set
 from ...workbench.context import WindowContext
-from .chosen_shapes import meant
+from .chosen_shapes import SEVERAL_SHAPES, meant
 from .clip_editing import ClipEditing
 from .shape_work import ShapeWork
 
@@ -63,10 +62,7 @@ class ClipCommands:
         CURVE_CLIPS,
         icon="clip",
         full_name="Set Clip of Shapes",
-        needs=Need(
-            "two chosen shapes or more",
-            lambda now: is_of_several(now.session.document, meant(now.session)),
-        ),
+        needs=SEVERAL_SHAPES,
         keywords="clipping path mask crop cut inside object",
     )
     @also(CHOSEN_MENU(32))

@@ -14,13 +14,12 @@ from ...document.mask import Mask
 from ...document.mask_edits import masked_among, with_mask_set, with_masks_released
 from ...document.model import Document, Page
 from ...document.several_curves import whole_curves
-from ...document.shapes import is_of_several
 from ...exchange.errors import ExchangeError
 from ...session import Session
 from ...view_model.boxes.bounds import Strokes, bounds_of
 from ...view_model.shapes.regions import named_operands, operands
 from ...workbench.context import WindowContext
-from .chosen_shapes import meant
+from .chosen_shapes import SEVERAL_SHAPES, meant
 
 _BEYOND = 0.1
 """Share of the longer side of a mask that is seen around it: letters and blurs reach beyond their boxes."""
@@ -42,10 +41,7 @@ class MaskCommands:
         CURVE_CLIPS,
         icon="mask",
         full_name="Set Mask of Shapes",
-        needs=Need(
-            "two chosen shapes or more",
-            lambda now: is_of_several(now.session.document, meant(now.session)),
-        ),
+        needs=SEVERAL_SHAPES,
         keywords="masking luminance fade transparency opacity hide object",
     )
     @also(CHOSEN_MENU(33))

@@ -8,7 +8,6 @@ from ...actions.declaration import Action, action, action_for_each, also_for_eac
 from ...actions.needs import Need
 from ...actions.sections import CURVE_OFFSETS, CURVE_PATHS
 from ...actions.strips import CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
-from ...document.shapes import is_of_several
 from ...view_model.shapes.cutting import cut_apart
 from ...view_model.shapes.regions import (
     PATH_OPERATIONS,
@@ -17,7 +16,7 @@ from ...view_model.shapes.regions import (
 )
 from ...view_model.shapes.stroke_shapes import strokes_as_shapes
 from ...workbench.context import WindowContext
-from .chosen_shapes import A_SHAPE, meant
+from .chosen_shapes import A_SHAPE, SEVERAL_SHAPES
 from .shape_work import ShapeWork
 
 _IN_BAR = 4
@@ -27,13 +26,8 @@ _SHOWN_PX = 2.0
 """Pixels of a line whose width follows the zoom."""
 
 
-_SEVERAL = Need(
-    "two chosen shapes or more", lambda now: is_of_several(now.session.document, meant(now.session))
-)
-
-
 def _enough(operation: PathOperation) -> Need:
-    return A_SHAPE if operation.least < 2 else _SEVERAL
+    return A_SHAPE if operation.least < 2 else SEVERAL_SHAPES
 
 
 class PathCommands:
@@ -73,7 +67,7 @@ class PathCommands:
         CURVE_PATHS,
         "Ctrl+Alt+/",
         "path-cut",
-        needs=_SEVERAL,
+        needs=SEVERAL_SHAPES,
         keywords="knife scissors split slice boolean open line",
     )
     def _cut(self) -> None:
