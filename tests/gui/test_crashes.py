@@ -79,7 +79,8 @@ def raise_soon(guarded, qtbot, problem, count=1):
 def run(guarded, qapp, *steps):
     """Do `steps`, one after the other, in the event loop that `curvebench` runs, and return its code.
 
-    Each begins when what the one before has raised is told.
+    Each begins when what the one before has raised is told. A loop that never ends is left to
+    pytest-timeout: a timer that calls `exit` would outlive its test and end the loops of later ones.
     """
     to_do, crashes = list(steps), guarded.lifecycle.crashes
 
@@ -92,10 +93,10 @@ def run(guarded, qapp, *steps):
     timer = QTimer(interval=1)
     timer.timeout.connect(do_next)
     timer.start()
-    watchdog = QTimer(singleShot=True, interval=WAIT_MS)
-    watchdog.timeout.connect(lambda: qapp.exit(99))
-    watchdog.start()
-    return qapp.exec()
+    try:
+        return qapp.exec()
+    finally:
+        timer.stop()
 
 
 def fail():
