@@ -34,7 +34,6 @@ INKSCAPE: Final = KeySet(
         "starTool": "*",
         "textTool": "T; Shift+T",
         "gradientTool": "G; Ctrl+F1",
-        "eyedropperTool": "D; F7",
         "moveSelection": "",
         "scaleSelection": "",
         "rotateSelection": "",

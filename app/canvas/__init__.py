@@ -22,7 +22,6 @@
 - ``label_place``: where words beside a point cover least, and where its number stands.
 - ``pen_layer``: the curve that the pen would make before it is pressed.
 - ``hit_test``, ``line_finder``: what lies under the pointer; ``filled_areas``: insides of shapes.
-  ``seen_colours``: the colour at a place.
 - ``handle_marks``: handles, of sizes told apart.  ``point_marks``: points, by their kinds;
   ``point_stamps``: in their colours, or plain.
 """

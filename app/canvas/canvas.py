@@ -63,7 +63,7 @@ class Canvas(ToolPlot):
         self.setAccessibleDescription("The curve with its points; drag points to change it.")
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
-        asks = self.text_placed.emit, self.text_opened.emit, self.colour_picked.emit
+        asks = self.text_placed.emit, self.text_opened.emit
         tools.surface = CanvasSurface(self, self.drawing, *asks)
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
+from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 
 from curvecore.arrays import FloatArray
 
@@ -91,16 +91,6 @@ class ImageLayer(Layer):
         if _rect(image, shown).contains(QPointF(*pixel)):
             return Hit(Part.IMAGE, -1, (image.x, image.y))
         return None
-
-    def colour_at(self, pixel: Vector, shown: PixelMap) -> QColor | None:
-        """Return the colour of the picture itself at a pixel, however pale it is shown; None beside it."""
-        image, pixels = self._image, self._pixels
-        if image is None or pixels is None:
-            return None
-        rect = _rect(image, shown)
-        x = math.floor((pixel[0] - rect.left()) / rect.width() * pixels.width())
-        y = math.floor((pixel[1] - rect.top()) / rect.height() * pixels.height())
-        return pixels.pixelColor(x, y) if pixels.valid(x, y) else None
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture, or the frame where it belongs."""

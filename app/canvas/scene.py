@@ -35,7 +35,6 @@ from .other_points_layer import OtherPointsLayer
 from .page_layer import PageLayer
 from .pen_layer import PenLayer
 from .point_layer import PointLayer
-from .seen_colours import SeenColours
 from .unit_layer import UnitLayer
 
 if TYPE_CHECKING:
@@ -100,7 +99,6 @@ class CanvasScene:
         self.marks = MarksLayer(plot, self._surroundings_of)
         self.pen = PenLayer(plot)
         self._motion: MotionLayer | None = None
-        self._colours = SeenColours()
 
     # Curves
 
@@ -259,13 +257,6 @@ class CanvasScene:
     def locked_at(self, pointer: Pointer) -> int:
         """Return the place of the locked curve at the pointer; −1 for none."""
         return self.curves.locked_at(pointer.pixel, self._plot.pixel_map)
-
-    def colour_at(self, pointer: Pointer) -> str:
-        """Return the colour at the pointer as it prints, or of the picture to trace, "#rrggbb"."""
-        shown, pixel = self._plot.pixel_map, pointer.pixel
-        return self._colours.at(
-            self.views, self.curves.looks, pixel, shown, self.image.colour_at(pixel, shown)
-        )
 
     @property
     def area(self) -> QRect:

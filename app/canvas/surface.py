@@ -18,10 +18,9 @@ class CanvasSurface(Surface):
     ----------
     plot, drawing
         Where it is drawn, and what lies there.
-    write, rewrite, colour
-        Told that a text shall begin at a place, or fill a frame from there to the opposite corner; that the
-        one of a curve shall be edited, from a place on if that is not None; and that the "fill" or the
-        "stroke" of what is chosen shall have a colour.
+    write, rewrite
+        Told that a text shall begin at a place, or fill a frame from there to the opposite corner; and that
+        the one of a curve shall be edited, from a place on if that is not None.
     """
 
     def __init__(
@@ -30,10 +29,9 @@ class CanvasSurface(Surface):
         drawing: CanvasScene,
         write: Callable[[Vector, Vector | None], object],
         rewrite: Callable[[int, Vector | None], object],
-        colour: Callable[[str, str], object],
     ) -> None:
         self._plot, self._drawing = plot, drawing
-        self._write, self._rewrite, self._colour = write, rewrite, colour
+        self._write, self._rewrite = write, rewrite
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         return self._drawing.hit(pointer, tool)
@@ -44,9 +42,6 @@ class CanvasSurface(Surface):
     def locked_at(self, pointer: Pointer) -> int:
         return self._drawing.locked_at(pointer)
 
-    def colour_at(self, pointer: Pointer) -> str:
-        return self._drawing.colour_at(pointer)
-
     def grid_spacing(self) -> float:
         return self._drawing.grid.spacing(self._plot.pixel_map)
 
@@ -55,6 +50,3 @@ class CanvasSurface(Surface):
 
     def open_text(self, curve: int, place: Vector | None = None) -> None:
         self._rewrite(curve, place)
-
-    def give_colour(self, paint: str, colour: str) -> None:
-        self._colour(paint, colour)

@@ -37,10 +37,6 @@ class Surface:
         """Return the place of the locked curve at the pointer, which presses go through; −1 for none."""
         return -1
 
-    def colour_at(self, pointer: Pointer) -> str:
-        """Return the colour at the pointer, "#rrggbb"; empty for none."""
-        return ""
-
     def grid_spacing(self) -> float:
         """Return the spacing of the grid at the present zoom."""
         return 1.0
@@ -52,6 +48,3 @@ class Surface:
 
     def open_text(self, curve: int, place: Vector | None = None) -> None:
         """Ask for other words of the text that a curve is a letter of, typed where it was clicked."""
-
-    def give_colour(self, paint: str, colour: str) -> None:
-        """Give a colour to the "fill" or the "stroke" of what is chosen."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QAction, QColor, QIcon
+from PySide6.QtGui import QColor, QIcon
 from PySide6.QtWidgets import QApplication, QBoxLayout, QToolButton, QWidget
 
 from ..appearance.colours import CURVE_COLOURS, fill_colour
@@ -18,7 +18,7 @@ from .boxes import column_of, row_of
 from .colour_popup import ColourPopup
 from .field_edit import NumberEdit
 from .percent_field import MIXED
-from .tool_buttons import action_button, tool_button
+from .tool_buttons import tool_button
 
 MOST_RECENT = 5
 """Colours that are remembered beside those that are always there."""
@@ -48,7 +48,7 @@ def read_paint(text: str) -> str:
 
 
 class PaintField(FollowsTheme, QWidget):
-    """Shows a paint and asks for another one; the tool of `dropper` picks it from the drawing.
+    """Shows a paint and asks for another one.
 
     Signals
     -------
@@ -72,7 +72,7 @@ class PaintField(FollowsTheme, QWidget):
     previewed = Signal(str)
     cancelled = Signal()
 
-    def __init__(self, name: str, label: str, other: str, dropper: QAction) -> None:
+    def __init__(self, name: str, label: str, other: str) -> None:
         super().__init__()
         self.setObjectName(name)
         self._label, self._other = label, other
@@ -89,8 +89,7 @@ class PaintField(FollowsTheme, QWidget):
         tip = f"{label}: #rrggbb, a name, “ink” or “none” (Enter to set)"
         self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)
         self.edit.entered.connect(lambda paint: self.chosen.emit(paint))  # noqa: PLW0108 - of other types
-        pick = action_button(dropper, name=f"{name}Dropper")
-        top = row_of(self._button, (self.edit, 1), pick, margins=0, spacing=6)
+        top = row_of(self._button, (self.edit, 1), margins=0, spacing=6)
         # Used colours have a row of their own: beside the others they would make the panel too wide. It is
         # there from the start, for the first one moves nothing under the pointer.
         used = QWidget()

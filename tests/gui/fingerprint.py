@@ -114,7 +114,7 @@ PASSING = {
 }
 """Names of attributes that may differ, some of one class only."""
 
-DRAWN = {"PointInk", "SeenColours", "Stamps", "_Batch"}
+DRAWN = {"PointInk", "Stamps", "_Batch"}
 """Classes, with those derived from them, of which all that differs is what was drawn last."""
 
 RENDERED_ANEW = {

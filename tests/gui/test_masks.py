@@ -112,14 +112,3 @@ def test_what_cannot_be_masked_is_not_offered(drawing):
     choose(drawing, "Board")
     assert not drawing.action("setMask").isEnabled()
     assert not drawing.action("releaseMask").isEnabled()
-
-
-def test_the_eyedropper_takes_the_colour_that_is_seen_through_a_mask(drawing):
-    choose(drawing, "Board", "Fade")
-    drawing.trigger("setMask")
-    choose(drawing, "Dot")
-    drawing.trigger("eyedropperTool")
-    drawing.click((50.0, 60.0))
-    dot = next(each for each in drawing.session.document.curves if each.name == "Dot")
-    taken = [int(dot.style.fill[at : at + 2], 16) for at in (1, 3, 5)]
-    assert taken == pytest.approx([128, 128, 255], abs=4)

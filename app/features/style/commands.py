@@ -89,8 +89,7 @@ class StyleCommands:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
         actions = self._context.actions
-        droppers = {"fill": actions["eyedropperTool"], "stroke": actions["strokeEyedropperTool"]}
-        tools = style.panel.PanelTools(actions["gradientTool"], actions["swapFillAndStroke"], droppers)
+        tools = style.panel.PanelTools(actions["gradientTool"], actions["swapFillAndStroke"])
         panel = self._panel = style.panel.StylePanel(buttons, tools, parent)
         self._context.letters.tools.append(panel)
         panel.wanted.connect(self._change)

@@ -40,11 +40,10 @@ _LEAST_WIDTH = 1e-9
 
 
 class PanelTools(NamedTuple):
-    """Actions beside the fields: the tool for gradients, the swap of the paints, an eyedropper for each."""
+    """Actions beside the fields: the tool for gradients, the swap of the paints."""
 
     gradient: QAction
     swap: QAction
-    droppers: Mapping[str, QAction]
 
 
 class StylePanel(FieldForm):
@@ -107,8 +106,8 @@ class StylePanel(FieldForm):
         self._subject = Label(name="styleSubject")
         self._note = Label(name="styleNote", wordWrap=True)
         self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
-        self.fill = PaintField("fillPaint", "Fill", "stroke", tools.droppers["fill"])
-        self.stroke = PaintField("strokePaint", "Stroke", "fill", tools.droppers["stroke"])
+        self.fill = PaintField("fillPaint", "Fill", "stroke")
+        self.stroke = PaintField("strokePaint", "Stroke", "fill")
         self.gradients = {
             "fill": GradientField("fill", "Fill", tools.gradient, self.fill),
             "stroke": GradientField("stroke", "Stroke", tools.gradient, self.stroke),
