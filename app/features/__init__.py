@@ -19,7 +19,6 @@ FEATURES = (
     "printing",
     "curves",
     "shapes",
-    "tracing",
     "layers",
     "text",
     "tangents",

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QSize, Qt
-from PySide6.QtGui import QImage, QImageIOHandler, QImageReader, QPainter
-
-from curvecore.arrays import FloatArray
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QSize
+from PySide6.QtGui import QImage, QImageIOHandler, QImageReader
 
 from ..document.content import MOST_PIXELS
 
@@ -56,18 +53,6 @@ def upright(data: bytes, name: str) -> bytes:
 def png_of(image: QImage) -> bytes:
     """Return a PNG file of a picture."""
     return _file(image, "PNG")
-
-
-def brightness_of(image: QImage) -> FloatArray:
-    """Return how bright the pixels of a picture on white paper are, from 0 to 1, (rows, columns)."""
-    paper = QImage(image.size(), QImage.Format.Format_RGB32)
-    paper.fill(Qt.GlobalColor.white)
-    painter = QPainter(paper)
-    painter.drawImage(0, 0, image)
-    painter.end()
-    grey = paper.convertToFormat(QImage.Format.Format_Grayscale8)
-    rows = np.frombuffer(grey.constBits(), np.uint8).reshape(grey.height(), grey.bytesPerLine())
-    return rows[:, : grey.width()] / 255.0
 
 
 def _file(image: QImage, kind: str) -> bytes:

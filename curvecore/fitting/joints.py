@@ -9,7 +9,7 @@ from math import dist
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, finite_number, point_array, tolerance_value
+from curvecore.arrays import FloatArray, IntArray, point_array, tolerance_value
 
 SHARP = np.pi / 3
 """Angle, in radians, from which a turn counts as a corner."""
@@ -61,7 +61,7 @@ def scatter_of(points: FloatArray) -> float:
     return float(np.median(lengths) / (_RAYLEIGH * np.sqrt(70.0)))
 
 
-def sharp_turns(points: ArrayLike, reach: float, angle: float = SHARP, *, closed: bool = False) -> list[int]:
+def sharp_turns(points: ArrayLike, reach: float, *, closed: bool = False) -> list[int]:
     """Return which of the points of a polyline are corners.
 
     A corner turns as much between points at half the reach as between those at the whole; a smooth bend
@@ -74,8 +74,6 @@ def sharp_turns(points: ArrayLike, reach: float, angle: float = SHARP, *, closed
     reach : float
         How far before and after a point its turn is measured along the polyline, above 0: well above the
         size of the data's errors.
-    angle : float, optional
-        Least turn of a corner, in radians.
     closed : bool, optional
         Whether the last point is the first one again.
 
@@ -87,16 +85,16 @@ def sharp_turns(points: ArrayLike, reach: float, angle: float = SHARP, *, closed
     Raises
     ------
     CurveError
-        If the points are none, the reach is not positive or the angle not finite.
+        If the points are none, or the reach is not positive.
     """
-    places, reach, angle = point_array(points), tolerance_value(reach, "reach"), finite_number(angle, "angle")
+    places, reach = point_array(points), tolerance_value(reach, "reach")
     along = lengths_along(places, 0.25 * reach)
     if not reach < 0.25 * along[-1]:
         return []
     smooth = places if closed else _averaged(places, along, _SMOOTHED * reach)
     turn, close = (_turns(smooth, along, each, closed) for each in (reach, 0.5 * reach))
     inside = np.full(len(along), True) if closed else (along >= reach) & (along <= along[-1] - reach)
-    sharp = inside & (turn > angle) & (close > _PERSISTS * turn)
+    sharp = inside & (turn > SHARP) & (close > _PERSISTS * turn)
     if closed:
         sharp[-1] = False
     found: list[int] = []

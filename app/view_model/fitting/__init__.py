@@ -4,7 +4,6 @@
 - ``convert``: the same curve as one of another family.
 - ``least_squares``: curves of few points near many.
 - ``segment_fit``: one segment for several.
-- ``picture_outlines``: outlines of what is dark in pictures.  ``outline_fit``: few pieces for such.
 """
 
 import lazy_loader as lazy

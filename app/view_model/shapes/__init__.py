@@ -6,10 +6,5 @@
 - ``clipping``: shapes cut by the outline of the one in front of them, and made whole again.
   ``clip_outlines``: the outlines of such clips as shapes, while they are edited.
 - ``simplifying``: curves of fewer points near others.  ``cutting``: lines cut by those in front.
-- ``tracing``: shapes of what is dark in pictures.
 - ``formed``: what curves are still of the rectangle, the ellipse that they were drawn as.
 """
-
-import lazy_loader as lazy
-
-__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)
