@@ -111,7 +111,6 @@ EDIT_SAME = EDIT.section(
     "Select Same", is_separated=False, also=[CHOSEN_MENU(20), CURVE_MENU(49), CURVE_LIST_MENU(26)]
 )
 EDIT_TRANSFORM = EDIT.section("Transform", is_separated=False)
-EDIT_TRANSFORM_AGAIN = EDIT.section("Transform")
 EDIT_TRANSFORM_BOX = EDIT.section("Transform")
 EDIT_TRANSFORM_PANEL = EDIT.section("Transform", is_separated=False)
 EDIT_ALIGN_ACROSS = EDIT.section("Align and Distribute", is_separated=False)
@@ -129,7 +128,6 @@ EDIT_CLONES = EDIT.section("Clones", is_separated=False)
 EDIT_COPY_AS = EDIT.section("Copy and Paste Special", is_separated=False)
 EDIT_DERIVATIVES = EDIT.section("Copy and Paste Special")
 EDIT_STYLE = EDIT.section("Copy and Paste Special")
-EDIT_SIZE = EDIT.section("Copy and Paste Special")
 EDIT_PROGRAM = EDIT.section()
 
 CURVE = Menu("Curve", interrupts=True, needs=CHOSEN)

@@ -24,7 +24,6 @@ _NAMES = {
     Qt.Key.Key_Minus: "-",
     Qt.Key.Key_Backspace: "backspace",
     Qt.Key.Key_Delete: "delete",
-    Qt.Key.Key_Space: "space",
     Qt.Key.Key_Tab: "tab",
     Qt.Key.Key_Backtab: "tab",
     Qt.Key.Key_Semicolon: "tab",

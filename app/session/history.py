@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable
 from pathlib import Path
 
 import msgspec
@@ -157,13 +157,6 @@ class History:
     def end_run(self) -> None:
         """Let the next change be a step of its own."""
         self._run = None
-
-    def done(self) -> Iterator[tuple[Document, Document]]:
-        """Yield the documents before and after each step that is not undone, the last step first."""
-        for index in reversed(range(self.stack.index())):
-            step = self.stack.command(index)
-            if isinstance(step, UndoStep):
-                yield step._before.document, step._after.document
 
     @property
     def state(self) -> State | None:

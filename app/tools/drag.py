@@ -62,13 +62,6 @@ class Drag(msgspec.Struct, frozen=True):
         """Return what it rotates or skews about, None where it does neither."""
         return None
 
-    def stamped(self, pointer: Pointer) -> tuple[Drag, frozenset[int]] | None:
-        """Return the drag of copies that goes on where what is dragged is left here, and their places.
-
-        None where it drags nothing that can be left.
-        """
-        return None
-
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return where the point is that is held, None where none is."""
         return None

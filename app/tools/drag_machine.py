@@ -316,18 +316,6 @@ class DragMachine:
             self._press.drag, self._press.moving = drag, True
             self._step(pointer)
 
-    def stamp(self, pointer: Pointer) -> bool:
-        """Leave what is dragged here, and go on with copies of it; return whether it can be left."""
-        press = self._press
-        if press is None or press.drag is None or not press.moving:
-            return False
-        if (stamped := press.drag.stamped(pointer)) is None:
-            return False
-        press.drag, press.chooses = stamped
-        press.shows_choice = False
-        self._step(pointer)
-        return True
-
     def progress_at(self, pointer: Pointer) -> str:
         """Return the amount of the drag in flight and what modifiers would change, or why it is refused."""
         press = self._press

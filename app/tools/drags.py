@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 
 import msgspec
-from msgspec.structs import replace
 
 from ..document import edits, words
 from ..document.model import Document, Vector
 from ..document.paper import vector_word
 from ..document.point_group import PointGroup
-from ..document.several_curves import add_copies, changed_whole, moved, stepped
+from ..document.several_curves import moved, stepped
 from ..view_model.bending.bend import Bend
 from ..view_model.bending.hold import BendWith, has_handles
 from ..view_model.curve.curve_view import CurveView
@@ -35,8 +34,6 @@ class MovePoints(Drag, frozen=True):
         The curve and the point that snaps.
     axis
         0 or 1 where an axis is locked from the start.
-    stamp
-        What was left on the way, where they are copies of that.
     """
 
     group: PointGroup
@@ -44,29 +41,16 @@ class MovePoints(Drag, frozen=True):
     snapper: Snapper
     grip: tuple[int, int]
     axis: int | None = None
-    stamp: str = ""
 
     @property
     def keys(self) -> str:
         """Effects of the keys."""
-        leaves = " · Space: leave a copy here" if self.group.is_whole else ""
-        return f"{AXIS_KEYS} · {SNAP_KEY}{leaves}"
+        return f"{AXIS_KEYS} · {SNAP_KEY}"
 
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Stamp {self.stamp}" if self.stamp else f"Move {self.group.words}"
-
-    def stamped(self, pointer: Pointer) -> tuple[Drag, frozenset[int]] | None:
-        """Return the drag of copies that goes on from here; of points there are none."""
-        if not self.group.is_whole:
-            return None
-        curves = sorted(curve for curve, _ in self.group.parts)
-        document, places = add_copies(self.document_at(pointer), curves)
-        copies = changed_whole(document, places)
-        grip = (places[curves.index(self.grip[0])], self.grip[1])
-        drag = replace(self, document=document, group=copies, start=pointer.position, grip=grip)
-        return replace(drag, stamp=self.stamp or self.group.words), frozenset(places)
+        return f"Move {self.group.words}"
 
     @property
     def remark(self) -> str:

@@ -1,8 +1,7 @@
-"""Gestures that hands know from Inkscape: stamping, carrying with Alt, below with Shift, a tap on Space."""
+"""Gestures that hands know from Inkscape: carrying with Alt, below with Shift, a tap on Space."""
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -36,39 +35,6 @@ def corners(editor):
     return [
         (min(point.x for point in curve.points), min(point.y for point in curve.points)) for curve in curves
     ]
-
-
-def test_space_leaves_copies_on_the_way_of_a_drag_in_one_step(paper):
-    before, steps = paper.session.document, paper.session.undo_stack.count()
-    (x, y), *others = corners(paper)
-    paper.press((40, 20))
-    paper.move((40, 100))
-    QTest.keyClick(paper.window.canvas, Key.Key_Space)
-    paper.move((40, 180))
-    QTest.keyClick(paper.window.canvas, Key.Key_Space)
-    paper.move((40, 220))
-    assert "Space: leave a copy here" in paper.status
-    paper.release((40, 220))
-    wanted = sorted([(x, y + 80), (x, y + 160), (x, y + 200), *others])
-    assert np.array(sorted(corners(paper))) == pytest.approx(np.array(wanted), abs=2 * paper.pixel)
-    assert paper.session.undo_stack.count() == steps + 1
-    assert paper.session.undo_stack.undoText() == "Stamp Rectangle 1"
-    (chosen,) = paper.session.selected.chosen
-    assert corners(paper)[chosen] == pytest.approx((x, y + 200), abs=2 * paper.pixel)
-    assert not paper.window.store.state.uses(ADD)
-    paper.trigger("undo")
-    assert paper.session.document == before
-
-
-def test_escape_takes_the_stamped_copies_back_too(paper):
-    before = paper.session.document
-    paper.press((40, 20))
-    paper.move((40, 100))
-    QTest.keyClick(paper.window.canvas, Key.Key_Space)
-    paper.move((40, 180))
-    paper.escape()
-    paper.release((40, 180))
-    assert paper.session.document == before
 
 
 def test_alt_drags_what_is_chosen_wherever_the_pointer_is(paper):

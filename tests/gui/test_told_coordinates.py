@@ -131,8 +131,6 @@ def typed_transforms(reader):
     reader.listen("move typed")
     keys(reader, Key.Key_Return)
     reader.listen("moved")
-    editor.trigger("repeatTransform")
-    reader.listen("moved again")
     for action in ("rotateSelection", "skewSelection"):
         editor.trigger(action)
         reader.canvas.setFocus()
@@ -140,8 +138,6 @@ def typed_transforms(reader):
         reader.listen(f"{action} typed")
         keys(reader, Key.Key_Return)
         reader.listen(action)
-        editor.trigger("repeatTransform")
-        reader.listen(f"{action} again")
     editor.trigger("rotateLeftStep" if reader.readings.is_down else "rotateRightStep")
     reader.listen("rotated by a step")
 
@@ -230,15 +226,6 @@ def in_panels(reader):
 def in_fields(reader):
     editor = reader.editor
     editor.session.selected.choose({1})
-    editor.trigger("copiesInGrid")
-    reader.listen("copies asked for")
-    keys_in = editor.window.focusWidget()
-    QTest.keyClick(keys_in, Key.Key_Return)
-    reader.listen("copies")
-    editor.trigger("undo")
-    editor.trigger("copiesAround")
-    QTest.keyClick(editor.window.focusWidget(), Key.Key_Return)
-    reader.listen("copies around")
     editor.trigger("addGuide")
     editor.type_text(editor.window.focusWidget(), "y = 22")
     QTest.keyClick(editor.window.focusWidget(), Key.Key_Return)

@@ -74,7 +74,9 @@ def test_the_box_is_that_of_what_is_seen(document, as_drawn):
 def test_what_is_seen_gets_the_size_that_is_typed(document, strokes, places):
     views, group = views_of(document), whole_curves(document, places)
     before = bounds_of(views, group, strokes)
-    new = resized(document, views, group, (120.0, 12.0), strokes, before.low)
+    new = document
+    for axis, length in ((0, 120.0), (1, 12.0)):
+        new = resized(new, views_of(new), group, axis, length, strokes, before.low)
     after = bounds_of(views_of(new), group, strokes)
     assert after.size == pytest.approx((120.0, 12.0), abs=1e-9)
     assert after.low == pytest.approx(before.low, abs=1e-9)

@@ -2,8 +2,6 @@
 
 - ``commands``: the actions.  ``align_commands``: those that align and distribute.
 - ``scale_commands``: larger and smaller by keys.
-- ``repeat_commands``: the last transform once more.  ``size_commands``: the size of what was copied.
-- ``copies_commands``: copies in a circle, a row or a grid.  ``copies_field``: how many, and how far apart.
 - ``panel``: the same in numbers.  ``panel_commands``: keeps it in step.  ``pivot_chooser``: nine places.
   ``form_row``: the numbers of a rectangle, an ellipse, a star.
 """

@@ -20,11 +20,8 @@ from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
-from .copies_commands import CopiesCommands
 from .panel_commands import TransformPanelCommands
-from .repeat_commands import RepeatCommands
 from .scale_commands import ScaleCommands
-from .size_commands import PasteSizeCommands
 
 
 class _Transform(NamedTuple):
@@ -259,9 +256,6 @@ class SelectionCommands:
 COMMAND_SETS = (
     SelectionCommands,
     ScaleCommands,
-    RepeatCommands,
-    CopiesCommands,
     AlignCommands,
     TransformPanelCommands,
-    PasteSizeCommands,
 )

@@ -248,14 +248,15 @@ class TransformPanelCommands(QObject):
 
     def _size(self, axis: int, value: float) -> None:
         session, group, about = self._session, self._target.for_keys, self._told_place
-        wanted = (value, None) if axis == 0 else (None, value)
         strokes, is_even = (
             self._context.central.canvas.tools.settings.strokes,
             self._store.state.keep_proportions,
         )
 
         def sized(document: Document) -> Document:
-            new = resized(document, session.views, group, wanted, strokes, about, keeps_proportions=is_even)
+            new = resized(
+                document, session.views, group, axis, value, strokes, about, keeps_proportions=is_even
+            )
             return with_round_corners(document, new, group, grow=strokes.rounded)
 
         self._change(f"Set {SIDES[axis]} of {self._target.words} to {self._length(value)}", sized)

@@ -125,11 +125,9 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove a guide with Delete; edit what is chosen with Enter; leave a copy of it with Space."""
+        """Remove a guide with Delete; edit what is chosen with Enter."""
         if self._guides.key(context, key):
             return True
-        if key == "space":
-            return context.drags.stamp(context.pointer)
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
@@ -372,7 +370,6 @@ SELECT = ToolRecord(
         GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),
         GestureRow("Shift+Alt+click, no curve edited", "choose the curve below too"),
         GestureRow("Alt+drag, no curve edited", "move what is chosen, wherever the pointer is"),
-        GestureRow("Space while dragging curves", "leave a copy here, and go on", curves=True),
         GestureRow("Click within a fill", "as on the line around it; the topmost is meant"),
         GestureRow("Rubber band, no curve edited", "choose curves inside; Alt: also those touched"),
     ),
