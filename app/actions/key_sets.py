@@ -32,7 +32,6 @@ INKSCAPE: Final = KeySet(
         "rectangleTool": "R",
         "ellipseTool": "F5",
         "starTool": "*",
-        "textTool": "T; Shift+T",
         "gradientTool": "G; Ctrl+F1",
         "moveSelection": "",
         "scaleSelection": "",

@@ -161,13 +161,6 @@ CURVE_ORDER = CURVE.section(
 )
 CURVE_WALK = CURVE.section("Arrange", needs=NOTHING)
 
-TEXT = Menu("Text", interrupts=True, needs=CHOSEN)
-TEXT_WORDS = TEXT.section()
-TEXT_ALL = TEXT.section(is_separated=False, needs=NOTHING)
-TEXT_PATH = TEXT.section()
-TEXT_FRAME = TEXT.section()
-TEXT_OUTLINES = TEXT.section()
-
 ANALYSIS = Menu("Analysis")
 OVERLAY_SECTIONS = [ANALYSIS.section("Overlays", is_separated=group > 0) for group in Group]
 GHOSTS_FAMILY = ANALYSIS.section("Ghosts", is_separated=False)

@@ -41,10 +41,6 @@ class Canvas(ToolPlot):
         A press on a ruler draws a guide from now on.
     guide_opened
         A guide, by its place in the document, shall be given a place; or a new one, by its axis.
-    text_placed
-        A text shall begin at a place, or fill a frame from there to the opposite corner, if that is not None.
-    text_opened
-        The text that a curve is a letter of shall be edited, from a place on if that is not None.
     colour_picked
         The "fill" or the "stroke" of what is chosen shall have a colour, "#rrggbb".
     """
@@ -52,8 +48,6 @@ class Canvas(ToolPlot):
     menu_requested = Signal(object, QPoint)
     guide_drawn = Signal()
     guide_opened = Signal(object)
-    text_placed = Signal(object, object)
-    text_opened = Signal(int, object)
     colour_picked = Signal(str, str)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
@@ -63,8 +57,7 @@ class Canvas(ToolPlot):
         self.setAccessibleDescription("The curve with its points; drag points to change it.")
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
-        asks = self.text_placed.emit, self.text_opened.emit
-        tools.surface = CanvasSurface(self, self.drawing, *asks)
+        tools.surface = CanvasSurface(self, self.drawing)
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None

@@ -1,10 +1,9 @@
-"""What tools can ask of the canvas, and have done there."""
+"""What tools can ask of the canvas."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
-from ..document.model import Vector
 from ..plotting.tool_plot import ToolPlot
 from ..tools.pointer import Hit, Pointer
 from ..tools.surface import Finder, Surface
@@ -18,20 +17,10 @@ class CanvasSurface(Surface):
     ----------
     plot, drawing
         Where it is drawn, and what lies there.
-    write, rewrite
-        Told that a text shall begin at a place, or fill a frame from there to the opposite corner; and that
-        the one of a curve shall be edited, from a place on if that is not None.
     """
 
-    def __init__(
-        self,
-        plot: ToolPlot,
-        drawing: CanvasScene,
-        write: Callable[[Vector, Vector | None], object],
-        rewrite: Callable[[int, Vector | None], object],
-    ) -> None:
+    def __init__(self, plot: ToolPlot, drawing: CanvasScene) -> None:
         self._plot, self._drawing = plot, drawing
-        self._write, self._rewrite = write, rewrite
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         return self._drawing.hit(pointer, tool)
@@ -44,9 +33,3 @@ class CanvasSurface(Surface):
 
     def grid_spacing(self) -> float:
         return self._drawing.grid.spacing(self._plot.pixel_map)
-
-    def write_at(self, place: Vector, opposite: Vector | None = None) -> None:
-        self._write(place, opposite)
-
-    def open_text(self, curve: int, place: Vector | None = None) -> None:
-        self._rewrite(curve, place)

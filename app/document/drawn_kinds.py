@@ -8,7 +8,7 @@ from typing import Final
 import msgspec
 from msgspec.structs import replace
 
-from .style import INK, NO_PAINT, PLAIN_STYLE, Style
+from .style import NO_PAINT, PLAIN_STYLE, Style
 
 
 class DrawnKind(msgspec.Struct, frozen=True):
@@ -34,4 +34,3 @@ def _line(usual: Style) -> Style:
 
 SHAPES: Final = DrawnKind("What is drawn next")
 LINES: Final = DrawnKind("The next line", _line)
-TEXTS: Final = DrawnKind("The next text", lambda _usual: replace(PLAIN_STYLE, fill=INK, stroke=NO_PAINT))

@@ -20,7 +20,6 @@ FEATURES = (
     "curves",
     "shapes",
     "layers",
-    "text",
     "tangents",
     "rules",
     "own_families",

@@ -11,7 +11,6 @@ from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
 from ..document.shape_edits import entered, pressed
 from ..document.shapes import shape_of, whole_shapes
-from ..document.texts import text_around
 from . import hints
 from .drag_machine import EditingHost
 from .pointer import Cursor, Hint, Hit, Part
@@ -116,10 +115,6 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
             return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
         grips = "scale" if context.host.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
-        if host.document.curves[hit.index].text is not None:
-            return f"{click}Double-click to edit the text, with Ctrl the points of a letter"
-        if text_around(host.document, hit.index):
-            return f"{click}Double-click to edit its words · Shift: one axis, a click takes it out"
         edit = "" if is_whole else f"Double-click to edit “{name}” · "
         if _entered(context, hit):
             edit = f"Double-click to choose within “{name}” · "
@@ -185,9 +180,6 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
         selected.set_curves(_toggled(selected.curves, _meant(context, hit)))
     elif context.pointer.shift:
         selected.choose(_toggled(selected.chosen, _meant(context, hit)))
-    elif _opens_text(context, hit):
-        context.surface.open_text(hit.index, context.pointer.position)
-        return
     elif context.pointer.is_double and (inner := _entered(context, hit)):
         selected.choose(inner)
         host.say(f"{chosen_curves(host)}, within its group; Escape, and a click chooses that again.")
@@ -202,15 +194,6 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
     else:
         selected.choose(_meant(context, hit))
     host.say(f"{chosen_curves(host)}.")
-
-
-def _opens_text(context: ToolContext, hit: Hit) -> bool:
-    """Whether a double click edits a text: on letters of one that are chosen with all the others of it."""
-    host, pointer = context.host, context.pointer
-    if host.selected.is_editing or not pointer.is_double or pointer.ctrl:
-        return False
-    letters = frozenset(text_around(host.document, hit.index))
-    return bool(letters) and letters <= _meant(context, hit)
 
 
 def _entered(context: ToolContext, hit: Hit) -> frozenset[int]:

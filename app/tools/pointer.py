@@ -171,7 +171,6 @@ class Cursor(Enum):
 
     ARROW = "ArrowCursor"
     CROSS = "CrossCursor"
-    TEXT = "IBeamCursor"
     HAND = "PointingHandCursor"
     MOVE = "SizeAllCursor"
     WIDER = "SizeHorCursor"

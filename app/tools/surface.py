@@ -1,11 +1,10 @@
-"""What a tool can ask of the plot that it works on, and have done there."""
+"""What a tool can ask of the plot that it works on."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Protocol
 
-from ..document.model import Vector
 from .pointer import Hit, Pointer
 
 
@@ -18,12 +17,10 @@ class Finder(Protocol):
 
 
 class Surface:
-    """What tools work on: by default nothing lies anywhere, and nothing is done.
+    """What tools work on: by default nothing lies anywhere.
 
     A further question is a method here, answered by the plots that know; tools ask ``context.surface``.
     """
-
-    # What is there
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return what a tool hits at the pointer."""
@@ -40,11 +37,3 @@ class Surface:
     def grid_spacing(self) -> float:
         """Return the spacing of the grid at the present zoom."""
         return 1.0
-
-    # What a tool asks for
-
-    def write_at(self, place: Vector, opposite: Vector | None = None) -> None:
-        """Ask for the words of a text whose baseline begins at a place, or that fills a frame from there."""
-
-    def open_text(self, curve: int, place: Vector | None = None) -> None:
-        """Ask for other words of the text that a curve is a letter of, typed where it was clicked."""

@@ -33,11 +33,8 @@ class FocusCommands:
     def leave_field(self) -> bool:
         """Leave a field of a panel whose text was entered; return whether one had the focus.
 
-        One whose text was refused keeps it, to be mended, and so does one that acts with every Enter. While
-        letters are typed on the canvas, the focus of that would end them.
+        One whose text was refused keeps it, to be mended, and so does one that acts with every Enter.
         """
-        if self._context.letters.painter is not None:
-            return False
         field = QApplication.focusWidget()
         is_done = isinstance(field, FieldEdit) and not (field.isModified() or field.is_pressed_again)
         return is_done and self.back_to_canvas()

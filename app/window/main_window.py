@@ -43,7 +43,6 @@ from ..workbench.docks import Docks, declared_panels
 from ..workbench.document_files import DocumentFiles
 from ..workbench.file_work import FileWork
 from ..workbench.status_line import StatusLine
-from ..workbench.typed_letters import TypedLetters
 from .arranging import Arranging
 from .connect import COMMAND_SETS, Commands
 from .drops import accepted
@@ -146,7 +145,7 @@ class MainWindow(Guarded, QMainWindow):
         self.context = WindowContext(
             session=session, store=self.store, preferences=self.preferences, analysis=self.analysis,
             actions=actions, files=files, work=work, window=self, central=self.central, docks=docks,
-            toolbar=self.toolbar, status_line=self.status_line, letters=TypedLetters(self),
+            toolbar=self.toolbar, status_line=self.status_line,
         )  # fmt: skip
 
     def _build_dock(self, name: str, *parent: QWidget) -> QWidget:

@@ -19,7 +19,6 @@ from .docks import Docks
 from .document_files import DocumentFiles
 from .file_work import FileWork
 from .status_line import StatusLine
-from .typed_letters import TypedLetters
 
 
 class WindowContext(msgspec.Struct, frozen=True):
@@ -37,8 +36,6 @@ class WindowContext(msgspec.Struct, frozen=True):
         Opening and saving; what is read and written beside the window.
     window, central, docks, toolbar, status_line
         The window and its parts.
-    letters
-        Letters that are typed on the canvas.
     """
 
     session: Session
@@ -53,7 +50,6 @@ class WindowContext(msgspec.Struct, frozen=True):
     docks: Docks
     toolbar: QToolBar
     status_line: StatusLine
-    letters: TypedLetters
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""

@@ -19,8 +19,6 @@ class SliderGesture:
         Returns the document for a position of the slider, and the same one where nothing changes.
     name
         Returns the name of the step for a position.
-    takes
-        Returns whether something else takes a position, or None for a drag given up, and not the document.
     """
 
     def __init__(
@@ -29,10 +27,8 @@ class SliderGesture:
         slider: LiveSlider,
         edit: Callable[[Document, int], Document],
         name: Callable[[int], str],
-        takes: Callable[[int | None], bool] = lambda _position: False,
     ) -> None:
         self._session, self._slider, self._edit, self._name = session, slider, edit, name
-        self._takes = takes
         slider.dragged.connect(self._preview)
         slider.dropped.connect(self._commit)
         slider.chosen.connect(self._change)
@@ -40,18 +36,14 @@ class SliderGesture:
         session.interrupted.connect(slider.abandon)
 
     def _preview(self, position: int) -> None:
-        if not self._takes(position):
-            self._session.preview(self._edit(self._session.committed, position))
+        self._session.preview(self._edit(self._session.committed, position))
 
     def _commit(self, position: int) -> None:
-        if not self._takes(position):
-            self._session.commit(self._session.document, self._name(position))
+        self._session.commit(self._session.document, self._name(position))
 
     def _change(self, position: int) -> None:
-        if not self._takes(position):
-            self._session.change(self._name(position), lambda document: self._edit(document, position))
+        self._session.change(self._name(position), lambda document: self._edit(document, position))
 
     def _cancel(self) -> None:
-        if not self._takes(None):
-            self._session.cancel()
+        self._session.cancel()
         self._session.say(CANCELLED)

@@ -49,8 +49,6 @@ PASSING = {
         "ShownHandles._counted",
         "PointLayer._kinds_of",
         "Actions._seen_of",
-        # The panels themselves are told as widgets.
-        "TypedLetters.tools",
     ),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *(

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QMessageBox, QUndo
 from app.document.model import Document, make_curve
 from app.document.style import PLAIN_STYLE, LineCap, LineJoin, Style
 from app.families import HERMITE
-from app.features.text.commands import TextCommands
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
@@ -163,25 +162,6 @@ def test_nor_of_one_that_nobody_can_choose(editor):
     editor.session.files.replace(Document((locked,)), None)
     assert not editor.session.selected.marked
     assert editor.session.model.style == PLAIN_STYLE
-
-
-def test_a_text_begins_in_black_whatever_was_chosen_last(drawing):
-    def written():
-        drawing.trigger("textTool")
-        drawing.click((6, 15))
-        words = drawing.window.commands[TextCommands].field.words
-        QTest.keyClicks(words, "I")
-        drawing.settle()
-        assert len(drawing.session.document.curves) == 3
-        style = drawing.session.document.curves[-1].style
-        QTest.keyClick(words, Qt.Key.Key_Escape)
-        drawing.trigger("undo")
-        drawing.trigger("selectTool")
-        return style.fill, style.stroke
-
-    assert written() == ("#000000", "none")
-    drawing.session.selected.choose({1})
-    assert written() == ("#000000", "none")
 
 
 def test_all_of_the_page_is_in_sight_and_of_the_curves_and_fit_shows_the_curves_alone(drawing):

@@ -9,11 +9,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
 from app.document.style import LineCap, LineJoin, Style
-from app.features.text.commands import TextCommands
 
 BLUE, RED = "#0000ff", "#ff0000"
 LINE = Style(stroke="#000000", cap=LineCap.BUTT, join=LineJoin.MITER, width=0.3)
-TEXT = Style(fill="#000000", stroke="none", width=0.3)
 
 
 @pytest.fixture
@@ -62,16 +60,7 @@ def freehand(editor, x):
     return editor.session.document.curves[-1].style
 
 
-def text(editor, x):
-    editor.trigger("textTool")
-    editor.click((x, 150))
-    words = editor.window.commands[TextCommands].field.words
-    QTest.keyClicks(words, "I")
-    QTest.keyClick(words, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    return editor.session.document.curves[-1].style
-
-
-def test_lines_and_texts_begin_in_their_own_style_and_leave_that_of_shapes_alone(drawing):
+def test_lines_begin_in_their_own_style_and_leave_that_of_shapes_alone(drawing):
     """The pen went on with the fill of the last rectangle, and the rectangle with the line of the pen."""
     rectangle(drawing, 20)
     style_set(drawing, "fillPaintHex", BLUE)
@@ -83,7 +72,6 @@ def test_lines_and_texts_begin_in_their_own_style_and_leave_that_of_shapes_alone
     assert freehand(drawing, 60) == LINE
     drawing.trigger("selectTool")
     assert rectangle(drawing, 80) == filled
-    assert text(drawing, 20) == TEXT
     assert rectangle(drawing, 110) == filled
     # What is chosen says how the next shape looks, and no line.
     drawing.session.selected.choose({1})
@@ -104,16 +92,12 @@ def test_a_style_set_while_a_tool_is_in_use_is_that_of_what_it_draws(drawing):
     drawing.trigger("addTool")
     assert shown(drawing) == ("The next line", "none")
     style_set(drawing, "strokePaintHex", RED)
-    drawing.trigger("textTool")
-    assert shown(drawing) == ("The next text", "#000000")
-    style_set(drawing, "fillPaintHex", RED)
     assert drawing.session.undo_stack.count() == steps
     assert line(drawing, 20) == replace(LINE, stroke=RED)
     # Also of the line that was drawn just now.
     style_set(drawing, "strokeWidth", "1")
     assert drawing.session.document.curves[-1].style == replace(LINE, stroke=RED, width=1.0)
     assert freehand(drawing, 60) == replace(LINE, stroke=RED, width=1.0)
-    assert text(drawing, 20) == replace(TEXT, fill=RED)
     assert rectangle(drawing, 50).fill == BLUE
 
 

@@ -29,7 +29,7 @@ class BlurGesture:
         self._gesture = SliderGesture(session, field.slider, self._blurred, self._words)
 
     def render(self, styles: Sequence[Style], *, is_sharp: bool) -> None:
-        """Show how blurred styles are; `is_sharp` of what is drawn next and of letters that are typed."""
+        """Show how blurred styles are; `is_sharp` of what is drawn next."""
         blurs = {0.0} if is_sharp else {style.blur for style in styles}
         self._field.setEnabled(not is_sharp)
         # Boxes of thousands take their time, and what is sharp needs none.

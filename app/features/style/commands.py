@@ -29,7 +29,7 @@ from ...document.model import Document, make_curve
 from ...document.paper import DocumentKind
 from ...document.several_curves import named
 from ...document.shapes import shape_of
-from ...document.style import GRADIENTS, NO_PAINT, Style
+from ...document.style import GRADIENTS, NO_PAINT
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...session.next_style import Marked
@@ -41,7 +41,6 @@ from ...widgets.percent_field import STEPS
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
-from ...workbench.typed_letters import Painter
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .indicator import StyleIndicator
@@ -57,7 +56,6 @@ if TYPE_CHECKING:
     from .panel import StylePanel
 
 _NO_SHAPE_YET = "A gradient or a pattern is laid over a shape; draw or choose one first."
-_FLAT_LETTERS = "Letters have one colour while they are typed; Enter ends the text."
 
 _StopsAt = Callable[[int], tuple[Stop, ...]]
 """Tells the stops for a position of a slider."""
@@ -68,7 +66,7 @@ class StyleCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
-        self._dock, self._subject = context.docks["styleDock"], StyleSubject(context)
+        self._dock, self._subject = context.docks["styleDock"], StyleSubject(context.session)
         self._indicator = StyleIndicator()
         context.status_line.put_before(self._indicator)
         self._indicator.clicked.connect(context.actions["showStyle"].trigger)
@@ -81,7 +79,6 @@ class StyleCommands:
         context.session.stop_changed.connect(self._render)
         context.session.stop_changed.connect(context.central.canvas.show_marks)
         context.store.changed.connect(self._follow_tool)
-        context.letters.changed.connect(self._render)
         context.central.canvas.colour_picked.connect(self._take_picked)
 
     @LatePanel("styleDock", "Style", UPPER, for_drawings=True)
@@ -91,7 +88,6 @@ class StyleCommands:
         actions = self._context.actions
         tools = style.panel.PanelTools(actions["gradientTool"], actions["swapFillAndStroke"])
         panel = self._panel = style.panel.StylePanel(buttons, tools, parent)
-        self._context.letters.tools.append(panel)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
@@ -107,8 +103,7 @@ class StyleCommands:
         panel.refused.connect(self._session.refuse)
         for name, field in panel.opacities.items():
             edit, words = partial(self._with_share, name), partial(self._words_of_share, name)
-            takes = partial(self._give_share_to_letters, name)
-            self._gestures.append(SliderGesture(self._session, field.slider, edit, words, takes))
+            self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
             for moved in (field.slider.dropped, field.slider.chosen):
                 moved.connect(partial(self._take_share, name))
         for name, gradient in panel.gradients.items():
@@ -134,10 +129,6 @@ class StyleCommands:
             self._gestures.append(SliderGesture(self._session, share.slider, edit, words))
 
     # What is shown
-
-    @property
-    def _letters(self) -> Painter | None:
-        return self._subject.letters
 
     @property
     def _curves(self) -> frozenset[int]:
@@ -171,8 +162,7 @@ class StyleCommands:
     def _render_panel(self, panel: StylePanel, shown: Shown, paper: Theme) -> None:
         session, state = self._session, self._context.store.state
         curves, styles = shown.curves, shown.styles
-        is_next_only = not curves and self._letters is None
-        note = HOW_TO_CHOOSE if is_next_only else note_on(styles, state, session.document, self._theme)
+        note = HOW_TO_CHOOSE if not curves else note_on(styles, state, session.document, self._theme)
         panel.show_paper(paper)
         panel.show_recent(self._colours.recent, self._colours.in_document)
         for field in panel.gradients.values():
@@ -180,8 +170,7 @@ class StyleCommands:
         unit, stops = session.document.unit, self._stops(curves)
         overall = opacities_of(session.document, curves) if curves else None
         panel.render_styles(shown.words, styles, unit, note, stops, shown.pictures, overall)
-        is_sharp = shown.is_next or self._letters is not None
-        self._blur.render([*styles, *shown.pictures], is_sharp=is_sharp)
+        self._blur.render([*styles, *shown.pictures], is_sharp=shown.is_next)
 
     # Changes
 
@@ -209,7 +198,7 @@ class StyleCommands:
 
     def _choose_kind(self, paint: str, kind: PaintKind) -> None:
         if not self._curves and kind not in (PaintKind.NONE, PaintKind.FLAT):
-            self._session.refuse(_NO_SHAPE_YET if self._letters is None else _FLAT_LETTERS)
+            self._session.refuse(_NO_SHAPE_YET)
             self._render()
             return
         views = self._session.views
@@ -259,10 +248,6 @@ class StyleCommands:
     ) -> None:
         """Change the selected curves; the step is named by the fields of the styles, or says `what`."""
         session, curves, fields = self._session, self._curves, list(fields)
-        if self._letters is not None:
-            self._letters.paint(partial(_edited, edit))
-            self._render()
-            return
         if not curves:
             self._set_next(edit)
             return
@@ -296,31 +281,16 @@ class StyleCommands:
         return f"{what} of {named(committed, curves) if curves else self._subject.next}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
-        if self._letters is not None:
-            self._letters.look_at(lambda style: style.with_fields(fields))
-            return
         session = self._session
         session.preview(with_style(session.committed, self._curves, **fields))
 
     def _give_up(self) -> None:
-        if self._letters is not None:
-            self._letters.give_up()
-        elif self._session.is_previewing:
+        if self._session.is_previewing:
             self._session.cancel()
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
         return with_looks(document, self._curves, {name: position / STEPS})
-
-    def _give_share_to_letters(self, name: str, position: int | None) -> bool:
-        """Show the letters that are typed as a slider stands; return whether there are any."""
-        if self._letters is None:
-            return False
-        if position is None:
-            self._letters.give_up()
-        else:
-            self._look_at({name: position / STEPS})
-        return True
 
     def _take_share(self, name: str, position: int) -> None:
         share: dict[str, object] = {name: position / STEPS}
@@ -377,12 +347,6 @@ class StyleCommands:
     def _swap(self) -> None:
         """Paint the inside as the line is now, and the line as the inside, with their opacities."""
         self._edit(GRADIENTS, with_paints_swapped, what="Swap fill and stroke")
-
-
-def _edited(edit: Callable[[Document, frozenset[int]], Document], style: Style) -> Style:
-    """Return what an edit of curves makes of a style."""
-    model = msgspec.structs.replace(make_curve(()), style=style)
-    return edit(Document((model,)), frozenset({0})).curves[0].style
 
 
 COMMAND_SETS = (

@@ -81,7 +81,6 @@ class PaletteCommands:
             bar = self._bar = style.palette_bar.PaletteBar(self._context.actions["importPalette"])
             bar.chosen.connect(self._context.central.canvas.colour_picked)
             bar.palette_chosen.connect(self._choose)
-            self._context.letters.tools.append(bar)
             bar.hide()
             self._context.central.under_canvas.addWidget(bar)
         if is_shown is self._bar.isHidden():

@@ -1,4 +1,4 @@
-"""Whose style is meant: that of what is chosen, of letters that are typed, or of what is drawn next."""
+"""Whose style is meant: that of what is chosen, or of what is drawn next."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ from ...document.model import Curve
 from ...document.several_curves import named
 from ...document.shapes import whole_shapes
 from ...document.style import Style
-from ...workbench.context import WindowContext
-from ...workbench.typed_letters import Painter
+from ...session.session import Session
 
 
 class Shown(msgspec.Struct, frozen=True):
@@ -41,13 +40,8 @@ class Shown(msgspec.Struct, frozen=True):
 class StyleSubject:
     """Finds what is meant now."""
 
-    def __init__(self, context: WindowContext) -> None:
-        self._context, self._session = context, context.session
-
-    @property
-    def letters(self) -> Painter | None:
-        """The letters that are typed, whose style is meant before all others."""
-        return self._context.letters.painter
+    def __init__(self, session: Session) -> None:
+        self._session = session
 
     @property
     def curves(self) -> frozenset[int]:
@@ -56,8 +50,6 @@ class StyleSubject:
         An empty curve is what is drawn next.
         """
         session, selected = self._session, self._session.selected
-        if self.letters is not None:
-            return frozenset()
         is_begun = bool(session.active_curve.points)
         if selected.next_style.is_own(session.document) and not is_begun:
             return selected.marked - {session.active_index}
@@ -75,19 +67,15 @@ class StyleSubject:
         curves = sorted(whole_shapes(self._session.document, self.curves))
         chosen = [self._session.document.curves[place] for place in curves]
         pictures = [each.style for each in chosen if isinstance(each.form, Picture)]
-        is_next = not any(each.points for each in chosen) and self.letters is None
+        is_next = not any(each.points for each in chosen)
         styles = self._styles(chosen, has_pictures=bool(pictures))
         return Shown(curves, styles, pictures, is_next, self._words(curves, is_next=is_next))
 
     def _styles(self, chosen: Sequence[Curve], *, has_pictures: bool) -> list[Style]:
-        if self.letters is not None:
-            return [*self.letters.styles]
         if not chosen:
             # A gradient is laid over a shape, and there is none yet.
             return [self._session.model.style.flat]
         return [each.style for each in (filter(has_paints, chosen) if has_pictures else chosen)]
 
     def _words(self, curves: Sequence[int], *, is_next: bool) -> str:
-        if self.letters is not None:
-            return self.letters.subject
         return self.next if is_next else named(self._session.document, curves)

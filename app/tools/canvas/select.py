@@ -10,7 +10,6 @@ from msgspec.structs import replace
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...document.shape_edits import next_pressed
-from ...document.texts import text_chosen
 from ...view_model.curve.curve_view import CurveView
 from .. import hints
 from ..below import click_below, find_below, words_below
@@ -131,9 +130,6 @@ class SelectTool(Tool):
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
-        if (letter := text_chosen(context.host.document, selected.chosen)) >= 0:
-            context.surface.open_text(letter)
-            return True
         selected.edit_chosen()
         select_hit(context)
         return True
