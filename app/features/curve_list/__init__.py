@@ -3,5 +3,5 @@
 - ``commands``: what is done to all chosen curves by actions.  ``row_edits``: what is done by rows.
 - ``panel``: the list with its buttons.  ``colour_menu``: behind a swatch.
 - ``view``, ``rows``, ``row_parts``, ``model``: the list for Qt.  ``entries``: what its rows show.
-  ``dragging``, ``dropping``: of rows.  ``finding``: rows by words.
+  ``dragging``, ``dropping``: of rows.
 """

@@ -75,8 +75,6 @@ class CurveListCommands:
         self.panel.view.all_wanted.connect(self._choose_all)
         self.panel.menu_requested.connect(self._open_menu)
         self._rows.listen(self.panel)
-        self.panel.finder.found.connect(self._choose_found)
-        self.panel.finder.left.connect(self._context.central.canvas.setFocus)
         session = self._session
         session.interrupted.connect(self.panel.abandon)
         session.selected_curves_changed.connect(self._render)
@@ -271,28 +269,6 @@ class CurveListCommands:
         self.panel.choose_colour(frozenset({self._session.active_index}))
 
     # Choosing
-
-    @action(
-        "findCurves",
-        "Find…",
-        EDIT_SELECT,
-        "Ctrl+F",
-        "search",
-        keywords="search filter name text layer id",
-        needs=SOME_CURVE,
-    )
-    def _find(self) -> None:
-        """Find curves, texts, groups and layers in the list by words; Enter chooses them."""
-        self._dock.bring_up()
-        self.panel.finder.begin()
-
-    def _choose_found(self, places: frozenset[int]) -> None:
-        session, document = self._session, self._session.document
-        if not places:
-            session.refuse("Nothing is found by these words.")
-            return
-        self.panel.view.rows_selected.emit(places)
-        session.say(f"{counted(document, places)} found and chosen.")
 
     @action(
         "selectAllCurves",

@@ -7,7 +7,7 @@ while it is open. Everything outside Qt's indices names a curve by its place in 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import compress
 from operator import is_not
 
@@ -187,20 +187,6 @@ class CurveListModel(Guarded, QAbstractListModel):
         """Return what an index is about."""
         return self.entries[index.row()] if index.isValid() else None
 
-    def rows_where(self, test: Callable[[Document, Node], bool]) -> list[int]:
-        """Return the rows of the nodes that pass a test."""
-        curves = self._document
-        return [row for row, each in enumerate(self.entries) if curves and test(curves, each.node)]
-
-    def open_around(self, test: Callable[[Document, Node], bool]) -> None:
-        """Open whatever holds a node that passes a test."""
-        document, before = self._document, len(self._open)
-        assert document is not None
-        for top in layered_tree(document):
-            self._open |= set(_keys_around(top, lambda node: test(document, node)))
-        if len(self._open) > before:
-            self._build(document)
-
     def open(self, row: int, is_open: bool) -> None:
         """Show what is in a shape or a group, or no longer."""
         entry = self.entries[row]
@@ -243,15 +229,6 @@ def _have_same_tree(before: Document, after: Document) -> bool:
     # By identity first, without a step of Python's own: there are thousands.
     others = compress(zip(old, new, strict=False), map(is_not, old, new))
     return len(old) == len(new) and all(a.shape == b.shape and a.groups == b.groups for a, b in others)
-
-
-def _keys_around(node: Node, test: Callable[[Node], bool]) -> Iterator[Key]:
-    """Yield the keys of a node, and of those in it, that hold one that passes a test."""
-    for part in node.parts:
-        inner = list(_keys_around(part, test))
-        yield from inner
-        if inner or test(part):
-            yield _key(node)
 
 
 def _walked(document: Document) -> Iterator[Node]:

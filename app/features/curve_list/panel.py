@@ -18,7 +18,6 @@ from ...widgets.colour_popup import ColourPopup
 from ...widgets.tool_buttons import action_button
 from .colour_menu import colour_menu
 from .entries import Marks
-from .finding import FindField
 from .model import CurveListModel
 from .row_parts import Spot
 from .view import CurveListView
@@ -42,8 +41,8 @@ class CurveList(Guarded, QWidget):
 
     Attributes
     ----------
-    view, finder
-        The QListView; the field that finds rows in it.
+    view
+        The QListView.
     """
 
     visible_switched = Signal(object)
@@ -62,8 +61,7 @@ class CurveList(Guarded, QWidget):
         self.model = CurveListModel(self)
         self.view = CurveListView(self.model, self)
         self._buttons = row_of(1, margins=(6, 4, 6, 4), spacing=2)
-        self.finder = FindField(self.model, self.view, self)
-        column_of(self.finder, (self.view, 1), self._buttons, margins=0, spacing=0, parent=self)
+        column_of((self.view, 1), self._buttons, margins=0, spacing=0, parent=self)
         self.view.spot_clicked.connect(self._switch)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
