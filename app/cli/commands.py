@@ -27,6 +27,7 @@ from ..exchange.table.family_word import FamilyWord, read_family_word
 from ..exchange.writing import export
 from ..families import FAMILIES, HERMITE
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
+from ..storage.format import Decoded
 from ..tasks.progress import Report, part
 from ..view_model.animation.motion_settings import Pace, Repeat
 from ..view_model.curve.curve_view import view_of
@@ -113,23 +114,30 @@ def _command_parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _document_of(options: argparse.Namespace) -> Document:
-    """Return the document that a command is about, or what a file of another format holds."""
+def _document_of(options: argparse.Namespace) -> Decoded:
+    """Return the document that a command is about, or what a file of another format holds.
+
+    What is left out of it is printed beside the output.
+    """
     try:
-        return load_document(options.file)
+        found = load_document(options.file)
     except RefusalError:
         if not can_import(Path(options.file)):
             raise
+    else:
+        if found.left_out:
+            _tell([found.left_out.sentence(Path(options.file).name)])
+        return found
     with _told_on_terminals() as report:
         source = import_file(options.file, ImportOptions(), report=report)
     _tell_of(source, options.file)
     _tell(source.remarks)
-    return source.document
+    return Decoded(source.document)
 
 
 def _drawn_document(options: argparse.Namespace) -> Document:
     """Return what pictures are made of: the document, or the curves of it that were asked for."""
-    document = _document_of(options)
+    document = _document_of(options).document
     return exchange.cubics_in.Imported(document).called(options.only).document if options.only else document
 
 
@@ -289,14 +297,23 @@ def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
 
 
 def _info(options: argparse.Namespace) -> int:
-    document = _document_of(options)
+    found = _document_of(options)
+    document = found.document
     readings = readings_of(document)
     with _told_on_terminals() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
         curves = [facts_as_json(each, readings) for each in facts]
         way = "down" if readings.is_down else "up"
-        _say_json({"file": options.file, "unit": document.unit or None, "y_axis": way, "curves": curves})
+        _say_json(
+            {
+                "file": options.file,
+                "unit": document.unit or None,
+                "y_axis": way,
+                "left_out": dict(found.left_out.counts),
+                "curves": curves,
+            }
+        )
     else:
         say("\n\n".join(facts_as_text(each, document.unit, readings) for each in facts))
     return 0

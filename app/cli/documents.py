@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from ..document.model import Document
-from ..storage.files import load
+from ..storage.files import load_counting
+from ..storage.format import Decoded
 from ..storage.format_error import FormatError
 from .refusals import RefusalError
 
 
-def load_document(path: str) -> Document:
-    """Return the document at `path`, or refuse it with its name."""
+def load_document(path: str) -> Decoded:
+    """Return the document at `path`, and what is left out of it, or refuse it with its name."""
     try:
-        return load(path)
+        return load_counting(path)
     except FormatError as problem:
         raise RefusalError(f"“{path}” cannot be read: {problem}") from None

@@ -99,13 +99,15 @@ def format_to_read(path: str | os.PathLike[str]) -> Format:
 
 def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, report: Report) -> Imported:
     if form.kind is ContentKind.DOCUMENT or is_document(data):
-        return exchange.cubics_in.Imported(document_in(data, path))
+        found = document_in(data, path)
+        remarks = (found.left_out.sentence(path.name),) if found.left_out else ()
+        return exchange.cubics_in.Imported(found.document, remarks=remarks)
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
-        found = exchange.child.limited(form.read, data, options.tolerance, report=report)
-        if not has_contents(found.document.curves):
-            return found
-        document = exchange.linked.with_files(found.document, path.parent)
+        drawing = exchange.child.limited(form.read, data, options.tolerance, report=report)
+        if not has_contents(drawing.document.curves):
+            return drawing
+        document = exchange.linked.with_files(drawing.document, path.parent)
         missing = exchange.linked.words_about_missing(document)
-        return replace(found, document=document, remarks=(*found.remarks, *missing))
+        return replace(drawing, document=document, remarks=(*drawing.remarks, *missing))
     return table.read.read_table(path, ending_in(path, form), data, options, report)

@@ -4,7 +4,6 @@
   ``validation``: what goes beyond types; ``format_error``: refusals, in words.
   ``image_path``: where the file of a picture lies.  ``gimp_palette``: palettes of other programs.
 - ``migration``: older versions of the format, step by step.
-  ``kept_before``: texts and pictures of files of before.
   ``repeated_keys``: what typed decoding passes over.  ``setting_check``: settings of families.
   ``field_check``: what each field may hold.  ``unread``: files of other programs that are none.
 - ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read

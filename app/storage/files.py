@@ -21,7 +21,7 @@ import msgspec
 from .. import storage
 from ..document.model import Document
 from .file_access import keep_access
-from .format import VERSION, decode, encode, version_of
+from .format import VERSION, Decoded, decode_counting, encode, version_of
 from .image_path import relative_to, resolved
 from .reasons import quoted, reason_of, why_unreadable, why_unwritable
 from .system_lock import folder_lock
@@ -91,12 +91,18 @@ def load(path: str | os.PathLike[str]) -> Document:
     FormatError
         If it holds no valid document.
     """
+    return load_counting(path).document
+
+
+def load_counting(path: str | os.PathLike[str]) -> Decoded:
+    """Return what `load` does, and what of a file of an older version is left out."""
     return document_in(read(path), path)
 
 
-def document_in(data: bytes, path: str | os.PathLike[str]) -> Document:
-    """Return the document in `data`, the content of the file at `path`; see `load`."""
-    return resolved(decode(data), folder_of(path))
+def document_in(data: bytes, path: str | os.PathLike[str]) -> Decoded:
+    """Return the document in `data`, the content of the file at `path`; see `load_counting`."""
+    found = decode_counting(data)
+    return Decoded(resolved(found.document, folder_of(path)), found.left_out)
 
 
 def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None = None) -> Stamp:

@@ -1,6 +1,6 @@
 """The document's file format: bytes to values and back, strictly.
 
-A file is UTF-8 JSON, ``{"format": "curvebench", "version": 2, "curves": [...]}``. What `decode` accepts,
+A file is UTF-8 JSON, ``{"format": "curvebench", "version": 3, "curves": [...]}``. What `decode` accepts,
 `encode` writes back with every float equal bit for bit; what it does not accept, it refuses with the
 place in the file and the requirement. `validate` states the requirements that go beyond types.
 """
@@ -21,8 +21,7 @@ from ..document.style import PLAIN_STYLE
 from ..document.value import Value
 from .coding import from_plain, to_plain
 from .format_error import FormatError, in_words, line_and_column, not_json, quoted
-from .kept_before import KeptPicture, KeptText, with_kept
-from .migration import can_migrate, migrated
+from .migration import NOTHING, LeftOut, can_migrate, migrated
 from .repeated_keys import repeated_key
 from .setting_check import settings_problem, without_default_settings
 from .unread import clause_about
@@ -31,7 +30,7 @@ from .validation import validate
 Values = TypeVar("Values", bound=Value)
 
 FORMAT = "curvebench"
-VERSION = 2
+VERSION = 3
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _POINTS_AT_ONCE = 10_000
@@ -49,18 +48,19 @@ class _File(Document, frozen=True, kw_only=True):
     """A whole file of this version."""
 
     format: Literal["curvebench"]
-    version: Literal[2]
-    kept_texts: tuple[KeptText, ...] = ()
-    kept_pictures: tuple[KeptPicture, ...] = ()
+    version: Literal[3]
 
     @property
     def document(self) -> Document:
         """The document in it."""
-        found = Document(**{name: getattr(self, name) for name in Document.__struct_fields__})
-        if not (self.kept_texts or self.kept_pictures):
-            return found
-        curves = with_kept(found.curves, self.kept_texts, self.kept_pictures)
-        return tidy_shapes(replace(found, curves=curves))
+        return Document(**{name: getattr(self, name) for name in Document.__struct_fields__})
+
+
+class Decoded(msgspec.Struct, frozen=True):
+    """A document, and what its file of an older version held besides."""
+
+    document: Document
+    left_out: LeftOut = NOTHING
 
 
 @cache
@@ -167,12 +167,20 @@ def decode(data: bytes) -> Document:
     FormatError
         With the place and the requirement, for anything that is not a valid document of this version.
     """
+    return decode_counting(data).document
+
+
+def decode_counting(data: bytes) -> Decoded:
+    """Return what `decode` does, and what of a file of an older version is left out."""
     _refuse_other_text(data)
     try:
         header = _HEADER_DECODER.decode(data)
         _check_header(header)
-        is_of_today = header.version == VERSION
-        file = _file_decoder().decode(data) if is_of_today else _raised(data, header.version)
+        left_out = NOTHING
+        if header.version == VERSION:
+            file = _file_decoder().decode(data)
+        else:
+            file, left_out = _raised(data, header.version)
     except msgspec.ValidationError as problem:
         raise FormatError(in_words(str(problem))) from None
     except msgspec.DecodeError as problem:
@@ -180,11 +188,11 @@ def decode(data: bytes) -> Document:
     except RecursionError:
         raise FormatError("it is not a Curvebench document; it is nested too deeply") from None
     _refuse_repeated_keys(data, file.curves if header.version == VERSION else ())
-    document = file.document
+    document = tidy_shapes(file.document) if left_out else file.document
     validate(document)
     if any(curve.settings or curve.other_settings for curve in document.curves):
         document = replace(document, curves=tuple(map(_with_settings_checked, count(), document.curves)))
-    return document
+    return Decoded(document, left_out)
 
 
 def _with_settings_checked(index: int, curve: Curve) -> Curve:
@@ -203,16 +211,17 @@ def version_of(data: bytes) -> int | None:
     return header.version if header.format == FORMAT else None
 
 
-def _raised(data: bytes, version: int) -> _File:
-    """Return the content of a file of an older version as one of this."""
+def _raised(data: bytes, version: int) -> tuple[_File, LeftOut]:
+    """Return the content of a file of an older version as one of this, and what is left out of it."""
+    values = msgspec.json.decode(data)
     try:
-        values = migrated(msgspec.json.decode(data), version, VERSION)
+        found = migrated(values, version, VERSION)
     except (LookupError, TypeError, ValueError, AttributeError) as problem:
         # A migration takes a file for what it claims to be.
         raise FormatError(
             f"it claims version {version}, but does not hold what that version has"
         ) from problem
-    return msgspec.convert(values, _File, dec_hook=from_plain)
+    return msgspec.convert(found.values, _File, dec_hook=from_plain), found.left_out
 
 
 def _refuse_other_text(data: bytes) -> None:

@@ -1,30 +1,135 @@
 """Older versions of the file format, turned into the present one step by step.
 
 Whoever raises the version adds here how a file of the version before becomes one of the next; nothing else
-has to know about old files.
+has to know about old files. Fields that version 3 does not have are dropped, and counted: see `DROPPED`.
+
+To drop a field of the document, a curve, a style or a guide: remove it there, and add a row to `DROPPED`.
+To drop whole curves by what their form was: add that kind of form, and a noun for it, to `DROPPED_FORMS`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from enum import Enum, auto
+from typing import Any, Final
 
-Migration = Callable[[dict[str, Any]], dict[str, Any]]
+import msgspec
+
+from ..document.words import enumerated
+
+Values = dict[str, Any]
+"""The plain values of an object in a file."""
+
+Migration = Callable[[Values], Values]
 """Turns the plain values of a file of one version into those of the next."""
 
 
-def _with_styles(values: dict[str, Any]) -> dict[str, Any]:
+class LeftOut(msgspec.Struct, frozen=True):
+    """What a file of an older version held and a document does not: how many of each kind.
+
+    Attributes
+    ----------
+    counts
+        How many there were, by the noun for one.
+    words
+        The same as "2 texts" and the like.
+    """
+
+    counts: Mapping[str, int] = {}
+    words: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.words)
+
+    @property
+    def is_one(self) -> bool:
+        """Whether it is a single thing."""
+        return sum(self.counts.values()) == 1
+
+    def sentence(self, name: str) -> str:
+        """Return what to say of a file that holds more than the document."""
+        verb = "was" if self.is_one else "were"
+        return f"“{name}” was made with a version that had more: {enumerated(self.words)} {verb} left out."
+
+
+NOTHING: Final = LeftOut()
+
+
+class Place(Enum):
+    """The objects of a file from which fields are dropped."""
+
+    DOCUMENT = auto()
+    CURVE = auto()
+    STYLE = auto()
+    GUIDE = auto()
+
+
+def _is_there(value: object) -> bool:
+    return bool(value)
+
+
+class Dropped(msgspec.Struct, frozen=True):
+    """A field that older versions had.
+
+    Attributes
+    ----------
+    place, field
+        The object that has it, and its name.
+    noun, plural
+        What one and several are called where they are counted, by default the noun with an s; an empty noun
+        where dropping it is no loss. A list is counted as its items.
+    is_loss
+        Whether a value, or an item, counts; by default all that are not empty, zero or false. Several rows
+        may count what one field holds by different nouns.
+    is_shared
+        Whether equal values count once, such as one of a group that each of its curves holds.
+    mend
+        Changes the object in place of the field, given its value.
+    """
+
+    place: Place
+    field: str
+    noun: str = ""
+    plural: str = ""
+    is_loss: Callable[[Any], bool] = _is_there
+    is_shared: bool = False
+    mend: Callable[[Values, Any], object] | None = None
+
+
+def _begins_text(line: object) -> bool:
+    return not (isinstance(line, dict) and line.get("follows"))
+
+
+DROPPED: list[Dropped] = [
+    Dropped(Place.DOCUMENT, "kept_texts", "text", is_loss=_begins_text),
+    Dropped(Place.DOCUMENT, "kept_pictures", "picture", is_loss=lambda _picture: True),
+]
+"""The fields of version 2 that version 3 does not have."""
+
+DROPPED_FORMS: dict[str, str] = {}
+"""Nouns of the curves of version 2 that go whole, by the kind of their form."""
+
+_NEW_CURVE: Final[Values] = {
+    "name": "Curve 1",
+    "family": "lagrange",
+    "parametrization": {"kind": "chord_length"},
+    "points": [],
+}
+
+
+def _with_styles(values: Values) -> Values:
     """Return a file of version 1 as one of version 2: the colour of a curve is that of its stroke."""
     return {**values, "curves": [_with_style(curve) for curve in values["curves"]]}
 
 
-def _with_style(curve: dict[str, Any]) -> dict[str, Any]:
+def _with_style(curve: Values) -> Values:
     rest = {key: value for key, value in curve.items() if key != "colour"}
     return {**rest, "style": {"stroke": curve["colour"]}} if "colour" in curve else rest
 
 
-MIGRATIONS: dict[int, Migration] = {1: _with_styles}
-"""By the version that a migration starts from."""
+MIGRATIONS: dict[int, Migration] = {1: _with_styles, 2: lambda values: values}
+"""By the version that a migration starts from; what `DROPPED` names is left out after all of them."""
 
 
 def can_migrate(version: int, to: int) -> bool:
@@ -32,8 +137,74 @@ def can_migrate(version: int, to: int) -> bool:
     return version < to and all(step in MIGRATIONS for step in range(version, to))
 
 
-def migrated(values: dict[str, Any], version: int, to: int) -> dict[str, Any]:
+class Migrated(msgspec.Struct, frozen=True):
+    """The values of a file in the present version, and what they had more before."""
+
+    values: Values
+    left_out: LeftOut
+
+
+def migrated(values: Values, version: int, to: int) -> Migrated:
     """Return the values of a file of `version` as they stand in a file of the version `to`."""
     for step in range(version, to):
         values = {**MIGRATIONS[step](values), "version": step + 1}
-    return values
+    return _reduced(values)
+
+
+def _reduced(values: Values) -> Migrated:
+    """Return values without what is dropped; those that are none of a file stay for the decoder to refuse."""
+    counts = Counter[str]()
+    if isinstance(values.get("curves"), list):
+        values = {**values, "curves": _curves_that_stay(values["curves"], counts)}
+    fields: dict[tuple[Place, str], list[Dropped]] = {}
+    for row in DROPPED:
+        fields.setdefault((row.place, row.field), []).append(row)
+    for (place, field), rows in fields.items():
+        holders = [each for each in _objects(values, place) if field in each]
+        for row in rows:
+            if row.noun:
+                counts[row.noun] += _count(row, [each[field] for each in holders])
+        for holder in holders:
+            value = holder.pop(field)
+            for mend in (row.mend for row in rows if row.mend is not None):
+                mend(holder, value)
+    plurals = {row.noun: row.plural for row in DROPPED if row.plural}
+    found = {noun: count for noun, count in counts.items() if count}
+    words = tuple(
+        f"{count} {noun if count == 1 else plurals.get(noun, noun + 's')}" for noun, count in found.items()
+    )
+    return Migrated(values, LeftOut(found, words))
+
+
+def _curves_that_stay(curves: list[Any], counts: Counter[str]) -> list[Any]:
+    stay = []
+    for curve in curves:
+        form = curve.get("form") if isinstance(curve, dict) else None
+        noun = DROPPED_FORMS.get(str(form.get("kind"))) if isinstance(form, dict) else None
+        if noun is None:
+            stay.append(curve)
+        else:
+            counts[noun] += 1
+    return stay if stay or not curves else [_NEW_CURVE]
+
+
+def _objects(values: Values, place: Place) -> Iterator[Values]:
+    if place is Place.DOCUMENT:
+        yield values
+        return
+    for each in _dicts(values.get("guides" if place is Place.GUIDE else "curves")):
+        if place is not Place.STYLE:
+            yield each
+        elif isinstance(each.get("style"), dict):
+            yield each["style"]
+
+
+def _dicts(values: object) -> Iterator[Values]:
+    if isinstance(values, list):
+        yield from (each for each in values if isinstance(each, dict))
+
+
+def _count(row: Dropped, values: list[Any]) -> int:
+    items = [item for value in values for item in (value if isinstance(value, list) else [value])]
+    lost = [item for item in items if row.is_loss(item)]
+    return len({msgspec.json.encode(item) for item in lost}) if row.is_shared else len(lost)

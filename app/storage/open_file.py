@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import os
+from contextlib import suppress
 from enum import Enum
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from .files import MissingError, Stamp, StorageError, UnconfirmedError
 from .format import VERSION, version_of
 from .format_error import FormatError
 from .lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
+from .migration import NOTHING, LeftOut
 from .temporary import remove_stale
 
 _log = logging.getLogger("curvebench.storage")
@@ -59,17 +61,27 @@ class Opened(msgspec.Struct, frozen=True):
 
 
 class Reading(msgspec.Struct, frozen=True):
-    """Document read from a file, with plain values alone, and the stamp of the file then."""
+    """Document read from a file, with plain values alone, and the stamp of the file then.
+
+    Attributes
+    ----------
+    version
+        The version of the format that the file is in.
+    left_out
+        What it holds besides where that is an older one.
+    """
 
     document: Document
     stamp: Stamp
     version: int
+    left_out: LeftOut
 
     @classmethod
     def of(cls, path: Path) -> Reading:
         """Read the file at `path`; see `files.load` for what may be wrong."""
         content = files.read_content(path)
-        return cls(plain(files.document_in(content.data, path)), content.stamp, _version(content.data))
+        found = files.document_in(content.data, path)
+        return cls(plain(found.document), content.stamp, _version(content.data), found.left_out)
 
 
 class OpenFile:
@@ -82,7 +94,9 @@ class OpenFile:
     stamp
         What it was when it was last read, written or accepted; None where it was not there.
     version
-        The version of the format it was in when it was opened.
+        The version of the format that it is in, as far as is known.
+    left_out
+        What it holds besides the document where that is an older one.
     owner
         Who else has it open, so that it is not saved from here; None where it is ours.
     lock_problem
@@ -91,8 +105,15 @@ class OpenFile:
         What it holds, as far as the window has taken note of it.
     """
 
-    def __init__(self, path: Path, stamp: Stamp | None, result: LockResult, version: int = VERSION) -> None:
-        self.path, self.stamp, self.version = path, stamp, version
+    def __init__(
+        self,
+        path: Path,
+        stamp: Stamp | None,
+        result: LockResult,
+        version: int = VERSION,
+        left_out: LeftOut = NOTHING,
+    ) -> None:
+        self.path, self.stamp, self.version, self.left_out = path, stamp, version, left_out
         self.change = FileChange.SAME
         self._lock: ProcessLock | None = None
         self._seen: tuple[Stamp, FileChange, Document | None] | None = None
@@ -116,7 +137,7 @@ class OpenFile:
         remove_stale(_target(path).parent)
         _log.info("opened a document, version %d, %s", found.version, _counts(found.document))
         _log.info("its lock is %s", str(result))
-        return Opened(found.document, cls(path, found.stamp, result, found.version))
+        return Opened(found.document, cls(path, found.stamp, result, found.version, found.left_out))
 
     @classmethod
     def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:
@@ -124,11 +145,13 @@ class OpenFile:
 
         What it holds now counts as seen. `previous` is as with `open`.
         """
-        try:
-            stamp = files.read_content(path).stamp
-        except StorageError:
-            stamp = None
-        return cls(path, stamp, _lock_for(path, previous))
+        stamp, version, left_out = None, VERSION, NOTHING
+        with suppress(StorageError, FormatError):
+            content = files.read_content(path)
+            stamp, version = content.stamp, _version(content.data)
+            if version < VERSION:
+                left_out = files.document_in(content.data, path).left_out
+        return cls(path, stamp, _lock_for(path, previous), version, left_out)
 
     @classmethod
     def saved(
@@ -167,7 +190,7 @@ class OpenFile:
         except UnconfirmedError as problem:
             self.stamp, self.change = problem.stamp, FileChange.SAME
             raise
-        self.version, self.change = VERSION, FileChange.SAME
+        self.version, self.left_out, self.change = VERSION, NOTHING, FileChange.SAME
         _log.info("saved a document: %s", _counts(document))
         remove_stale(_target(self.path).parent)
 
@@ -249,7 +272,7 @@ class OpenFile:
             return FileChange.SAME
         document = None
         try:
-            document = files.document_in(content.data, self.path)
+            document = files.document_in(content.data, self.path).document
         except FormatError:
             change = FileChange.UNREADABLE
         else:
@@ -280,10 +303,10 @@ class OpenFile:
     def read_again(self) -> Document:
         """Return the document that the file holds now, and take it as seen; see `files.load`."""
         content = files.read_content(self.path)
-        document = files.document_in(content.data, self.path)
+        found = files.document_in(content.data, self.path)
         self.stamp, self._seen, self.change = content.stamp, None, FileChange.SAME
-        self.version = _version(content.data)
-        return document
+        self.version, self.left_out = _version(content.data), found.left_out
+        return found.document
 
 
 def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:

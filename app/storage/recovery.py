@@ -19,9 +19,10 @@ import msgspec
 from .. import storage
 from ..document.model import Document
 from .files import Stamp, StorageError, load, read, read_content, write
-from .format import decode, encode
+from .format import decode_counting, encode
 from .format_error import FormatError
 from .lock import ProcessLock, acquire
+from .migration import LeftOut
 from .reasons import shown
 from .temporary import remove_stale
 
@@ -105,12 +106,15 @@ class Snapshot(msgspec.Struct, frozen=True):
         When, in seconds since 1970.
     file
         The file of the snapshot itself.
+    left_out
+        What it holds besides where an older version of the program has written it.
     """
 
     document: Document
     origin: Origin
     written: float
     file: Path
+    left_out: LeftOut
     _lock: ProcessLock
 
     def discard(self) -> None:
@@ -266,11 +270,14 @@ def _load(file: Path, lock: ProcessLock) -> Snapshot:
         _path_of(record.foreign),
         record.missed,
     )
-    return Snapshot(decode(text), origin, record.written, file, lock)
+    found = decode_counting(text)
+    return Snapshot(found.document, origin, record.written, file, found.left_out, lock)
 
 
 def _is_saved(snapshot: Snapshot) -> bool:
     """Whether the file holds the work after all: the process ended between saving and tidying up."""
+    if snapshot.left_out:
+        return False
     try:
         return snapshot.origin.path is not None and load(snapshot.origin.path) == snapshot.document
     except (FormatError, StorageError):

@@ -96,7 +96,7 @@ JSON: dict[str, Callable[[], bytes]] = {
     "a_list": lambda: b"[" + GOOD + b"]",
     "another_format": lambda: GOOD.replace(b"curvebench", b"benchcurve"),
     "version_0": lambda: document(version="0"),
-    "version_newer": lambda: document(version="3"),
+    "version_newer": lambda: document(version="9"),
     "version_text": lambda: document(version='"1"'),
     "no_curves": lambda: document(curves=""),
     "one_point": lambda: document(points='{"x": 0.0, "y": 0.0}'),

@@ -194,43 +194,6 @@ def test_a_frame_that_is_none_is_refused_in_a_file():
         decode(data.replace(b'"closed": true', b'"closed": false'))
 
 
-def test_files_of_before_have_them_among_their_curves():
-    """They were kept beside the curves: in front of all or behind."""
-    curve = '{"name": "%s", "family": "hermite", "parametrization": {"kind": "chord_length"}, "points": [%s]'
-    points = ", ".join(f'{{"x": {x}.0, "y": 1.0}}' for x in (1, 2))
-    text = (
-        '{"x": 10.0, "y": -20.0, "across": [2.0, 0.0], "down": [0.0, -2.0], %s "runs": [%s], "groups": [%s]}'
-    )
-    run = '{"words": "%s", "size": 5.0, "fill": "#ff0000"}'
-    data = (
-        '{"format": "curvebench", "version": 2, "curves": ['
-        + ", ".join(
-            curve % (name, points) + f', "groups": [{groups}]}}' for name, groups in (("a", '"g"'), ("b", ""))
-        )
-        + '], "kept_texts": ['
-        + ", ".join(
-            [
-                text % ('"locked": true,', run % "one", '"g"'),
-                (text % ('"follows": true,', run % "two", '"g"')).replace("-20.0", "-30.0"),
-                text % ('"behind": true,', run % "three", ""),
-            ]
-        )
-        + '], "kept_pictures": [{"x": 1.0, "y": 2.0, "across": [4.0, 0.0], '
-        + '"down": [0.0, -3.0], "opacity": 0.5}]}'
-    )
-    document = decode(data.encode())
-    assert [each.name for each in document.curves] == ["three", "a", "one two", "b", "Picture"]
-    assert [each.locked for each in document.curves] == [False, False, True, False, False]
-    assert [each.groups for each in document.curves] == [(), ("g",), ("g",), (), ()]
-    one, picture = document.curves[2], document.curves[4]
-    assert (one.style.fill, one.form.lines[0].runs[0].paint) == ("#ff0000", None)
-    assert [(each.x, each.y) for each in one.form.lines] == [(0.0, 0.0), (0.0, 5.0)]
-    assert plane_of(one.form, corners_of(one)).place(0.0, 5.0) == pytest.approx((10.0, -30.0))
-    assert corners_of(picture) == [(1.0, 2.0), (5.0, 2.0), (5.0, -1.0), (1.0, -1.0)]
-    assert picture.style.opacity == 0.5
-    assert decode(encode(document)) == document
-
-
 # As others show them
 
 

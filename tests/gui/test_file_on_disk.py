@@ -756,7 +756,7 @@ def test_a_failed_save_does_not_hide_another_ones_change(saved, path, monkeypatc
 
 def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     document = edit(saved)
-    newer = encode(THEIRS).replace(b'"version": 2', b'"version": 3')
+    newer = encode(THEIRS).replace(b'"version": 3', b'"version": 4')
     path.write_bytes(newer)
     saved.trigger("saveDocument")
     saved.file_bar.answer("overwriteFile")
@@ -775,7 +775,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
 
 def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
     monkeypatch.setitem(MIGRATIONS, 0, lambda values: values)
-    old = encode(THEIRS).replace(b'"version": 2', b'"version": 0')
+    old = encode(THEIRS).replace(b'"version": 3', b'"version": 0')
     path.write_bytes(old)
     editor.window.open_file(path)
     assert editor.session.document == THEIRS
@@ -788,6 +788,24 @@ def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
     assert path.with_name("drawing.curve.json.v0.bak").read_bytes() == old
     editor.trigger("saveDocument")
     assert editor.status == "Saved drawing.curve.json."
+
+
+def test_what_is_left_out_of_an_older_version_is_told_before_it_is_saved(editor, path):
+    curves = encode(THEIRS).replace(b'"version": 3', b'"version": 2')
+    old = curves.replace(b'"curves"', b'"kept_texts": [{}, {}], "kept_pictures": [{}], "curves"')
+    path.write_bytes(old)
+    editor.window.open_file(path)
+    assert editor.session.document == THEIRS
+    assert editor.file_bar.text == (
+        "“drawing.curve.json” was made with a version that had more: 2 texts and 1 picture were left out. "
+        "Save writes the file without them, and keeps the old one beside it."
+    )
+    edit(editor)
+    assert path.read_bytes() == old
+    editor.trigger("saveDocument")
+    assert editor.file_bar.text == ""
+    assert path.with_name("drawing.curve.json.v2.bak").read_bytes() == old
+    assert load(path) == editor.session.document
 
 
 # The line itself

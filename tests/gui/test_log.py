@@ -90,7 +90,7 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
     save(folder / "heirloom.curve.json", telling(9.0))
     editor.trigger("saveDocument")  # changed on the disk
     (folder / "broken heirloom.curve.json").write_text(
-        '{"format": "curvebench", "version": 2, "letters": 71.25}'
+        '{"format": "curvebench", "version": 3, "letters": 71.25}'
     )
     for name in ("broken heirloom.curve.json", "missing heirloom.curve.json"):
         window.open_file(folder / name)

@@ -19,7 +19,7 @@ def main(path: Path, signal: Path, rounds: int) -> None:
     saved = 0
     for _ in range(rounds):
         content = read_content(path)
-        document = document_in(content.data, path)
+        document = document_in(content.data, path).document
         number = document.curves[0].points[0].x
         # Long enough that a half written file would show.
         points = [(number + 1.0, 0.0)] + [(float(index), 1.0) for index in range(200)]

@@ -95,7 +95,7 @@ if __name__ == "__main__":
     gc.disable()
     gc.freeze()
     MIGRATIONS[0] = lambda values: values
-    older = encode(OLD).replace(b'"version": 2', b'"version": 0')
+    older = encode(OLD).replace(b'"version": 3', b'"version": 0')
     results = {
         "present": run(target, encode(OLD), while_opening=True),
         "older": run(target, older, while_opening=False),

@@ -63,7 +63,7 @@ def test_an_invalid_document_is_not_written(target):
 
 
 def test_load_names_the_place_in_a_bad_file(target):
-    target.write_bytes(b'{"format": "curvebench", "version": 2, "curves": []}')
+    target.write_bytes(b'{"format": "curvebench", "version": 3, "curves": []}')
     with pytest.raises(FormatError, match="curves must hold at least one curve"):
         load(target)
 

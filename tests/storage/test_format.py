@@ -122,7 +122,7 @@ def test_file_reads_well():
     assert encode(Document((curve,))).decode() == (
         "{\n"
         '  "format": "curvebench",\n'
-        '  "version": 2,\n'
+        '  "version": 3,\n'
         '  "curves": [\n'
         "    {\n"
         '      "name": "Größe ‖c′‖",\n'
@@ -187,7 +187,7 @@ def good():
     points = [{"x": float(i), "y": 0.0, "t": i / 4} for i in range(4)]
     rule = {"kind": "manual", "alpha": 0.5, "start": 0.0, "end": 1.0}
     curve = {"name": "a", "family": "hermite", "parametrization": rule, "points": points}
-    return {"format": "curvebench", "version": 2, "curves": [curve]}
+    return {"format": "curvebench", "version": 3, "curves": [curve]}
 
 
 def spoiled(path, value):
@@ -215,10 +215,10 @@ REFUSED_VALUES = [
     (
         ("version",),
         7,
-        "it was written by a newer version of Curvebench (format version 7; this program reads 2)",
+        "it was written by a newer version of Curvebench (format version 7; this program reads 3)",
     ),
-    (("version",), 0, "version must be 2, not 0"),
-    (("version",), 10**400, "version must be 2, not a number of many digits"),
+    (("version",), 0, "version must be 3, not 0"),
+    (("version",), 10**400, "version must be 3, not a number of many digits"),
     (("version",), True, "version must be a whole number, not true or false"),
     (("version",), "1", "version must be a whole number, not text"),
     (("curves",), ..., "curves is missing"),
@@ -329,7 +329,7 @@ REFUSED_TEXTS = [
     (b'{"format":\n "\xc3\xa4\xff"}', "it is not UTF-8 text; line 2, column 4"),
     (b'{\n  "format": xx\n}', "it is not JSON; line 2, column 13: invalid character"),
     (b"[]", "the file must be an object {…}, not a list"),
-    (b'{"format": "curvebench", "version": 2, "curves": [', "it is not JSON; the file ends too early"),
+    (b'{"format": "curvebench", "version": 3, "curves": [', "it is not JSON; the file ends too early"),
     (json.dumps(good()).encode() + b"\x00", "it is not JSON; line 1, column "),
     (json.dumps(good()).encode() + b"{}", "it is not JSON; line 1, column "),
     (with_number("NaN"), "it is not JSON; line 1, column "),
@@ -346,7 +346,7 @@ REFUSED_TEXTS = [
     ),
     (b'{"q": ' + b"[" * 10**5, "it is not a Curvebench document; it is nested too deeply"),
     (
-        json.dumps(good()).replace('"version": 2', '"version": 2, "version": 2').encode(),
+        json.dumps(good()).replace('"version": 3', '"version": 3, "version": 3').encode(),
         "version appears twice; each key may appear only once",
     ),
 ]

@@ -1,4 +1,4 @@
-"""Style, shapes, groups, unit, grid and guides in files of version 2, and how version 1 is read."""
+"""Style, shapes, groups, unit, grid and guides in files, and how version 1 is read."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def test_a_colour_of_version_1_is_that_of_the_stroke():
     ]
     found = decode(json.dumps({"format": "curvebench", "version": 1, "curves": curves}).encode())
     assert [curve.style for curve in found.curves] == [Style(stroke="#0072b2"), Style()]
-    assert json.loads(encode(found))["version"] == 2
+    assert json.loads(encode(found))["version"] == 3
 
 
 @pytest.mark.parametrize(

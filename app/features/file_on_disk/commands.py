@@ -18,7 +18,7 @@ from ...view_model.curve.curve_view import view_of
 from ...workbench.context import WindowContext
 from ...workbench.disk_watch import DiskWatch
 from ...workbench.notice_bar import NoticeBar
-from .notices import Notice, Ownership, about_content, about_lock, about_refusal
+from .notices import Notice, Ownership, about_content, about_left_out, about_lock, about_refusal
 
 _RECHECK_MS = 100
 _MOST_CHECKS = 5
@@ -90,7 +90,7 @@ class DiskCommands(QObject):
         file = self._session.files.file
         if file is None:
             return
-        if file.is_older:
+        if file.is_older and not file.left_out:
             self._context.status_line.say(
                 f"{file.path.name} is of an older version; the first save keeps the old file beside it."
             )
@@ -187,6 +187,7 @@ class DiskCommands(QObject):
             content = about_content(name, self._change, modified=self._session.files.has_changes, owner=owner)
             is_urgent = self._standing in (Ownership.ASKED, Ownership.FREED, Ownership.TAKEN_AWAY)
             found += [lock, content] if is_urgent else [content, lock]
+            found.append(about_left_out(name, file.left_out))
         return [each for each in found if each is not None]
 
     def _show_notice(self, notice: Notice) -> None:

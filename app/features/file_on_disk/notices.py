@@ -9,6 +9,7 @@ import msgspec
 
 from ...storage.files import ChangedOnDiskError, StorageError
 from ...storage.lock import Owner
+from ...storage.migration import LeftOut
 from ...storage.open_file import FileChange, LockedError
 
 
@@ -66,6 +67,15 @@ def about_lock(name: str, standing: Ownership, owner: Owner | None) -> Notice | 
     old = f" Perhaps {_who(owner, first=False)} forgot it." if owner.may_have_forgotten else ""
     text = f"{who} {have} this open{_where(owner)}, since {_moment(owner.since)}; opened read-only.{old}"
     return Notice(text, ("takeOver", "saveDocumentAs"), warns=False)
+
+
+def about_left_out(name: str, left_out: LeftOut) -> Notice | None:
+    """Return what there is to say when the file `name` of an older version holds more than the document."""
+    if not left_out:
+        return None
+    them = "it" if left_out.is_one else "them"
+    text = f"{left_out.sentence(name)} Save writes the file without {them}, and keeps the old one beside it."
+    return Notice(text, ("saveDocumentAs",))
 
 
 def about_refusal(name: str, sentence: str, problem: StorageError, *, own: bool) -> Notice:

@@ -101,7 +101,10 @@ class RecoveryCommands:
             snapshot.discard()
         else:
             snapshot.leave()  # rather offered twice than lost
-        session.say(recovery.offers.told_after(origin, is_unchanged=path is not None))
+        told = recovery.offers.told_after(origin, is_unchanged=path is not None)
+        if snapshot.left_out:
+            told = f"{told} {snapshot.left_out.sentence('It')}"
+        session.say(told)
 
     def _discard(self, index: int) -> None:
         self._take(index).discard()

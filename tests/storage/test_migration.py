@@ -1,0 +1,194 @@
+"""What files of older versions hold besides: it is dropped, counted and told."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from app.cli import main
+from app.document.model import Document, make_curve
+from app.storage import migration
+from app.storage.files import load
+from app.storage.format import decode, decode_counting, encode
+from app.storage.format_error import FormatError
+from app.storage.migration import Dropped, LeftOut, Place
+from app.storage.open_file import OpenFile
+from app.storage.recovery import Origin, SnapshotFile, list_snapshots
+
+KEPT = {"kept_texts": [{"x": 1.0}, {"x": 2.0, "follows": True}, {"x": 3.0}], "kept_pictures": [{}]}
+"""Two texts, of which one has two lines, and a picture, as version 2 had them at first."""
+
+
+def curve(name="a", **more):
+    points = [{"x": 0.0, "y": 0.0}, {"x": 1.0, "y": 1.0}]
+    return {
+        "name": name,
+        "family": "lagrange",
+        "parametrization": {"kind": "uniform"},
+        "points": points,
+    } | more
+
+
+def older(*curves, **more):
+    """The content of a file of version 2."""
+    values = {"format": "curvebench", "version": 2, "curves": list(curves) or [curve()]}
+    return json.dumps(values | more).encode()
+
+
+@pytest.fixture
+def with_rows(monkeypatch):
+    """Rows and kinds of forms added to those that there are."""
+
+    def add(*rows, forms=()):
+        monkeypatch.setattr(migration, "DROPPED", [*migration.DROPPED, *rows])
+        monkeypatch.setattr(migration, "DROPPED_FORMS", migration.DROPPED_FORMS | dict(forms))
+
+    return add
+
+
+@pytest.fixture
+def path(tmp_path):
+    path = tmp_path / "logo.curve.json"
+    path.write_bytes(older(**KEPT))
+    return path
+
+
+def test_fields_of_the_document_are_dropped_and_counted():
+    found = decode_counting(older(**KEPT))
+    assert found.left_out == LeftOut({"text": 2, "picture": 1}, ("2 texts", "1 picture"))
+    assert decode(encode(found.document)) == found.document
+
+
+def test_nothing_is_said_of_a_file_that_holds_no_more():
+    assert not decode_counting(older()).left_out
+    assert not decode_counting(older(kept_texts=[], kept_pictures=[])).left_out
+    assert not decode_counting(encode(decode(older()))).left_out
+
+
+@pytest.mark.parametrize(
+    ("count", "words"),
+    [
+        (1, "“a.json” was made with a version that had more: 1 text was left out."),
+        (3, "“a.json” was made with a version that had more: 3 texts were left out."),
+    ],
+)
+def test_the_sentence(count, words):
+    assert decode_counting(older(kept_texts=[{}] * count)).left_out.sentence("a.json") == words
+
+
+def test_a_file_of_this_version_cannot_hold_more():
+    with pytest.raises(FormatError, match="kept_texts"):
+        decode(older(**KEPT).replace(b'"version": 2', b'"version": 3'))
+
+
+def test_fields_of_curves_styles_and_guides(with_rows):
+    with_rows(
+        Dropped(Place.CURVE, "glow", "glow"),
+        Dropped(Place.STYLE, "order", "paint order", is_loss=lambda value: value != "normal"),
+        Dropped(Place.STYLE, "masks", "mask", is_shared=True),
+        Dropped(Place.GUIDE, "colour"),
+        Dropped(Place.DOCUMENT, "boxes", "box", "boxes"),
+    )
+    found = decode_counting(
+        older(
+            curve("a", glow=2.0, style={"order": "normal", "masks": [{"x": 1}, {"x": 2}]}),
+            curve("b", glow=0.0, style={"order": "stroke", "masks": [{"x": 1}], "width": 2.0}),
+            guides=[{"axis": "x", "position": 1.0, "colour": "#ff0000"}],
+            boxes=[1, 2],
+        )
+    )
+    assert found.left_out.words == ("1 glow", "1 paint order", "2 masks", "2 boxes")
+    assert [each.style.width for each in found.document.curves] == [None, 2.0]
+    assert found.document.guides[0].position == 1.0
+
+
+def test_one_field_is_counted_by_several_nouns_and_mended(with_rows):
+    def fade(style, value):
+        style["fill_opacity"] = style.get("fill_opacity", 1.0) * value["opacity"]
+
+    with_rows(
+        Dropped(Place.STYLE, "paint", "pattern", is_loss=lambda value: value["kind"] == "pattern", mend=fade),
+        Dropped(Place.STYLE, "paint", "gradient", is_loss=lambda value: value["kind"] != "pattern"),
+    )
+    styles = [{"paint": {"kind": kind, "opacity": 0.5}} for kind in ("linear", "pattern", "radial")]
+    found = decode_counting(older(*(curve(str(at), style=style) for at, style in enumerate(styles))))
+    assert found.left_out.words == ("1 pattern", "2 gradients")
+    assert [each.style.fill_opacity for each in found.document.curves] == [0.5] * 3
+
+
+def test_curves_go_whole_by_the_kind_of_their_form(with_rows):
+    with_rows(forms={"note": "note"})
+    found = decode_counting(older(curve("a", form={"kind": "note"}), curve("b")))
+    assert found.left_out.words == ("1 note",)
+    assert [each.name for each in found.document.curves] == ["b"]
+    found = decode_counting(older(curve("a", form={"kind": "note"}), curve("b", form={"kind": "note"})))
+    assert found.left_out.words == ("2 notes",)
+    assert found.document == Document((make_curve(()),))
+
+
+@pytest.mark.parametrize(
+    ("values", "complaint"),
+    [
+        ({"curves": 7}, "curves must be a list"),
+        ({"curves": [7]}, r"curves\[0\] must be an object"),
+        ({"curves": [curve(style=7)]}, r"curves\[0\]\.style must be an object"),
+        ({"guides": 7}, "guides must be a list"),
+        ({"guides": [7]}, r"guides\[0\] must be an object"),
+    ],
+)
+def test_what_is_none_of_a_file_is_refused_with_its_place(values, complaint):
+    with pytest.raises(FormatError, match=complaint):
+        decode(older(**values))
+
+
+def test_an_open_file_knows_what_it_holds_until_it_is_saved(path):
+    opened = OpenFile.open(path)
+    assert opened.file.left_out.words == ("2 texts", "1 picture")
+    OpenFile.saved(path, opened.document, opened.file)
+    assert not opened.file.left_out
+    assert path.with_name("logo.curve.json.v2.bak").read_bytes() == older(**KEPT)
+    opened.file.close()
+
+
+def test_a_file_read_again_or_adopted_is_counted(path):
+    content = path.read_bytes()
+    path.write_bytes(encode(load(path)))
+    file = OpenFile.open(path).file
+    path.write_bytes(content)
+    file.read_again()
+    assert file.left_out
+    assert file.is_older
+    file.close()
+    file = OpenFile.adopt(path)
+    assert file.left_out
+    assert file.is_older
+    file.close()
+
+
+def test_a_snapshot_of_an_older_version_is_counted_and_kept(path, tmp_path, monkeypatch):
+    """It is not taken for saved, although all that is left of it stands in the file."""
+    snapshot = SnapshotFile(tmp_path / "state")
+    monkeypatch.setattr("app.storage.recovery.encode", lambda _document: older(**KEPT))
+    snapshot.write(load(path), Origin(path))
+    snapshot.leave()
+    (found,) = list_snapshots(tmp_path / "state").snapshots
+    assert found.left_out.words == ("2 texts", "1 picture")
+    found.discard()
+
+
+SENTENCE = "“logo.curve.json” was made with a version that had more: 2 texts and 1 picture were left out."
+
+
+def test_the_command_line_tells_it(path, tmp_path, capsys):
+    for words in (
+        ["info", str(path)],
+        ["render", str(path), "-o", str(tmp_path / "a.svg")],
+        ["convert", str(path), str(tmp_path / "b.svg")],
+    ):
+        assert main(words) == 0
+        assert capsys.readouterr().err == f"curvebench: {SENTENCE}\n"
+    assert main(["info", "--json", str(path)]) == 0
+    assert json.loads(capsys.readouterr().out)["left_out"] == {"text": 2, "picture": 1}
+    assert main(["convert", "--json", str(path), str(tmp_path / "c.svg")]) == 0
+    assert json.loads(capsys.readouterr().out)["remarks"] == [SENTENCE]
