@@ -41,14 +41,11 @@ class Canvas(ToolPlot):
         A press on a ruler draws a guide from now on.
     guide_opened
         A guide, by its place in the document, shall be given a place; or a new one, by its axis.
-    colour_picked
-        The "fill" or the "stroke" of what is chosen shall have a colour, "#rrggbb".
     """
 
     menu_requested = Signal(object, QPoint)
     guide_drawn = Signal()
     guide_opened = Signal(object)
-    colour_picked = Signal(str, str)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(tools, parent)

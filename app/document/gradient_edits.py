@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from .contents import with_shown_style
 from .gradient import Box, Gradient, GradientKind, Stop, Tile, filling, size_of
 from .model import Document, Vector
-from .patterns import PATTERNS, colouring, laid_across
+from .patterns import PATTERNS, laid_across
 from .shapes import shape_of
 from .style import GRADIENTS, INK, NO_PAINT, Style
 from .words import NamedEnum
@@ -126,23 +126,6 @@ def with_gradient(
 def with_stops(document: Document, curves: Collection[int], paint: str, stops: tuple[Stop, ...]) -> Document:
     """Give the gradients of curves other stops; where they lie stays."""
     return with_gradient(document, curves, paint, lambda gradient: replace(gradient, stops=stops))
-
-
-def with_colour(document: Document, curves: Collection[int], paint: str, stop: int, colour: str) -> Document:
-    """Paint curves in a colour: of a gradient a stop, the last one where there are not so many."""
-
-    def edit(_shape: range, style: Style) -> Style:
-        gradient = gradient_of(style, paint)
-        if gradient is None or colour == NO_PAINT:
-            return style.with_fields({paint: colour})
-        if gradient.tile is not None:
-            return style.with_gradient(paint, replace(gradient, stops=colouring(colour)))
-        stops = list(gradient.stops)
-        at = min(stop, len(stops) - 1)
-        stops[at] = replace(stops[at], colour=colour)
-        return style.with_gradient(paint, replace(gradient, stops=tuple(stops)))
-
-    return with_shape_styles(document, curves, edit)
 
 
 def with_tile(document: Document, curves: Collection[int], paint: str, tile: Tile, box_of: BoxOf) -> Document:

@@ -14,8 +14,6 @@ class Arrangement(msgspec.Struct, frozen=True):
         Whether the basis functions are shown.
     numbered
         Whether points have numbers, and colours that say which is which.
-    palette
-        Whether colours are offered below the canvas.
     docks
         Names of the docks at the right that are brought up, in that order, so that the last of a place is in
         front; None where they are as in a new window.
@@ -23,5 +21,4 @@ class Arrangement(msgspec.Struct, frozen=True):
 
     basis: bool = True
     numbered: bool = True
-    palette: bool = False
     docks: tuple[str, ...] | None = None

@@ -163,7 +163,7 @@ class Preferences:
     sketches = SavedArrangement("window/sketches", Arrangement())
     """What stands around the canvas in documents without a page, lessons among them."""
 
-    drawings = SavedArrangement("window/drawings", Arrangement(basis=False, numbered=False, palette=True))
+    drawings = SavedArrangement("window/drawings", Arrangement(basis=False, numbered=False))
     """What stands around it where there is a page to draw on."""
 
     plot_height = Height("window/plots")
@@ -189,12 +189,6 @@ class Preferences:
 
     recent_colours = SavedText("style/recent_colours")
     """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
-
-    palette_shown = SavedText("style/palette")
-    """The palette that is shown below the canvas, by its title; empty for the first."""
-
-    palette_files = SavedText("style/palette_files")
-    """Files of palettes that were imported, as a list in JSON."""
 
     new_page = SavedPage("document/new_page")
     """The page that a new document begins with."""

@@ -98,7 +98,7 @@ class WindowState(msgspec.Struct, frozen=True):
     grid: bool = True
     kind: DocumentKind = DocumentKind.SKETCH
     sketches: Arrangement = Arrangement()
-    drawings: Arrangement = Arrangement(basis=False, numbered=False, palette=True)
+    drawings: Arrangement = Arrangement(basis=False, numbered=False)
     side_panel: bool = True
     lessons: bool = False
     rulers: bool = True
@@ -151,16 +151,6 @@ class WindowState(msgspec.Struct, frozen=True):
     def numbered(self) -> bool:
         """Whether points have numbers, and colours that say which is which."""
         return self.arrangement.numbered
-
-    @property
-    def palette(self) -> bool:
-        """Whether colours are offered below the canvas."""
-        return self.arrangement.palette
-
-    @property
-    def shows_palette(self) -> bool:
-        """Whether they are now: not in a presentation."""
-        return self.palette and not self.presentation
 
     @property
     def shows_rulers(self) -> bool:

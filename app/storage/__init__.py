@@ -2,7 +2,7 @@
 
 - ``format``: documents to and from bytes, strictly; ``coding``: values that are no plain JSON values;
   ``validation``: what goes beyond types; ``format_error``: refusals, in words.
-  ``image_path``: where the file of a picture lies.  ``gimp_palette``: palettes of other programs.
+  ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.
   ``repeated_keys``: what typed decoding passes over.  ``setting_check``: settings of families.
   ``field_check``: what each field may hold.  ``unread``: files of other programs that are none.

@@ -4,7 +4,6 @@
 - ``pattern_commands``: objects as patterns, and back.
 - ``clipboard_commands``: Copy Style and Paste Style.
 - ``view_commands``: thin lines, and paper as it prints.
-- ``palette_commands``: the palettes, and their files.  ``palette_bar``: the strip below the canvas.
 - ``notes``: what the form says below its fields.  ``used_colours``: those that one may want again.
 - ``subject``: whose style is meant.  ``indicator``: that in the status line.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.

@@ -1,4 +1,3 @@
 # Modules that are imported when they are first used.
 from . import blur_gesture as blur_gesture
-from . import palette_bar as palette_bar
 from . import panel as panel

@@ -18,7 +18,6 @@ from ...document.gradient import Spread, Stop, Tile
 from ...document.gradient_edits import (
     PaintedStop,
     PaintKind,
-    with_colour,
     with_gradient,
     with_paint_kind,
     with_stops,
@@ -29,7 +28,7 @@ from ...document.model import Document, make_curve
 from ...document.paper import DocumentKind
 from ...document.several_curves import named
 from ...document.shapes import shape_of
-from ...document.style import GRADIENTS, NO_PAINT
+from ...document.style import GRADIENTS
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...session.next_style import Marked
@@ -45,7 +44,6 @@ from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .indicator import StyleIndicator
 from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
-from .palette_commands import PaletteCommands
 from .pattern_commands import PatternCommands
 from .subject import Shown, StyleSubject
 from .used_colours import UsedColours, UsedPatterns
@@ -79,7 +77,6 @@ class StyleCommands:
         context.session.stop_changed.connect(self._render)
         context.session.stop_changed.connect(context.central.canvas.show_marks)
         context.store.changed.connect(self._follow_tool)
-        context.central.canvas.colour_picked.connect(self._take_picked)
 
     @LatePanel("styleDock", "Style", UPPER, for_drawings=True)
     def build_panel(self, parent: QWidget) -> QWidget:
@@ -185,16 +182,6 @@ class StyleCommands:
         is_apart = next_style.marked is Marked.BROUGHT or next_style.is_own(self._session.document)
         if self._curves and is_apart:
             self._set_next(lambda document, curves: with_style(document, curves, **fields))
-
-    def _take_picked(self, paint: str, colour: str) -> None:
-        """Give what is chosen a colour of the drawing or of a palette; of a gradient, the chosen stop."""
-        if colour == NO_PAINT:
-            self._change({paint: colour})
-            return
-        stop = self._stops(self._curves)[paint]
-        self._colours.remember(colour)
-        self._edit([paint], lambda document, curves: with_colour(document, curves, paint, stop, colour))
-        self._note_set({paint: colour})
 
     def _choose_kind(self, paint: str, kind: PaintKind) -> None:
         if not self._curves and kind not in (PaintKind.NONE, PaintKind.FLAT):
@@ -354,5 +341,4 @@ COMMAND_SETS = (
     StyleClipboardCommands,
     PatternCommands,
     StyleViewCommands,
-    PaletteCommands,
 )

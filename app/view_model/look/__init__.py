@@ -1,5 +1,5 @@
 """The look of lines and marks, and the colours of papers, curves and points.
 
 - ``line_styles``: one vocabulary for figures, ghosts, plots and their legends.
-- ``palette``: colours of papers, of curves on them and of points.  ``palettes``: those to paint with.
+- ``palette``: colours of papers, of curves on them and of points.
 """
