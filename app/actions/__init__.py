@@ -5,7 +5,7 @@
 - ``strips``: where else they stand: toolbar, context menus, buttons.
 - ``needs``: what must be there before an action can be used, in words and as a predicate.
 - ``situation``: what actions are enabled, checked and named by.
-- ``keymap``: which keys do what.  ``key_sets``: those of other programs.
+- ``keymap``: which keys do what.
   ``mnemonics``: the letters of menus.  ``clipboard_watch``: the clipboard.
 - ``key_gate``: keys that can be refused while their buttons act.
 - ``qactions``: the QActions of a window, made from the declarations.

@@ -159,14 +159,6 @@ class Keymap(QObject):
                 _bind(self._bindings[owner].action, kept)
         _bind(self._bindings[name].action, keys)
 
-    def take_over(self, keys: Mapping[str, str]) -> None:
-        """Give actions keys that are written as `overrides` writes them; whoever had them loses them."""
-        for name, text in keys.items():
-            self._kept.pop(name, None)
-            given = QKeySequence.listFromString(text, QKeySequence.SequenceFormat.PortableText)
-            self._give(name, [key for key in given if not key.isEmpty()])
-        self.changed.emit()
-
     def reset(self, name: str) -> None:
         """Give an action the keys it came with, and take them from whoever has them."""
         self.assign(name, self.came_with(name))

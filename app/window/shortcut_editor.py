@@ -9,16 +9,13 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QKeySequenceEdit,
     QLineEdit,
-    QPushButton,
     QTableWidget,
     QTableWidgetItem,
     QWidget,
 )
 
-from ..actions.key_sets import KEY_SETS, KeySet
 from ..actions.keymap import Keymap, keys_text, native, refusal
 from ..appearance.theme import theme_of
-from ..document.words import count_of
 from ..qt.labels import Label
 from ..qt.overrides import Guarded
 from ..widgets.boxes import column_of, row_of
@@ -49,7 +46,6 @@ class ShortcutEditor(Guarded, QWidget):
         self.keep = push_button("keepKeys", "Leave Them", "Leave these keys where they are")
         self.clear = push_button("clearKeys", "No Keys", "Take the keys of this action away")
         self.reset = push_button("resetKeys", "Reset", "Give this action the keys it came with")
-        self.sets = [_set_button(each) for each in KEY_SETS]
         self.reset_all = push_button("resetAllKeys", "Reset All", "Give every action the keys it came with")
         self._lay_out()
         self._connect()
@@ -58,7 +54,7 @@ class ShortcutEditor(Guarded, QWidget):
 
     def _lay_out(self) -> None:
         record = row_of((self._caption, 1), (self.recorder, 1), self.clear, self.reset)
-        answer = row_of((self.note, 1), self.take, self.keep, *self.sets, self.reset_all)
+        answer = row_of((self.note, 1), self.take, self.keep, self.reset_all)
         column_of(self.search, (self.table, 1), record, answer, margins=12, spacing=8, parent=self)
         # Two lines of note fit without anything moving.
         self.note.setMinimumHeight(2 * self.note.fontMetrics().lineSpacing())
@@ -75,8 +71,6 @@ class ShortcutEditor(Guarded, QWidget):
         self.clear.clicked.connect(lambda: self._assign([]))
         self.reset.clicked.connect(self._reset)
         self.reset_all.clicked.connect(self._keymap.reset_all)
-        for each, button in zip(KEY_SETS, self.sets, strict=True):
-            button.clicked.connect(lambda _checked, each=each: self._take_set(each))
         self._keymap.changed.connect(self._render)
 
     # The table
@@ -185,8 +179,7 @@ class ShortcutEditor(Guarded, QWidget):
         self._warn(f"{native(key)} belongs to {self._keymap.bindings[owner].text}.")
         for button in (self.take, self.keep):
             button.show()
-        for button in (*self.sets, self.reset_all):
-            button.hide()
+        self.reset_all.hide()
 
     def _take_over(self) -> None:
         if self._wanted is not None:
@@ -204,19 +197,13 @@ class ShortcutEditor(Guarded, QWidget):
         if names:
             self._warn(f"{names} had to give keys back.")
 
-    def _take_set(self, keys: KeySet) -> None:
-        self._keymap.take_over(keys.keys)
-        changed = count_of(len(keys.keys), "action")
-        self.note.setText(f"{changed} have the keys of {keys.title}; Reset All takes them back.")
-
     def _clear_wish(self) -> None:
         self._wanted = None
         self.note.setText("")
         self.note.setStyleSheet("")
         for button in (self.take, self.keep):
             button.hide()
-        for button in (*self.sets, self.reset_all):
-            button.show()
+        self.reset_all.show()
 
     def _warn(self, text: str) -> None:
         self.note.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
@@ -226,11 +213,6 @@ class ShortcutEditor(Guarded, QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and self._wanted is not None:
             self._warn(self.note.text().removeprefix("⚠ "))
-
-
-def _set_button(keys: KeySet) -> QPushButton:
-    tip = f"Give tools and commands the keys that they have in {keys.title}; Reset All takes them back"
-    return push_button(f"keysOf{keys.name.capitalize()}", f"Keys of {keys.title}", tip)
 
 
 def _search_field() -> QLineEdit:

@@ -8,10 +8,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from app.actions.declaration import action
-from app.actions.key_sets import KEY_SETS
 from app.actions.keymap import refusal
 from app.actions.sections import CURVE, CURVE_SHAPE
 from app.families import HERMITE, LAGRANGE
@@ -208,35 +207,3 @@ def test_no_two_actions_come_with_the_same_key(editor):
         assert keymap.is_default(name)
         for key in binding.defaults:
             assert keymap.owner_of(key) == name
-
-
-def test_each_set_of_keys_names_actions_and_gives_no_key_twice_or_one_that_is_refused(editor, keys):
-    for each in KEY_SETS:
-        assert each.keys.keys() <= keys._keymap.bindings.keys()
-        given = [
-            key
-            for text in each.keys.values()
-            for key in QKeySequence.listFromString(text)
-            if not key.isEmpty()
-        ]
-        assert len(given) == len(set(map(QKeySequence.toString, given)))
-        assert not any(map(refusal, given))
-
-
-def test_the_keys_of_inkscape_are_taken_over_at_once_remembered_and_given_back(editor, keys):
-    button = keys.findChild(QPushButton, "keysOfInkscape")
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert shown(keys, "rectangleTool") == "R"
-    assert shown(keys, "rotateSelection") == ""
-    assert "have the keys of Inkscape" in keys.note.text()
-    keys.window().hide()
-    # Offscreen nobody else hands the keyboard back.
-    editor.window.activateWindow()
-    editor.settle()
-    QTest.keyClick(editor.window.canvas, Qt.Key.Key_R)
-    assert editor.window.context.store.state.tool.action == "rectangleTool"
-    QTest.keyClick(editor.window.canvas, Qt.Key.Key_S)
-    assert editor.window.context.store.state.tool.action == "selectTool"
-    open_keys(editor)
-    QTest.mouseClick(keys.reset_all, Qt.MouseButton.LeftButton)
-    assert (shown(keys, "rectangleTool"), shown(keys, "rotateSelection")) == ("B", "R")

@@ -1,4 +1,4 @@
-"""Gestures that hands know from Inkscape: carrying with Alt, below with Shift, a tap on Space."""
+"""Gestures of the Select tool: carrying with Alt, below with Shift, a tap on Space."""
 
 from __future__ import annotations
 
