@@ -208,9 +208,6 @@ class Preferences:
     scale_strokes = SwitchOfAction("transform/scale_strokes", default=True)
     """Whether strokes get wider with the curve that they are of."""
 
-    scale_corners = SwitchOfAction("transform/scale_corners", default=True)
-    """Whether the radii of round corners grow with the rectangle that they are of."""
-
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 
@@ -231,9 +228,6 @@ class Preferences:
 
     offset_distance = SavedText("path/offset")
     """The distance that shapes were made larger or smaller by last, as typed, "2 mm"; empty for none yet."""
-
-    corner_radius = SavedText("path/radius")
-    """The radius that corners were rounded by last, as typed, "5 mm"; empty for none yet."""
 
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""

@@ -73,7 +73,7 @@ class WindowState(msgspec.Struct, frozen=True):
         How large points, lines and type are drawn; 1 as usual.
     snap_on, snap_kinds, page_snap_on, page_snap_kinds, nudge, with_estimates, theme_mode, pencil, pen
         As the preferences remember them.
-    transform_box, keep_proportions, measure_strokes, scale_strokes, scale_corners
+    transform_box, keep_proportions, measure_strokes, scale_strokes
         As the preferences remember them.
     align_to
         What chosen curves are aligned to.
@@ -119,7 +119,6 @@ class WindowState(msgspec.Struct, frozen=True):
     keep_proportions: bool = False
     measure_strokes: bool = True
     scale_strokes: bool = True
-    scale_corners: bool = True
     align_to: Reference = Reference.EACH_OTHER
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
@@ -177,7 +176,7 @@ class WindowState(msgspec.Struct, frozen=True):
     @property
     def strokes(self) -> Strokes:
         """What transforms make of strokes."""
-        return Strokes(self.measure_strokes, self.scale_strokes, self.scale_corners)
+        return Strokes(self.measure_strokes, self.scale_strokes)
 
     def uses(self, tool: ToolRecord) -> bool:
         """Whether the mouse has this tool; while it moves the image, it has none for points."""

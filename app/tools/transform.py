@@ -13,7 +13,6 @@ from ..document.point_group import PointGroup
 from ..document.several_curves import mapped, moved, scaled_strokes
 from ..document.transforms import LARGEST_SKEW, rotation, scaling, skewing
 from ..view_model.boxes.bounds import BARE, Strokes
-from ..view_model.shapes.formed import with_round_corners
 from .drag import Drag, plus
 from .drags import MovePoints
 from .pointer import SNAP_KEY, STEP_KEYS, Pointer
@@ -88,7 +87,7 @@ class Transform(Drag, frozen=True):
     everything
         Whether it acts on all points of the curve because none is selected: the words say so.
     strokes
-        Whether a scale changes the widths of strokes, and the radii of round corners, too.
+        Whether a scale changes the widths of strokes.
     """
 
     kind: TransformKind
@@ -199,8 +198,7 @@ class Transform(Drag, frozen=True):
             return mapped(self.document, self.group, by)
         x, y = self._factors(pointer)
         document = mapped(self.document, self.group, scaling(x, y, self.centre))
-        document = scaled_strokes(document, self.group, x, y) if self.strokes.scaled else document
-        return with_round_corners(self.document, document, self.group, grow=self.strokes.rounded)
+        return scaled_strokes(document, self.group, x, y) if self.strokes.scaled else document
 
     def _move(self) -> MovePoints:
         return MovePoints(self.document, self.group, self.start, self.snapper, self.grip, self.axis)

@@ -14,7 +14,6 @@ from ..document.transforms import scaling, with_coordinates
 from ..view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
 from ..view_model.boxes.stretch import stretched
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.shapes.formed import with_round_corners
 from .drag import Drag, longer_axis, minus, plus
 from .pointer import SNAP_KEY, Cursor, Pointer
 from .snapping import Snapper
@@ -209,7 +208,7 @@ class ScaleBox(Drag, frozen=True):
             for axis in caught.axes:
                 # To the last bit where it snapped to.
                 document = self._with_side(document, axis, caught.position[axis])
-        return with_round_corners(self.document, document, self.group, grow=self.strokes.rounded)
+        return document
 
     def _with_side(self, document: Document, axis: int, value: float) -> Document:
         side, curves = self._corner[axis], self.document.curves

@@ -8,7 +8,7 @@ The rooms, each of which imports from those further down alone:
 - ``animation``: a dot that runs along a curve.
 - ``analysis``: overlays, plots, joints, the laboratory, cures, the goals of lessons.
 - ``pieces``: two curves of one, one of several; points and curves from elsewhere.
-- ``points``: kinds of points, corners, straight segments; points appended, deleted and rounded.
+- ``points``: kinds of points, corners, straight segments; points appended and deleted.
 - ``shapes``: boolean operations, strokes as shapes, cubic pieces.
 - ``bending``: the curve pulled somewhere.
 - ``fitting``: the same curve by other data, exactly or as near as can be.

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QLineEdit, QToolButton
-
-from app.view_model.shapes.formed import formed
+from PySide6.QtWidgets import QLineEdit, QToolButton
 
 Key = Qt.Key
 
 
 @pytest.fixture
 def rectangle(open_drawing, point_locale):
-    """A rectangle of 40 × 20 at (4, 5) of the page with corners round by 6; sides are typed apart."""
+    """A rectangle of 40 × 20 at (4, 5) of the page; sides are typed apart."""
     editor = open_drawing(
         '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="80mm" viewBox="0 0 100 80">'
-        '<rect x="4" y="5" width="40" height="20" rx="6" fill="#c04000"/></svg>'
+        '<rect x="4" y="5" width="40" height="20" fill="#c04000"/></svg>'
     )
     editor.session.selected.choose([0])
     editor.trigger("openTransform")
@@ -82,42 +79,3 @@ def test_nothing_is_chosen_first_and_a_pivot_elsewhere_leaves_the_corner(rectang
     rectangle.settle()
     assert shown(rectangle) == (4, 5, 40, 20)
     assert target.centre == (90.0, 70.0), "turns are about it"
-
-
-def test_even_corners_stay_even_and_grow_with_the_width_as_inkscape_has_them(rectangle):
-    """Rx became 5.7, and Ry stayed 6."""
-    enter(rectangle, "Width", "38")
-    form = formed(rectangle.curve).form
-    assert (form.rx, form.ry) == pytest.approx((5.7, 5.7))
-    enter(rectangle, "Height", "30")
-    form = formed(rectangle.curve).form
-    assert (form.rx, form.ry, form.height) == pytest.approx((5.7, 5.7, 30))
-    rectangle.trigger("undo")
-    rectangle.trigger("undo")
-    assert formed(rectangle.curve).form.rx == pytest.approx(6)
-
-
-def test_round_corners_keep_their_radius_where_they_are_not_scaled(rectangle):
-    """By typed sides, keys and grips; turned ones, too."""
-    box = rectangle.window.findChild(QCheckBox, "scaleCornersSwitch")
-    rectangle.trigger("scaleCorners")
-    assert not box.isChecked()
-
-    def radii():
-        form = formed(rectangle.curve).form
-        return (form.rx, form.ry)
-
-    enter(rectangle, "Width", "30")
-    enter(rectangle, "Height", "44")
-    assert shown(rectangle) == (4, 5, 30, 44)
-    assert radii() == (6, 6)
-    assert np.ptp([each.position for each in rectangle.curve.points], axis=0) == pytest.approx((30, 44))
-    rectangle.trigger("doubleSize")
-    assert shown(rectangle)[2:] == (60, 88)
-    assert radii() == pytest.approx((6, 6))
-    rectangle.trigger("rotateLeftStep")
-    rectangle.trigger("halveSize")
-    assert radii() == pytest.approx((6, 6))
-    rectangle.trigger("scaleCorners")
-    rectangle.trigger("doubleSize")
-    assert radii() == pytest.approx((12, 12))

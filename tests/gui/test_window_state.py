@@ -64,7 +64,6 @@ REMEMBERED = {
     "keep_proportions",
     "measure_strokes",
     "scale_strokes",
-    "scale_corners",
     "with_estimates",
     "theme_mode",
     "as_printed",

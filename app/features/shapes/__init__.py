@@ -5,8 +5,8 @@
 - ``mask_commands``: shapes seen through others.
 - ``simplify_commands``: the same with fewer points.
 - ``shape_work``: what is made of chosen shapes, at once or beside the window.
-- ``offset_commands``: larger and smaller shapes.  ``corner_commands``: rounded corners.
-- ``field``: the fields on the canvas for distance and radius.  ``distances``: both as people type them.
+- ``offset_commands``: larger and smaller shapes.
+- ``field``: the field on the canvas for the distance.  ``distances``: these as people type them.
 - ``chosen_shapes``: the shapes that actions mean.
 """
 

@@ -27,7 +27,6 @@ from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import AN_OBJECT, meant
 from .clip_commands import ClipCommands
-from .corner_commands import CornerCommands
 from .mask_commands import MaskCommands
 from .offset_commands import OffsetCommands
 from .path_commands import PathCommands
@@ -177,7 +176,6 @@ class ShapeCommands:
 COMMAND_SETS = (
     ShapeCommands,
     OffsetCommands,
-    CornerCommands,
     PathCommands,
     SimplifyCommands,
     ClipCommands,

@@ -1,4 +1,4 @@
-"""Distances by which shapes grow or shrink, and radii of corners, as people type them."""
+"""Distances by which shapes grow or shrink, as people type them."""
 
 from __future__ import annotations
 
@@ -28,20 +28,6 @@ def read_distance(text: str, unit: str) -> Distance:
     typed = _read(text, unit)
     if typed.value == 0.0:
         raise ExpressionError("Type a distance other than 0; below 0 it goes the other way.")
-    return typed
-
-
-def read_radius(text: str, unit: str) -> Distance:
-    """Return the radius that a text means in a document of this unit.
-
-    Raises
-    ------
-    ExpressionError
-        With the sentence for the person, where it is none.
-    """
-    typed = _read(text, unit)
-    if typed.value <= 0.0:
-        raise ExpressionError("Type a radius above 0.")
     return typed
 
 

@@ -1,4 +1,4 @@
-"""The fields on the canvas into which the distance of an outset or inset, and a radius, are typed."""
+"""The field on the canvas into which the distance of an outset or inset is typed."""
 
 from __future__ import annotations
 
@@ -7,14 +7,12 @@ from collections.abc import Callable
 from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QWidget
 
-from ...qt.labels import Label
 from ...widgets.controls import named
 from ...widgets.entry_field import EntryEdit, EntryField
 from ...widgets.tool_buttons import tool_button
-from .distances import read_distance, read_radius
+from .distances import read_distance
 
 _TIP = "How far the outlines move: a number or an expression, with a unit if you like, such as 2 mm or 1/8 in"
-_RADIUS_TIP = "How round the corners become: a number or an expression, with a unit if you like, such as 5 mm"
 
 
 class OffsetField(EntryField):
@@ -55,32 +53,3 @@ class OffsetField(EntryField):
     def _take(self, text: str) -> Callable[[], object]:
         distance = read_distance(text, self._unit)
         return lambda: self.entered.emit(self._grows, distance)
-
-
-class RadiusField(EntryField):
-    """A small frame beside the chosen shapes, in which the radius of their corners is typed.
-
-    Signals
-    -------
-    entered
-        Corners shall be round by this `Distance`.
-    """
-
-    entered = Signal(object)
-
-    def __init__(self, below: QWidget) -> None:
-        self._unit = ""
-        edit = named(EntryEdit(), "cornerRadius", "Radius", _RADIUS_TIP)
-        super().__init__("radiusField", "Radius of corners", below, Label("Radius"), edit)
-
-    def open_for(self, text: str, unit: str, corner: Callable[[], QPoint]) -> None:
-        """Ask for a radius; a text to begin with that has no unit is in that of the document."""
-        self._unit = unit
-        self.ask(text, "", corner)
-
-    def _kind(self) -> str:
-        return "Radius"
-
-    def _take(self, text: str) -> Callable[[], object]:
-        radius = read_radius(text, self._unit)
-        return lambda: self.entered.emit(radius)

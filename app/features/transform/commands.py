@@ -242,16 +242,6 @@ class SelectionCommands:
     def _toggle_strokes(self) -> None:
         """Let strokes get wider, or thinner, with the curves that they are of."""
 
-    @switch(
-        "scale_corners",
-        "scaleCorners",
-        "Scale Round Corners",
-        EDIT_TRANSFORM_BOX,
-        keywords="radius radii rounded rectangle keep",
-    )
-    def _toggle_corners(self) -> None:
-        """Let the radii of round corners grow, or shrink, with the rectangles that they are of."""
-
 
 COMMAND_SETS = (
     SelectionCommands,

@@ -146,7 +146,7 @@ class TransformPanel(FieldForm):
         )
         self.form_row = FormRow(self._read)
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
-        words = ("Measured", "Scaled", "Radii too")
+        words = ("Measured", "Scaled")
         self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
         self.reference = choice_box(
             "alignReference",

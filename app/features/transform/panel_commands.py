@@ -26,7 +26,7 @@ from ...view_model.boxes.bounds import NINE
 from ...view_model.boxes.pivot import Turning
 from ...view_model.boxes.resizing import SIDES, resized
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.shapes.formed import Formed, formed, with_form, with_round_corners
+from ...view_model.shapes.formed import Formed, formed, with_form
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
@@ -66,7 +66,7 @@ class TransformPanelCommands(QObject):
                 actions.in_strip(TRANSFORM_BUTTONS)[1],
                 list(actions.in_strip(ALIGN_BUTTONS).values()),
                 actions["keepProportions"],
-                (actions["measureStrokes"], actions["scaleStrokes"], actions["scaleCorners"]),
+                (actions["measureStrokes"], actions["scaleStrokes"]),
             ),
             parent,
         )
@@ -254,10 +254,9 @@ class TransformPanelCommands(QObject):
         )
 
         def sized(document: Document) -> Document:
-            new = resized(
+            return resized(
                 document, session.views, group, axis, value, strokes, about, keeps_proportions=is_even
             )
-            return with_round_corners(document, new, group, grow=strokes.rounded)
 
         self._change(f"Set {SIDES[axis]} of {self._target.words} to {self._length(value)}", sized)
 

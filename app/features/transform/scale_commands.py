@@ -11,7 +11,6 @@ from ...document.model import Document
 from ...document.several_curves import mapped, scaled_strokes
 from ...document.transforms import scaling
 from ...tools.pointer import Stride
-from ...view_model.shapes.formed import with_round_corners
 from ...workbench.context import WindowContext
 
 _LEAST_LEFT = 0.01
@@ -88,8 +87,7 @@ class ScaleCommands:
 
         def edit(document: Document) -> Document:
             new = mapped(document, group, scaling(factor, factor, bounds.centre))
-            new = scaled_strokes(new, group, factor, factor) if strokes.scaled else new
-            return with_round_corners(document, new, group, grow=strokes.rounded)
+            return scaled_strokes(new, group, factor, factor) if strokes.scaled else new
 
         run = (each.name, group)
         if session.change(f"{each.verb} {target.words}", edit, run=run) and group.stays:

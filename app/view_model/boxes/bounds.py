@@ -73,7 +73,7 @@ def nine_places(bounds: Bounds) -> dict[str, Vector]:
 
 
 class Strokes(msgspec.Struct, frozen=True):
-    """What transforms make of the widths of strokes, and of round corners.
+    """What transforms make of the widths of strokes.
 
     Attributes
     ----------
@@ -81,8 +81,6 @@ class Strokes(msgspec.Struct, frozen=True):
         Whether bounds are those of curves as they print, with their strokes.
     scaled
         Whether strokes get wider, or thinner, with the curves that they are of.
-    rounded
-        Whether the radii of round corners grow, or shrink, with the rectangles that they are of.
     side
         Longer side of the page, to which lines whose styles say no width are in proportion; 0 without one,
         where they count as no wider than their curves.
@@ -92,7 +90,6 @@ class Strokes(msgspec.Struct, frozen=True):
 
     measured: bool = True
     scaled: bool = True
-    rounded: bool = True
     side: float = 0.0
     clipped: bool = True
 

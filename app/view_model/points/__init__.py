@@ -1,12 +1,10 @@
 """Points of a curve: their kinds, corners and smooth ones, straight segments between them, more and fewer.
 
 - ``point_kinds``: the kinds of points.  ``point_columns``: the columns of the point table.
-- ``smoothness``, ``straight``: smooth points and corners, straight segments.  ``rounded``: corners made arcs.
+- ``smoothness``, ``straight``: smooth points and corners, straight segments.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
   ``pen_corners``: the same with corners.
 - ``midpoints``: a point more in the middle of segments.
 - ``deleting``: points deleted with the shape kept.  ``retracting``: handles retracted.
 - ``wanted``: derivatives set where rules estimate others.
-- ``corner_arc``: circular arcs in place of corners.  ``touching_arc``: one that touches a curved side.
-  ``curve_with_arcs``: the curve that has them.
 """

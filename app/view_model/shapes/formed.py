@@ -13,9 +13,8 @@ from curvecore.arrays import FloatArray
 from ...document.curve_edits import replace_curve
 from ...document.form import FormHandle
 from ...document.form_edits import formed_anew
-from ...document.forms import AnyForm, Rectangle
+from ...document.forms import AnyForm
 from ...document.model import Curve, Document, Vector
-from ...document.point_group import PointGroup
 from ...document.transforms import IDENTITY, Affine, least_turn
 from ...families import HERMITE
 from ..curve.curve_view import view_of
@@ -135,38 +134,3 @@ def formed(curve: Curve) -> Formed | None:
 def with_form(document: Document, place: int, form: AnyForm, by: Affine) -> Document:
     """Return the document with a curve that is another form, mapped as the one before was."""
     return replace_curve(document, place, formed_anew(document.curves[place], form, by))
-
-
-def with_round_corners(before: Document, after: Document, group: PointGroup, *, grow: bool) -> Document:
-    """Return a document in which curves were scaled, with the round corners of rectangles as they should be.
-
-    As in Inkscape: where they grow, one radius is for both while they are one, and follows the width; where
-    they do not, they stay as they were.
-    """
-    for place, _ in group.parts:
-        form = before.curves[place].form
-        if not isinstance(form, Rectangle) or not form.rx or (grow and form.rx != form.ry):
-            continue
-        then, now = formed(before.curves[place]), formed(after.curves[place])
-        if then is None or now is None or not _is_rigid(now.by):
-            continue
-        was, made = then.form, now.form
-        if isinstance(was, Rectangle) and isinstance(made, Rectangle):
-            rx, ry = _grown(was, made) if grow else (was.rx, was.ry)
-            if (rx, ry) != (made.rx, made.ry):
-                after = with_form(after, place, msgspec.structs.replace(made, rx=rx, ry=ry), now.by)
-    return after
-
-
-def _grown(was: Rectangle, made: Rectangle) -> Vector:
-    """Return the radii of a rectangle that was scaled."""
-    if was.rx != was.ry or made.rx == made.ry:
-        return (made.rx, made.ry)
-    radius = min(made.rx, made.width / 2, made.height / 2)
-    return (radius, radius)
-
-
-def _is_rigid(by: Affine) -> bool:
-    """Whether the sides of a form that was mapped so are as long as before, and upright on each other."""
-    linear = np.array([[1.0 + by.xx, by.xy], [by.yx, 1.0 + by.yy]])
-    return bool(np.abs(linear.T @ linear - np.eye(2)).max() <= _SAME)
