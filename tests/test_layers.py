@@ -79,7 +79,6 @@ def test_it_imports_where_there_is_no_qt(package):
 def test_the_window_starts_without_what_is_rarely_used():
     late = {
         "PIL",
-        "PySide6.QtPrintSupport",
         "app.canvas.motion_layer",
         "app.features.motion.stage",
         "app.features.hodograph.panel",

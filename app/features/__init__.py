@@ -16,7 +16,6 @@ FEATURES = (
     "snapping",
     "pen",
     "import_export",
-    "printing",
     "curves",
     "shapes",
     "layers",

@@ -9,7 +9,7 @@ from ..storage.reasons import shown
 
 
 def words_about_undrawn(session: Session, document: Document) -> str:
-    """Return the sentence to say before a document, or a part of it, is exported or printed; or none."""
+    """Return the sentence to say before a document, or a part of it, is exported; or none."""
     foreign = session.files.foreign
     if foreign is None:
         return ""

@@ -1,4 +1,4 @@
-"""Export and print say before they draw what an opened SVG has that they do not draw."""
+"""Export says before it draws what an opened SVG has that it does not draw."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import re
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtPrintSupport import QPrintDialog
 
 from app.cli import main
 from app.document.curve_edits import remove_curve
@@ -43,15 +42,6 @@ def said_by_dialog(editor, qtbot):
     qtbot.waitUntil(lambda: not dialog.picture.pixmap().isNull() and not dialog.jobs.is_busy)
     text = dialog.undrawn.text()
     assert dialog.undrawn.isVisible()
-    dialog.reject()
-    return text
-
-
-def printed_warning(editor):
-    editor.trigger("print")
-    dialog = editor.window.findChild(QPrintDialog, "printDialog")
-    assert dialog.isVisible()
-    text = editor.message
     dialog.reject()
     return text
 
@@ -95,10 +85,6 @@ def test_a_chosen_object_is_exported_without_a_word_about_others(opened, qtbot):
     assert BLEND not in text
 
 
-def test_print_says_it_before_it_asks_for_the_printer(opened):
-    assert printed_warning(opened).startswith("3 things in icon.svg are drawn otherwise here")
-
-
 def test_a_file_that_is_drawn_as_it_is_is_told_nothing_of(editor, qtbot, tmp_path):
     path = tmp_path / "plain.svg"
     path.write_text(re.sub("<rect id.*?/>|<path d.*?/>|<foreign.*?/>", "", SVG), encoding="utf-8")
@@ -110,7 +96,6 @@ def test_a_file_that_is_drawn_as_it_is_is_told_nothing_of(editor, qtbot, tmp_pat
     qtbot.waitUntil(lambda: not dialog.picture.pixmap().isNull() and not dialog.jobs.is_busy)
     assert dialog.undrawn.text() == ""
     dialog.reject()
-    assert "drawn otherwise" not in printed_warning(editor)
 
 
 @pytest.mark.parametrize("verb", ["render", "convert"])

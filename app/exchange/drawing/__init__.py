@@ -8,7 +8,6 @@
 - ``image``: it as PNG and PDF.  ``painting``: how it is painted; ``annotation_painting``: what goes with it;
   ``devices``: what is painted on; ``grouped``: what as one.  The first four need Qt.
   ``preview``: a small picture of a picture.
-  ``printed``: it on the pages of printers.
 - ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs
   Qt.  ``pillow``: what writes some of them.
 """

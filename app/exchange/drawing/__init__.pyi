@@ -3,5 +3,4 @@ from . import annotations as annotations
 from . import image as image
 from . import motion_frames as motion_frames
 from . import pillow as pillow
-from . import printed as printed
 from . import trim as trim
