@@ -106,9 +106,6 @@ EDIT_TOOLS = EDIT.section("Tools")
 EDIT_PEN = EDIT.section("Tools")
 EDIT_PENCIL = EDIT.section("Pencil", is_separated=False)
 EDIT_SELECT = EDIT.section()
-EDIT_SAME = EDIT.section(
-    "Select Same", is_separated=False, also=[CHOSEN_MENU(20), CURVE_MENU(49), CURVE_LIST_MENU(26)]
-)
 EDIT_TRANSFORM = EDIT.section("Transform", is_separated=False)
 EDIT_TRANSFORM_BOX = EDIT.section("Transform")
 EDIT_TRANSFORM_PANEL = EDIT.section("Transform", is_separated=False)

@@ -38,7 +38,6 @@
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
-- ``same_looks``: curves that look the same.
 - ``places``: where in it something is, in words.
 - ``image_edits``, ``plane_edits``, ``guide_edits``: of the picture to trace; of unit and grid; of the guides.
 - ``expression``: numbers as people type them.

@@ -23,7 +23,6 @@ FEATURES = (
     "rules",
     "own_families",
     "points",
-    "choosing",
     "transform",
     "clipboard",
     "clones",

@@ -479,7 +479,7 @@ def test_the_menu_of_a_row_has_the_submenus_of_the_canvas(layered):
     """Order stood there entry by entry, layers and looks not at all."""
     menu = strip_menu(layered.window.context, CURVE_LIST_MENU)
     submenus = {each.text(): each.menu() for each in menu.actions() if each.menu()}
-    assert list(submenus) == ["Order", "Select Same", "Paths", "Layer"]
+    assert list(submenus) == ["Order", "Paths", "Layer"]
     names = {each.objectName() for each in menu.actions()}
     assert "raiseCurve" not in names
     of_layers = {each.objectName() for each in submenus["Layer"].actions()} - {""}

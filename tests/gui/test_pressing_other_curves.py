@@ -281,7 +281,7 @@ def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
     wanted += ["groupCurves", "setClip", "copyStyle", "curveVisible", "curveLocked"]
     assert [name for name in found if name in wanted] == wanted
     menus = {plain(each.text()): each.menu() for each in three.menu().actions() if each.menu()}
-    assert list(menus) == ["Select Same", "Order", "Paths"]
+    assert list(menus) == ["Order", "Paths"]
     assert {"combineCurves", "pathUnion"} <= entries(menus["Paths"]).keys()
     assert list(entries(menus["Order"])) == ["raiseCurve", "lowerCurve", "raiseToTop", "lowerToBottom"]
     three.choose("groupCurves")

@@ -13,6 +13,7 @@ from ...actions.situation import Situation
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import edits
 from ...document.contents import is_content, refusal_of
+from ...document.point_group import some_points
 from ...document.selection import NONE_FREE, all_points, free_curves, with_points
 from ...view_model.curve.jets import is_explicit
 from ...workbench.context import WindowContext
@@ -46,7 +47,7 @@ _WITH_POINTS = Need("a curve with points", _can_be_edited, why=_why_not_edited)
 
 
 class PointCommands:
-    """Selection of all points, and a return to estimated derivatives."""
+    """Selection of all points or of the others, and a return to estimated derivatives."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
@@ -72,6 +73,32 @@ class PointCommands:
             selected.choose(free := free_curves(session.document))
             if not free:
                 session.refuse(NONE_FREE)
+
+    @action(
+        "invertSelection",
+        "Invert Selection",
+        EDIT_SELECT,
+        "!",
+        "select-inverse",
+        needs=SOME_CURVE,
+        keywords="opposite others rest unselected",
+    )
+    @also(CANVAS_MENU(14))
+    def _invert(self) -> None:
+        """Choose what is seen and free and not chosen now; of curves that are edited, the other points."""
+        session, selected = self._session, self._session.selected
+        curves = session.document.curves
+        if selected.is_editing:
+            selected.set_group(
+                some_points(
+                    (at, frozenset(range(len(curves[at].points))) - selected.group.of(at))
+                    for at in selected.edited
+                )
+            )
+        elif free := free_curves(session.document):
+            selected.choose(free - selected.chosen)
+        else:
+            session.refuse(NONE_FREE)
 
     @action(
         "editCurve",
