@@ -12,7 +12,6 @@ from PySide6.QtGui import QImage, QPainter
 from curvecore.arrays import FloatArray
 
 from ..document.contents import is_content
-from ..document.marker import FARTHEST
 from ..document.style import BLUR_REACH, Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import to_pixels
@@ -167,7 +166,7 @@ def _made(
 def blurred_box(shape: Sequence[CurveView], style: Style, width: float) -> FloatArray:
     """Return a box in the plane, [[left, low], [right, high]], that a blurred shape does not leave."""
     corners = np.vstack([view.drawn_box for view in shape if view.has_curve])
-    overhang = width * max(1.0, style.miter_limit, FARTHEST if style.has_markers else 0.0)
+    overhang = width * max(1.0, style.miter_limit)
     reach = BLUR_REACH * style.blur + (overhang if style.has_stroke else 0.0)
     if is_content(shape[0].source):
         # Letters reach beyond their frame.

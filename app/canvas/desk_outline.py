@@ -9,7 +9,6 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
 from ..appearance.theme import Theme, mix
-from ..document.marker import MarkerKind
 from ..document.page import Page
 from ..document.style import INK, NO_PAINT, LineJoin, Style
 from ..plotting.pixel_map import PixelMap
@@ -33,8 +32,6 @@ _AS_A_LINE = {
     "opacity": 1.0,
     "dash": (),
     "join": LineJoin.ROUND,
-    "start_marker": MarkerKind.NONE,
-    "end_marker": MarkerKind.NONE,
 }
 
 

@@ -89,7 +89,6 @@ def _is_plain(style: Style) -> bool:
         and not style.clips
         and not style.masks
         and not style.blur
-        and not style.has_markers
     )
 
 
@@ -167,11 +166,10 @@ def parts_of(shape: Iterable[CurveView], style: Style, shown: PixelMap) -> list[
 
 
 def _part_of(view: CurveView, style: Style, shown: PixelMap) -> Part:
-    ends, is_closed = view.ends if style.has_markers else None, view.source.is_closed
-    controls = view.cubics
+    controls, is_closed = view.cubics, view.source.is_closed
     if controls is not None:
         pixels = shown.points(controls)
         low, high = pixels.min(axis=(0, 1)), pixels.max(axis=(0, 1))
         if float((high - low).max()) <= _SMALL and float(np.abs(pixels[0, 0]).max()) <= _NEAR:
-            return Part(controls.reshape(-1, 2), is_closed, ends, controls)
-    return Part(line_of(view, shown, style).points, is_closed, ends)
+            return Part(controls.reshape(-1, 2), is_closed, controls)
+    return Part(line_of(view, shown, style).points, is_closed)

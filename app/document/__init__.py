@@ -6,7 +6,7 @@
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
   ``patterns``: those that every document can use.
   ``clip``: what it is cut by.  ``mask``, ``mask_edits``: how much is seen of it.
-  ``marker``: what stands at its ends.  ``drawn_kinds``: what begins in which.
+  ``drawn_kinds``: what begins in which.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.
 - ``content``: texts and pictures as forms.  ``contents``: curves that are the frames of such.  ``flow``:

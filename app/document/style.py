@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
 from .gradient import Gradient
-from .marker import MarkerKind
 from .mask import MOST_MASKS, Mask
 from .value import Value, Vector
 from .words import NamedEnum
@@ -66,7 +65,7 @@ class FillRule(NamedEnum):
 
 
 class PaintOrder(NamedEnum):
-    """Which of fill and stroke covers the other; markers cover both. The values are those of SVG."""
+    """Which of fill and stroke covers the other. The values are those of SVG."""
 
     STROKE_ABOVE = "normal", "Stroke on top"
     FILL_ABOVE = "stroke", "Fill on top"
@@ -100,8 +99,6 @@ class Style(Value, frozen=True):
         Pictures each of which says how much of it is seen.
     paint_order
         Which of fill and stroke covers the other.
-    start_marker, end_marker
-        At the ends of an open line, in its colour, as large as the line is wide.
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
@@ -119,8 +116,6 @@ class Style(Value, frozen=True):
     fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
     stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
     clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
-    start_marker: Annotated[MarkerKind, "Start marker"] = MarkerKind.NONE
-    end_marker: Annotated[MarkerKind, "End marker"] = MarkerKind.NONE
     blur: Annotated[float, at_least(0), LENGTH, "Blur"] = 0.0
     paint_order: Annotated[PaintOrder, "Paint order"] = PaintOrder.STROKE_ABOVE
     masks: Annotated[tuple[Mask, ...], few(MOST_MASKS, f"hold at most {MOST_MASKS} masks"), "Mask"] = ()
@@ -129,13 +124,6 @@ class Style(Value, frozen=True):
     def has_stroke(self) -> bool:
         """Whether a line is drawn."""
         return self.stroke != NO_PAINT
-
-    @property
-    def has_markers(self) -> bool:
-        """Whether something stands at an end of its open lines."""
-        return self.has_stroke and (
-            self.start_marker is not MarkerKind.NONE or self.end_marker is not MarkerKind.NONE
-        )
 
     @property
     def has_fill(self) -> bool:

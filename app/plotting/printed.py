@@ -15,10 +15,7 @@ from ..document.gradient import Gradient
 from ..document.style import LineCap, LineJoin, Style
 from ..qt.clips import clipped
 from ..qt.gradients import brush_of
-from ..qt.markers import path_of
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
-from ..view_model.geometry.markers import Ends, markers_of
-from ..view_model.geometry.plane import unit_tangents
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pictures import transparent
 from .pixel_map import PixelMap
@@ -44,13 +41,12 @@ _FARTHEST_DASH = 20_000.0
 class Part(msgspec.Struct, frozen=True, eq=False):
     """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins.
 
-    The `ends` are those of a line with markers. Of one that is small on the screen the `cubics` are painted,
-    its pieces, (n, 4, 2), for which Qt itself finds the vertices; its `points` tell how far it reaches.
+    Of one that is small on the screen the `cubics` are painted, its pieces, (n, 4, 2), for which Qt itself
+    finds the vertices; its `points` tell how far it reaches.
     """
 
     points: FloatArray
     is_closed: bool
-    ends: Ends | None = None
     cubics: FloatArray | None = None
 
 
@@ -79,14 +75,13 @@ def paint_printed(
     shown: PixelMap,
     line: RoundLine | None = None,
 ) -> None:
-    """Paint a shape: its fill, its line, and markers; with `line`, which may be kept for the next shape."""
+    """Paint a shape, its fill and its line; with `line`, which may be kept for the next shape."""
     if style.clips:
         whole, way = msgspec.structs.replace(style, clips=()), to_pixels(shown)
         with clipped(painter, style.clips, way, QRectF(0, 0, shown.width, shown.height)):
             paint_printed(painter, parts, whole, ink, shown, line)
         return
-    is_both = style.has_stroke and (style.has_fill or style.has_markers)
-    if style.opacity < 1.0 and is_both:
+    if style.opacity < 1.0 and style.has_stroke and style.has_fill:
         _paint_together(painter, parts, style, ink, shown)
         return
     is_lined = style.has_stroke and ink.width > 0
@@ -97,8 +92,6 @@ def paint_printed(
         _fill(painter, parts, style, ink, shown, path)
     if is_lined and not style.has_covered_stroke:
         _stroke(painter, parts, style, ink, shown, path, line or RoundLine())
-    if is_lined and style.has_markers:
-        _mark(painter, parts, style, ink, shown)
 
 
 def to_pixels(shown: PixelMap) -> QTransform:
@@ -244,20 +237,6 @@ def _pen(style: Style, ink: Ink, shown: PixelMap) -> QPen:
     if style.stroke_gradient is not None:
         pen.setBrush(_brush(style.stroke_gradient, ink, opacity, shown))
     return pen
-
-
-def _mark(painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap) -> None:
-    first, last = (_ends_in_pixels(parts[at].ends, shown) for at in (0, -1))
-    markers = path_of(markers_of(style, first, last, min(ink.width, _WIDEST)))
-    painter.fillPath(markers, _pen(style, ink, shown).brush())
-
-
-def _ends_in_pixels(ends: Ends | None, shown: PixelMap) -> Ends | None:
-    if ends is None:
-        return None
-    places = shown.points(np.array([ends.start, ends.end]))
-    before, after = unit_tangents(np.array([ends.before, ends.after]) * (shown.sx, -shown.sy))
-    return Ends(places[0], before, places[1], after)
 
 
 def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:

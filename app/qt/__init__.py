@@ -7,7 +7,6 @@
 - ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise;
   ``patterns``: of those.  ``tile_texts``: words in them.
 - ``clips``: what they are cut by.  ``masks``: how much is seen of them.
-  ``markers``: what stands at their ends.
 - ``blurs``: what is softened, as a picture.
 - ``contents``: texts and pictures in their frames.  ``picture_data``: what is in PNG and JPEG files.
 - ``run_fonts``: fonts of parts of a text, and what they measure.

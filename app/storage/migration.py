@@ -97,6 +97,10 @@ class Dropped(msgspec.Struct, frozen=True):
     mend: Callable[[Values, Any], object] | None = None
 
 
+def _is_set(word: object) -> bool:
+    return word != "none"
+
+
 def _begins_text(line: object) -> bool:
     return not (isinstance(line, dict) and line.get("follows"))
 
@@ -104,6 +108,8 @@ def _begins_text(line: object) -> bool:
 DROPPED: list[Dropped] = [
     Dropped(Place.DOCUMENT, "kept_texts", "text", is_loss=_begins_text),
     Dropped(Place.DOCUMENT, "kept_pictures", "picture", is_loss=lambda _picture: True),
+    Dropped(Place.STYLE, "start_marker", "arrowhead", is_loss=_is_set),
+    Dropped(Place.STYLE, "end_marker", "arrowhead", is_loss=_is_set),
 ]
 """The fields of version 2 that version 3 does not have."""
 

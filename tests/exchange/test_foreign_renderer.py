@@ -11,7 +11,6 @@ from PySide6.QtGui import QImage
 from app.document.clip import Clip, ring_of
 from app.document.clones import add_clones, settled
 from app.document.gradient import Gradient, GradientKind, Stop
-from app.document.marker import MarkerKind
 from app.document.model import Document, make_curve
 from app.document.several_curves import mapped, scaled_strokes, whole_curves
 from app.document.style import NO_PAINT, PaintOrder, Style
@@ -49,13 +48,13 @@ def test_librsvg_draws_the_same_within_one_pixel(kind, tmp_path):
 
 
 def test_librsvg_draws_clones_where_and_as_they_are(tmp_path):
-    """With all that is enlarged along: dashes, markers, gradients and clips."""
+    """With all that is enlarged along: dashes, gradients and clips."""
     place = {"start": (0.0, 0.0), "end": (4.0, 0.0), "side": (0.0, 4.0)}
     stops = (Stop(0.5, "#000000"), Stop(0.5, "#ffffff"))
     corners = [(0.5, -1.0), (3.0, -1.0), (3.0, 3.0), (0.5, 3.0), (0.5, -1.0)]
     ring = ring_of([corners[0], *(place for corner in corners[1:] for place in (corner,) * 3)])
     styles = [
-        Style(stroke="#000000", width=0.2, dash=(3.0, 2.0), end_marker=MarkerKind.ARROW),
+        Style(stroke="#000000", width=0.2, dash=(3.0, 2.0)),
         Style(stroke=NO_PAINT, fill="#000000", fill_gradient=Gradient(stops, GradientKind.LINEAR, **place)),
         Style(stroke="#000000", width=0.3, fill="#888888", opacity=0.7, clips=(Clip((ring,)),)),
     ]
@@ -69,24 +68,6 @@ def test_librsvg_draws_clones_where_and_as_they_are(tmp_path):
     document = settled(larger, added.document, added.document)
     assert svg_of(document).text.count("<use ") == 3
     assert_drawn_the_same(document, tmp_path)
-
-
-@pytest.mark.parametrize("kind", [kind for kind in MarkerKind if kind is not MarkerKind.NONE])
-def test_librsvg_draws_the_same_markers(kind, tmp_path):
-    """Of a level, a slanted and a curved line; where they are seen through, nothing is seen twice."""
-    style = Style(stroke="#000000", width=0.3, start_marker=kind, end_marker=kind)
-    lines = ([(0, 0), (6, 0)], [(8, 0), (13, 2)], [(16, 0), (18, 2.5), (21, 0)])
-    curves = [replace(make_curve(line, family=HERMITE), style=style) for line in lines]
-    pale = replace(style, width=0.6, opacity=0.55)
-    curves.append(replace(make_curve([(2, 6), (14, 5)], family=HERMITE), style=pale))
-    drawn = assert_drawn_the_same(Document(tuple(curves)), tmp_path)
-    plain = assert_drawn_the_same(
-        Document(
-            tuple(replace(each, style=replace(each.style, start_marker=MarkerKind.NONE)) for each in curves)
-        ),
-        tmp_path,
-    )
-    assert drawn.sum() > plain.sum() * 1.02
 
 
 @pytest.mark.parametrize("opacity", [1.0, 0.5])

@@ -257,11 +257,6 @@ MISSED = [
         "<path> (element 2): it has markers; it comes in without them.",
     ),
     (
-        '<path d="M0 0H9" stroke="red" paint-order="markers" marker-end="url(#curvebench-arrow)"/>'
-        '<defs><marker id="curvebench-arrow"/></defs>',
-        "<path> (element 2): its markers lie below; they lie on top.",
-    ),
-    (
         '<path d="M0 0H9V9Z" style="mix-blend-mode:multiply"/>',
         "<path> (element 2): it is blended with what lies below; it covers that.",
     ),

@@ -11,7 +11,6 @@ from PySide6.QtCore import QPoint
 from PySide6.QtGui import QColor, QImage
 
 from app.appearance.theme import LIGHT
-from app.document.marker import MarkerKind
 from app.document.model import Document, Page, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, PaintOrder, Style
 from app.exchange import png_file
@@ -27,9 +26,6 @@ STYLES = {
     "blunt ends": Style(stroke="#d55e00", width=0.4, cap=LineCap.BUTT, join=LineJoin.MITER, miter_limit=20.0),
     "dashes": Style(stroke="#d55e00", width=0.3, cap=LineCap.BUTT, dash=(2.0, 1.0)),
     "dots": Style(stroke="#d55e00", width=0.3, dash=(0.0, 2.0), dash_offset=0.5),
-    "arrows": Style(
-        stroke="#d55e00", width=0.2, start_marker=MarkerKind.DOT, end_marker=MarkerKind.ARROW, opacity=0.5
-    ),
     "both": Style(stroke="#d55e00", width=0.3, fill="#f0e442"),
     "through": Style(stroke="#d55e00", width=0.5, fill="#f0e442", opacity=0.5),
     "apart": Style(stroke="#d55e00", width=0.5, fill="#0072b2", stroke_opacity=0.5, fill_opacity=0.7),

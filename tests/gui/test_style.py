@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
 from app.appearance.colours import CURVE_COLOURS
 from app.appearance.theme import LIGHT, ThemeMode
 from app.document.gradient import Gradient, Stop
-from app.document.marker import MarkerKind
 from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
 from app.document.style import NO_PAINT, FillRule, LineCap, LineJoin, PaintOrder, Style
@@ -821,34 +820,3 @@ def test_dots_are_chosen_with_ends_that_show_them_and_typed_ones_that_are_not_se
     assert styles(editor)[1].dash == (4.0, 1.0, 0.0, 1.0)
     click(panel, "lineCap_square")
     assert not note.isVisible()
-
-
-# Markers
-
-
-def test_an_arrow_is_chosen_by_key_and_seen(editor):
-    line = replace(
-        make_curve([(0, 0), (8, 0)], name="Way", family=HERMITE), style=Style(stroke=RED, width=0.4)
-    )
-    begin(editor, line, make_curve([(0, 3), (8, 3)], family=HERMITE), active=1)
-    editor.session.selected.set_curves([0])
-    assert seen(editor, 7.8, 0.5) == LIGHT.paper.name()
-    editor.trigger("showMarkers")
-    box = QApplication.focusWidget()
-    assert (box.objectName(), box.accessibleName()) == ("endMarker", "End marker")
-    QTest.keyClick(box, Qt.Key.Key_Down)
-    editor.settle()
-    assert styles(editor)[0].end_marker is MarkerKind.ARROW
-    assert editor.session.undo_stack.undoText() == "End marker of Way"
-    assert seen(editor, 7.8, 0.5) == seen(editor, 8.8, 0.0) == RED
-    assert seen(editor, 0.2, 0.5) == LIGHT.paper.name()
-    editor.session.undo_stack.undo()
-    assert box.currentText() == "None"
-
-
-def test_curves_without_markers_ask_for_no_ends(editor):
-    line = replace(make_curve([(0, 0), (8, 0)], family=HERMITE), style=Style(stroke=RED, width=0.4))
-    begin(editor, line, replace(line, style=replace(line.style, end_marker=MarkerKind.BAR)))
-    editor.wait_for_rest()
-    asked = ["ends" in view.__dict__ for view in editor.session.views]
-    assert asked == [False, True]

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from itertools import groupby
 from operator import attrgetter
 
 import msgspec
 import numpy as np
-from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
 from ...document.clone import Clone
 from ...document.content import Content
 from ...document.group_look import GroupLooks
-from ...document.marker import MarkerKind
 from ...document.model import Vector
 from ...document.style import PLAIN_STYLE, Style
 from ...document.text import Text
-from ...view_model.geometry.markers import Ends, ends_of_pieces, markers_of
 from ...view_model.shapes.formed import Formed
 
 
@@ -85,20 +82,9 @@ class Outline(msgspec.Struct, frozen=True):
         return self.style.colour
 
     @property
-    def ends(self) -> Ends | None:
-        """The ends of an open curve; None of a closed one."""
-        return None if self.closed else ends_of_pieces(self.control_points)
-
-    @property
     def reach(self) -> float:
         """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
         return (self.style.width or 0.0) / 2 if self.style.has_stroke and self.content is None else 0.0
-
-
-def markers_at(shape: Sequence[Outline], width: float) -> list[FloatArray]:
-    """Return the outlines, (k, 4, 2), of the markers of a shape whose line is so wide."""
-    style = shape[0].style
-    return markers_of(style, shape[0].ends, shape[-1].ends, width) if style.has_markers else []
 
 
 def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
@@ -108,14 +94,6 @@ def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
         for shape, together in groupby(outlines, attrgetter("shape"))
         for each in ([tuple(together)] if shape else [(outline,) for outline in together])
     ]
-
-
-def with_markers_seen(style: Style, shape: Sequence[Outline]) -> Style:
-    """Return the style of a shape without the markers that its closed curves do not show."""
-    if not style.has_markers:
-        return style
-    hidden = {"start_marker": shape[0].closed, "end_marker": shape[-1].closed}
-    return replace(style, **{name: MarkerKind.NONE for name, is_hidden in hidden.items() if is_hidden})
 
 
 def length_within(shape: Iterable[Outline]) -> float:

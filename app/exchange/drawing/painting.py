@@ -26,7 +26,6 @@ from ...qt.blurs import blurred
 from ...qt.clips import clipped
 from ...qt.contents import inked, paint_picture
 from ...qt.gradients import brush_of
-from ...qt.markers import path_of
 from ...qt.masks import beside, paint_masked
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...qt.written import CLEAR, Writing, write, writings_of
@@ -35,7 +34,7 @@ from .annotation_painting import paint_annotations, paint_points
 from .devices import do_any_meet, has_alpha, holds_words, is_raster
 from .drawing import Drawing
 from .grouped import units_of
-from .outlines import Outline, length_within, markers_at
+from .outlines import Outline, length_within
 from .styles import PictureStyle
 
 _MOST_DASHES = 100_000
@@ -141,7 +140,7 @@ class Painting:
         if shape[0].content is not None:
             return self._frame
         pen = self._pen(style, 0.0)
-        box = self._path(shape).controlPointRect().united(self._markers(shape).controlPointRect())
+        box = self._path(shape).controlPointRect()
         reach = 1 + BLUR_REACH * style.blur + (overhang_of(pen) if pen is not None else 0.0)
         return box.adjusted(-reach, -reach, reach, reach)
 
@@ -173,41 +172,30 @@ class Painting:
         if shape[0].content is not None:
             self._paint_content(shape[0])
             return
-        style, path, markers = shape[0].style, self._path(shape), self._markers(shape)
+        style, path = shape[0].style, self._path(shape)
         is_together = style.opacity < 1 and style.has_fill and style.has_stroke
-        if is_raster(self._painter) and (is_together or (style.opacity < 1 and not markers.isEmpty())):
-            self._paint_layer(path, markers, replace(style, opacity=1.0), length_within(shape), style.opacity)
+        if is_raster(self._painter) and is_together:
+            self._paint_layer(path, replace(style, opacity=1.0), length_within(shape), style.opacity)
             return
         pen = self._pen(style, length_within(shape))
         brush = self._brush(style) if style.has_fill else None
         if is_together and pen is not None:
-            self._paint_apart(style, path, markers, pen, brush)
+            self._paint_apart(style, path, pen, brush)
             return
-        if style.opacity < 1 and pen is not None:
-            markers = markers.subtracted(QPainterPathStroker(pen).createStroke(path))
         self._fill_and_stroke(self._painter, path, pen, brush, style)
-        if pen is not None and not markers.isEmpty():
-            self._fill(self._painter, markers, pen.brush())
 
     def _paint_apart(
-        self,
-        style: Style,
-        path: QPainterPath,
-        markers: QPainterPath,
-        pen: QPen,
-        brush: QBrush | QColor | None,
+        self, style: Style, path: QPainterPath, pen: QPen, brush: QBrush | QColor | None
     ) -> None:
-        """Paint fill, stroke and markers as outlines that do not overlap: all have one opacity."""
+        """Paint fill and stroke as outlines that do not overlap: both have one opacity."""
         painter, line = self._painter, QPainterPathStroker(pen).createStroke(path)
         if style.has_covered_stroke:
-            line, path = line.subtracted(path).subtracted(markers), path.subtracted(markers)
+            line = line.subtracted(path)
         else:
-            markers = markers.subtracted(line)
-            path = path.subtracted(line).subtracted(markers)
+            path = path.subtracted(line)
         if brush is not None:
             self._fill(painter, path, brush)
-        for each in (line, markers):
-            self._fill(painter, each, pen.brush())
+        self._fill(painter, line, pen.brush())
 
     def _paint_blurred(self, shape: tuple[Outline, ...]) -> None:
         """Paint a shape as a picture of it that is blurred, which all formats have."""
@@ -219,7 +207,6 @@ class Painting:
                 path = path.united(letters.boundingRect())
         if shape[0].content is None:
             pen = self._pen(style, 0.0)
-            path = path.united(self._markers(shape).controlPointRect())
             reach += overhang_of(pen) if pen is not None else 0.0
         room = self._frame.adjusted(*(share * BLUR_REACH * style.blur for share in (-1, -1, 1, 1)))
         place = path.adjusted(-reach, -reach, reach, reach).intersected(room)
@@ -318,31 +305,29 @@ class Painting:
         painter.drawImage(place, picture)
         painter.restore()
 
-    def _paint_layer(
-        self, path: QPainterPath, markers: QPainterPath, style: Style, length: float, opacity: float
-    ) -> None:
+    def _paint_layer(self, path: QPainterPath, style: Style, length: float, opacity: float) -> None:
         """Paint stroke and fill so that nothing of the fill is seen through the stroke."""
         painter, pen = self._painter, self._pen(style, length)
-        place = self._bounds(path, markers, pen or QPen(Qt.PenStyle.NoPen))
+        place = self._bounds(path, pen or QPen(Qt.PenStyle.NoPen))
         if not place.isEmpty():
             brush = self._brush(style) if style.has_fill else None
             painter.save()
             painter.setOpacity(opacity)
-            painter.drawImage(place.topLeft(), self._layer(place, path, markers, pen, brush, style))
+            painter.drawImage(place.topLeft(), self._layer(place, path, pen, brush, style))
             painter.restore()
 
-    def _bounds(self, path: QPainterPath, markers: QPainterPath, pen: QPen) -> QRect:
+    def _bounds(self, path: QPainterPath, pen: QPen) -> QRect:
         """Return the pixels of the device that a shape can reach."""
         reach = 1 + overhang_of(pen)
         within = QRectF(0, 0, math.ceil(self._frame.width()), math.ceil(self._height))
-        seen = path.controlPointRect().united(markers.controlPointRect())
-        return seen.adjusted(-reach, -reach, reach, reach).intersected(within).toAlignedRect()
+        return (
+            path.controlPointRect().adjusted(-reach, -reach, reach, reach).intersected(within).toAlignedRect()
+        )
 
     def _layer(
         self,
         place: QRect,
         path: QPainterPath,
-        markers: QPainterPath,
         pen: QPen | None,
         brush: QBrush | QColor | None,
         style: Style,
@@ -354,14 +339,7 @@ class Painting:
             painter.setRenderHints(self._painter.renderHints())
             painter.translate(-place.topLeft())
             self._fill_and_stroke(painter, path, pen, brush, style)
-            if pen is not None:
-                painter.fillPath(markers, pen.brush())
         return layer
-
-    def _markers(self, shape: Sequence[Outline]) -> QPainterPath:
-        style = shape[0].style
-        width = self._drawing.usual_width if style.width is None else style.width
-        return self._way.map(path_of(markers_at(shape, width)))
 
     def _path(self, shape: Iterable[Outline]) -> QPainterPath:
         path = QPainterPath()

@@ -22,7 +22,7 @@
 - ``filters``: those that are a blur.
 - ``patterns``: those of fills and strokes, each with a body of its own out of ``tiles``.
   ``tile_documents``: documents as such, and back.
-- ``cascade``, ``properties``, ``paint``, ``gradients``, ``markers``: the style of an element, from attributes
+- ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
   ``copied``: as Inkscape does.

@@ -1,4 +1,4 @@
-"""What of a file is there to be referred to: the base of gradients, clips, markers and the like."""
+"""What of a file is there to be referred to: the base of gradients, clips and the like."""
 
 from __future__ import annotations
 

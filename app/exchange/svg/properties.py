@@ -10,16 +10,13 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from ...document.marker import MarkerKind
 from ...document.model import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, PaintOrder, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
-from .elements import Elements
 from .flaw import Flaw
 from .gradients import Ground
 from .lengths import Viewport, length
-from .markers import Markers
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
 DECORATIONS = ("underline", "line-through")
@@ -27,7 +24,8 @@ DECORATIONS = ("underline", "line-through")
 
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
-_UNMARKED = (MarkerKind.NONE, MarkerKind.NONE)
+_MARKERS = ("marker-start", "marker-mid", "marker-end")
+_MARKED = Flaw("it has markers", "it comes in without them")
 _SIZES = {
     "xx-small": 9.0,
     "x-small": 10.0,
@@ -133,8 +131,8 @@ def font_size(word: str, around: str) -> str:
 class StyleReader:
     """Reads styles of one file."""
 
-    def __init__(self, paints: Paints, elements: Elements) -> None:
-        self._paints, self._markers = paints, Markers(elements)
+    def __init__(self, paints: Paints) -> None:
+        self._paints = paints
 
     def style(self, properties: Properties, ground: Ground, scale: float) -> tuple[Style, tuple[Flaw, ...]]:
         """Return the style of a shape on its ground, whose lengths are scaled so, and what of it is lost.
@@ -151,11 +149,8 @@ class StyleReader:
         if not 0 < width <= MAX_MAGNITUDE:
             stroke = Paint("none")
         flaws = [Flaw(each.why, each.instead) for each in (fill, stroke) if each.why]
-        start, end, told = self._markers.of(values)
-        flaws += told
-        order, has_markers_below = _paint_order(values["paint-order"])
-        if has_markers_below and stroke.colour != "none" and (start, end) != _UNMARKED:
-            flaws.append(Flaw("its markers lie below", "they lie on top"))
+        if any(values[name].lower() != "none" for name in _MARKERS):
+            flaws.append(_MARKED)
         style = Style(
             stroke=stroke.colour,
             fill=fill.colour,
@@ -163,11 +158,10 @@ class StyleReader:
             fill_opacity=_rounded(fill.opacity * share_of(values["fill-opacity"])),
             opacity=properties.share,
             fill_gradient=fill.gradient,
-            paint_order=order,
+            paint_order=_paint_order(values["paint-order"]),
         )
         if stroke.colour == "none":
             return style, tuple(flaws)
-        style = replace(style, start_marker=start, end_marker=end)
         return _with_stroke(style, values, stroke, width, scale, viewport), tuple(flaws)
 
 
@@ -191,12 +185,10 @@ def _with_stroke(
     )
 
 
-def _paint_order(text: str) -> tuple[PaintOrder, bool]:
-    """Return which of fill and stroke covers the other, and whether either covers the markers."""
-    words = text.lower().split()
-    first = next((word for word in words if word in _PAINTS), "fill")
-    order = PaintOrder.FILL_ABOVE if first == "stroke" else PaintOrder.STROKE_ABOVE
-    return order, "markers" in words[:2]
+def _paint_order(text: str) -> PaintOrder:
+    """Return which of fill and stroke covers the other."""
+    first = next((word for word in text.lower().split() if word in _PAINTS), "fill")
+    return PaintOrder.FILL_ABOVE if first == "stroke" else PaintOrder.STROKE_ABOVE
 
 
 def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float:

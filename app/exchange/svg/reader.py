@@ -133,7 +133,7 @@ class SvgReader:
         self._missing = Missing(root, self._cascade.missed)
         self._elements = elements = Elements.within(root, self._cascade.of)
         paints = Paints(elements)
-        self._styles = StyleReader(paints, elements)
+        self._styles = StyleReader(paints)
         self._shown = Shown(paints, elements)
         self._clips, self._filters, self._masks = Clips(elements), Filters(elements), Masks(elements)
         self._visited = self._found = 0

@@ -15,7 +15,6 @@ from ...document.clip import Clip
 from ...document.content import MOST_LETTERS, MOST_PIXELS, Content, Lettering
 from ...document.contents import is_framed, shortened
 from ...document.form_edits import framed
-from ...document.marker import MarkerKind
 from ...document.model import MAX_MAGNITUDE
 from ...document.style import NO_LINE, FillRule
 from ..cubics_in import ImportedPath, Look
@@ -99,12 +98,7 @@ class Found(NamedTuple):
 
     def path(self, name: str, look: Look) -> ImportedPath:
         """Return its frame as a path that looks so, called by what it shows where it has no name."""
-        plain = {
-            "fill_rule": FillRule.NONZERO,
-            "start_marker": MarkerKind.NONE,
-            "end_marker": MarkerKind.NONE,
-        }
-        style = structs.replace(look.style, clips=self.clips, **plain)
+        style = structs.replace(look.style, clips=self.clips, fill_rule=FillRule.NONZERO)
         if not self.is_painted:
             style = structs.replace(NO_LINE, opacity=style.opacity, clips=self.clips)
         pieces = moved(self.frame, self.matrix)

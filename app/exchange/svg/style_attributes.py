@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...document.marker import MarkerKind
 from ...document.style import GRADIENTS, NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ..drawing.styles import PictureStyle
 from .gradient_elements import GradientElements
-from .marker_elements import MarkerElements
 from .numbers import number
 
 
@@ -17,7 +15,6 @@ def style_attributes(
     picture: PictureStyle,
     usual_width: float,
     gradients: GradientElements,
-    markers: MarkerElements,
 ) -> str:
     """Return a style as attributes, each after a blank; what SVG takes for granted is left out."""
     flat = {"fill": picture.fill_of(style), "stroke": picture.stroke_of(style)}
@@ -25,11 +22,6 @@ def style_attributes(
     paints = {name: served.get(GRADIENTS[name], colour) for name, colour in flat.items()}
     pairs = [("fill", paints["fill"] if style.has_fill else NO_PAINT), *_of_fill(style)]
     pairs += _of_stroke(style, paints["stroke"], usual_width)
-    if style.has_stroke:
-        ends = {"marker-start": style.start_marker, "marker-end": style.end_marker}
-        pairs += [
-            (name, markers.reference(kind)) for name, kind in ends.items() if kind is not MarkerKind.NONE
-        ]
     if style.has_covered_stroke:
         pairs.append(("paint-order", str(style.paint_order.value)))
     if style.opacity < 1:

@@ -16,7 +16,7 @@ from ...document.style import Style
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import farthest_reach
 from ..drawing.drawing import Drawing
-from ..drawing.outlines import Outline, with_markers_seen
+from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
 from ..node_types import guessed, joined
@@ -28,7 +28,6 @@ from .escapes import quoted
 from .filter_elements import FilterElements
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
-from .marker_elements import MarkerElements
 from .mask_elements import MaskElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
@@ -78,7 +77,7 @@ class Tree:
         self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
-        self.clips, self._markers = ClipElements(self._ids), MarkerElements(self._ids)
+        self.clips = ClipElements(self._ids)
         self._filters, self._masks = FilterElements(self._ids), MaskElements(self._ids)
         self._courses = CourseElements(self._ids, self._carrier)
         contents = (shape[0].content for shape in shapes)
@@ -93,9 +92,9 @@ class Tree:
 
     @property
     def definitions(self) -> list[str]:
-        """What paints what was written, cuts it and ends its lines, in an element of their own."""
+        """What paints what was written and cuts it, in an element of their own."""
         found = [*self._gradients.lines, *self.clips.lines, *self._filters.lines, *self._masks.lines]
-        found += [*self._markers.lines, *self._courses.lines]
+        found += self._courses.lines
         return ["  <defs>", *found, "  </defs>"] if found else []
 
     @property
@@ -123,7 +122,7 @@ class Tree:
     def _drawn(self, shape: tuple[Outline, ...], called: str, end: str) -> str:
         """Return the element that draws a shape."""
         first = shape[0]
-        style = self._styled(with_markers_seen(first.style, shape), self._usual_width)
+        style = self._styled(first.style, self._usual_width)
         clips, masks = first.style.clips, first.style.masks
         # Texts lie along paths alone, as SVG 1.1 has it: browsers know no others.
         tag, runs = _as_form(shape, as_path=first.identity in self._courses_of_texts) or ("path", "")
@@ -143,7 +142,7 @@ class Tree:
         )
 
     def _styled(self, style: Style, usual_width: float) -> str:
-        return style_attributes(style, self._style, usual_width, self._gradients, self._markers)
+        return style_attributes(style, self._style, usual_width, self._gradients)
 
     def _blurred(self, style: Style, corners: FloatArray) -> str:
         """Return the blur of what lies so in its own units, as an attribute; empty of none."""

@@ -308,21 +308,6 @@ class StyleCommands:
             self._panel.fill.edit.setFocus()
 
     @action(
-        "showMarkers",
-        "Arrowheads…",
-        CURVE_STYLE,
-        "",
-        "arrowhead",
-        full_name="Style: Arrowheads and Markers…",
-        keywords="arrow arrowhead marker head tip dot bar line end start",
-    )
-    def _show_markers(self) -> None:
-        """Show what stands where open lines begin and end: an arrow, a dot, a square or a bar."""
-        self._dock.bring_up()
-        if self._panel is not None:
-            self._panel.markers.setFocus()
-
-    @action(
         "swapFillAndStroke",
         "Swap Fill and Stroke",
         CURVE_STYLE,

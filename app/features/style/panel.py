@@ -26,7 +26,6 @@ from ...widgets.tool_buttons import action_button
 from .blur_field import BlurField
 from .dash_field import DashField
 from .gradient_field import GradientField
-from .marker_field import FIELDS, MarkerField
 
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
@@ -78,8 +77,8 @@ class StylePanel(FieldForm):
         The fields of shares, by the field of a style that they show.
     gradients
         The fields of gradients, by the field of the paint.
-    markers, blur
-        The fields of what stands at the ends of lines, and of how soft it is.
+    blur
+        The field of how soft it is.
     """
 
     wanted = Signal(object)
@@ -117,7 +116,7 @@ class StylePanel(FieldForm):
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
         self._make_numbers()
-        self._dash, self.markers, self.blur = DashField(), MarkerField(), BlurField()
+        self._dash, self.blur = DashField(), BlurField()
         self.opacities = {
             "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
             "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
@@ -174,7 +173,6 @@ class StylePanel(FieldForm):
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
             ("Dashes", dashes),
             ("Order", self._order),
-            ("Markers", self.markers),
             ("Opacity", self.opacities["stroke_opacity"]),
             down=6,
         )
@@ -206,7 +204,6 @@ class StylePanel(FieldForm):
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
         # Chosen by its name it is to be seen; who types 0 is told why nothing is.
         self._dash.dots_chosen.connect(lambda dash: self.wanted.emit({"dash": dash, "cap": LineCap.ROUND}))
-        self.markers.chosen.connect(lambda name, kind: self.wanted.emit({name: kind}))
         fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
         fields[self.blur.edit] = "blur"
         fields |= {field.edit: name for name, field in self.opacities.items()}
@@ -299,8 +296,6 @@ class StylePanel(FieldForm):
         self._cap.render_value(values.get("cap"))
         self._join.render_value(values.get("join"))
         self._dash.render_value(values.get("dash"))
-        for name in FIELDS:
-            self.markers.render_value(name, values.get(name))
         for name, field in self.opacities.items():
             field.render_value(values.get(name))
         self._render_numbers(values, unit)
@@ -341,7 +336,7 @@ class StylePanel(FieldForm):
             always.setEnabled(bool(styles))
         has_fill = any(style.fill != NO_PAINT for style in styles)
         has_stroke = any(style.stroke != NO_PAINT for style in styles)
-        of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash, self.markers)
+        of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash)
         for part in (self._rule, self.opacities["fill_opacity"]):
             part.setEnabled(has_fill)
         for each in (*of_line, self.opacities["stroke_opacity"]):

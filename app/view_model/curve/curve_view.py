@@ -11,11 +11,9 @@ import numpy as np
 
 from curvecore import CardinalBasis, CurveError, ParametricCurve
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.scaling import scale_by_power
 
 from ...document.model import Curve, Vector
 from ...families.family import OverdueCallError
-from ..geometry.markers import Ends, ends_of_pieces
 from ..geometry.plane import at_knots, size_of
 from .cardinals import Cardinal, Cardinals
 from .carry import Carry
@@ -190,16 +188,6 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
                 return None
             found.append(controls)
         return np.concatenate(found)
-
-    @cached_property
-    def ends(self) -> Ends | None:
-        """The ends of an open curve; None of a closed one."""
-        if self.source.is_closed or self.curve is None:
-            return None
-        from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415 - where there are markers
-
-        pieces = bezier_pieces(self.curve)
-        return ends_of_pieces(scale_by_power(pieces.controls[[0, -1]], pieces.exponent))
 
     def velocity_of(self, index: int, *, ahead: bool = True) -> Vector | None:
         """Return the velocity at point `index`, set or estimated; None where the family has none.

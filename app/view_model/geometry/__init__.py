@@ -5,5 +5,4 @@
 - ``fills``: insides of outlines.  ``stroked``: the box around a stroked line.
 - ``fixed_point``: equations whose values take a while.
 - ``clips``: what clips leave of curves.  ``extents``: of cubic pieces.
-- ``markers``: outlines of arrowheads at the ends of lines.
 """

@@ -17,9 +17,7 @@ from curvecore.arrays import BoolArray, FloatArray
 from curvecore.regions.miters import are_pointed, miter_tips
 from curvecore.scaling import scale_by_power
 
-from ...document.marker import FARTHEST
 from ...document.style import LineCap, LineJoin, Style
-from .markers import Ends, markers_of, sampled
 from .plane import to_the_left, unit_tangents
 
 _LEAST = 1e-12
@@ -62,8 +60,7 @@ def is_round(style: Style) -> bool:
 def farthest_reach(style: Style) -> float:
     """Return a distance that a stroke reaches beyond the box of its line at most."""
     corner = style.miter_limit if style.join is LineJoin.MITER else 1.0
-    marker = 2.0 * FARTHEST if style.has_markers else 1.0
-    return half_width(style) * max(math.sqrt(2.0) if style.cap is LineCap.SQUARE else 1.0, corner, marker)
+    return half_width(style) * max(math.sqrt(2.0) if style.cap is LineCap.SQUARE else 1.0, corner)
 
 
 def polygonal(polyline: FloatArray, *, is_closed: bool) -> Line | None:
@@ -124,16 +121,8 @@ def stroke_box(line: Line, style: Style) -> FloatArray:
             reached += [*_sides(ends + half * out, out, half)]
         elif style.cap is LineCap.ROUND:
             discs.append((ends, out, out))
-        reached += [sampled(pieces) for pieces in markers_of(style, ends_of(line), ends_of(line), 2.0 * half)]
     spots = np.vstack(reached)
     return np.array([_along(axis, line, spots, discs, half) for axis in (0, 1)]).T
-
-
-def ends_of(line: Line) -> Ends | None:
-    """Return the ends of a line; none of a closed one."""
-    if line.is_closed:
-        return None
-    return Ends(line.points[0], -line.after[0], line.points[-1], line.before[-1])
 
 
 _Disc = tuple[FloatArray, FloatArray, FloatArray]

@@ -22,7 +22,6 @@ from ...document.model import Curve, Document
 from ...document.style import LEAST_DASH, NO_PAINT, LineJoin, Style
 from ...tasks.progress import Report, part, silent
 from ..curve.curve_view import CurveView
-from ..geometry.markers import ends_of_pieces, markers_of
 from .regions import (
     Combined,
     Names,
@@ -167,7 +166,7 @@ def _stroked(
             for dash in curvecore.dashed(line, lengths, start=start, closed=is_closed)
         ]
         closed = []
-    stroke = curvecore.stroked(
+    return curvecore.stroked(
         lines,
         width,
         tolerance=tolerance,
@@ -177,12 +176,6 @@ def _stroked(
         closed=closed,
         progress=progress,
     )
-    ends = [
-        None if curve.is_closed else ends_of_pieces(outlines[at])
-        for at, curve in ((0, curves[0]), (-1, curves[-1]))
-    ]
-    markers = [curvecore.Region([ring]) for ring in markers_of(style, ends[0], ends[1], width)]
-    return curvecore.union([stroke, *markers]) if markers else stroke
 
 
 def _heard(report: Report, word: str) -> Callable[[float], object]:

@@ -19,7 +19,6 @@ from curvecore.arrays import FloatArray
 from ....document.content import Content, Lettering, Picture, rough_box_of
 from ....document.contents import plane_of, shortened
 from ....document.empty_layer import EmptyLayer
-from ....document.marker import MarkerKind
 from ....document.style import NO_PAINT, FillRule, Style
 from ....document.value import Value
 from ....view_model.curve.curve_view import view_of
@@ -86,8 +85,7 @@ class Wanted:
             bare = Style(stroke=NO_PAINT, opacity=style.opacity, clips=style.clips, blur=style.blur)
             return replace(bare, masks=style.masks)
         if self.content is not None:
-            none = MarkerKind.NONE
-            return replace(style, fill_rule=FillRule.NONZERO, start_marker=none, end_marker=none)
+            return replace(style, fill_rule=FillRule.NONZERO)
         return style
 
     @property

@@ -22,7 +22,6 @@ from ...naming import Names
 from ..clip_elements import ClipElements
 from ..filter_elements import FilterElements
 from ..gradient_elements import GradientElements
-from ..marker_elements import MarkerElements
 from ..mask_elements import MaskElements
 from ..matrices import mean_scale, moved
 from ..numbers import number
@@ -44,8 +43,6 @@ class Part(NamedTuple):
 _CLIP = Part(("clips",), ("clip-path",), "")
 _MASK = Part(("masks",), ("mask",), "")
 _BLUR = Part(("blur",), ("filter",), "")
-_START = Part(("start_marker",), ("marker-start",), "")
-_END = Part(("end_marker",), ("marker-end",), "")
 
 _PARTS = (
     Part(("fill", "fill_opacity", "fill_gradient"), ("fill", "fill-opacity"), "fill"),
@@ -56,8 +53,6 @@ _PARTS = (
     Part(("join", "miter_limit"), ("stroke-linejoin", "stroke-miterlimit")),
     Part(("opacity",), ("opacity",), ""),
     Part(("paint_order",), ("paint-order",), ""),
-    _START,
-    _END,
     _CLIP,
     _MASK,
     _BLUR,
@@ -69,18 +64,18 @@ class Definitions:
 
     Attributes
     ----------
-    gradients, clips, markers, filters, masks
+    gradients, clips, filters, masks
         Those that were asked for so far.
     """
 
     def __init__(self, ids: Names) -> None:
         self.gradients, self.clips = GradientElements(INK, ids), ClipElements(ids)
-        self.markers, self.filters = MarkerElements(ids), FilterElements(ids)
+        self.filters = FilterElements(ids)
         self.masks = MaskElements(ids)
 
     def taken(self) -> str:
         """Return as elements those that were asked for since it was asked last."""
-        kinds = (self.gradients, self.clips, self.markers, self.filters, self.masks)
+        kinds = (self.gradients, self.clips, self.filters, self.masks)
         return "\n".join(line for each in kinds for line in each.taken())
 
 
@@ -200,13 +195,6 @@ class Looks:
             is_asked = any(field in part.fields for part in parts)
             if is_asked and (gradient := getattr(style, field)) is not None:
                 paints[name] = made.gradients.reference(gradient.mapped(there))
-        ends = {_START: style.start_marker, _END: style.end_marker}
-        markers = {
-            name: made.markers.reference(kind)
-            for part, kind in ends.items()
-            if part in parts
-            for name in part.properties
-        }
         return {
             "fill": paints["fill"],
             "fill-opacity": number(style.fill_opacity),
@@ -214,7 +202,6 @@ class Looks:
             "stroke": paints["stroke"],
             "paint-order": str(style.paint_order.value),
             **_stroke_properties(style, scale),
-            **markers,
             "opacity": number(style.opacity / opacity if opacity else style.opacity),
             "filter": made.filters.reference(blur, corners, farthest_reach(style) / scale)
             if _BLUR in parts
