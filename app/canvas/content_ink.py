@@ -57,8 +57,6 @@ def _paint_text(
     for path, own in inked(text, corners_of(curve), to_pixels(shown), style, area):
         wide = width if own is style or own.width is None else own.width * shown.sx
         pen = _pen(own, style.opacity, shown, theme, wide) if own.has_stroke and wide > 0 else None
-        if pen is not None and own.has_covered_stroke:
-            painter.strokePath(path, pen)
         if own.has_fill:
             opacity = own.fill_opacity * style.opacity
             painter.fillPath(
@@ -67,7 +65,7 @@ def _paint_text(
                 if own.fill_gradient is None
                 else brush_of(own.fill_gradient, theme.curve, opacity, lambda place: shown.point(*place)),
             )
-        if pen is not None and not own.has_covered_stroke:
+        if pen is not None:
             painter.strokePath(path, pen)
     if is_overset(text):
         _paint_overset(painter, [QPointF(*shown.point(*place)) for place in corners_of(curve)], theme)

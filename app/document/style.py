@@ -64,13 +64,6 @@ class FillRule(NamedEnum):
     EVENODD = "evenodd", "Even-odd"
 
 
-class PaintOrder(NamedEnum):
-    """Which of fill and stroke covers the other. The values are those of SVG."""
-
-    STROKE_ABOVE = "normal", "Stroke on top"
-    FILL_ABOVE = "stroke", "Fill on top"
-
-
 class Style(Value, frozen=True):
     """Stroke and fill. A paint is `INK`, `NO_PAINT` or "#rrggbb"; opacities are from 0, invisible, to 1.
 
@@ -97,8 +90,6 @@ class Style(Value, frozen=True):
         Areas beyond each of which nothing of it is seen.
     masks
         Pictures each of which says how much of it is seen.
-    paint_order
-        Which of fill and stroke covers the other.
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
@@ -117,7 +108,6 @@ class Style(Value, frozen=True):
     stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
     clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
     blur: Annotated[float, at_least(0), LENGTH, "Blur"] = 0.0
-    paint_order: Annotated[PaintOrder, "Paint order"] = PaintOrder.STROKE_ABOVE
     masks: Annotated[tuple[Mask, ...], few(MOST_MASKS, f"hold at most {MOST_MASKS} masks"), "Mask"] = ()
 
     @property
@@ -129,11 +119,6 @@ class Style(Value, frozen=True):
     def has_fill(self) -> bool:
         """Whether the inside is painted."""
         return self.fill != NO_PAINT
-
-    @property
-    def has_covered_stroke(self) -> bool:
-        """Whether its fill lies over its line."""
-        return self.paint_order is PaintOrder.FILL_ABOVE and self.has_stroke and self.has_fill
 
     @property
     def dashes_and_gaps(self) -> tuple[float, ...]:

@@ -148,7 +148,7 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
 def said_of_paints(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
     """Return what a format has to say that knows colours alone, no gradients, clips, masks and blurs."""
     named = list(styles)
-    said = (_said_of_gradients, _said_of_clips, _said_of_masks, _said_of_blurs, _said_of_order)
+    said = (_said_of_gradients, _said_of_clips, _said_of_masks, _said_of_blurs)
     return tuple(sentence for each in said for sentence in each(named))
 
 
@@ -167,14 +167,6 @@ def _said_of_blurs(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
     if not names:
         return ()
     return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} blurred, and written sharp.",)
-
-
-def _said_of_order(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.has_covered_stroke))
-    if not names:
-        return ()
-    lines, lie = ("line", "lies") if len(names) == 1 else ("lines", "lie")
-    return (f"The {lines} of {names_of(names)} {lie} over the fill, and not below it.",)
 
 
 def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:

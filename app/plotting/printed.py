@@ -86,11 +86,9 @@ def paint_printed(
         return
     is_lined = style.has_stroke and ink.width > 0
     path = _whole_path(parts, shown)
-    if is_lined and style.has_covered_stroke:
-        _stroke(painter, parts, style, ink, shown, path, line or RoundLine())
     if style.has_fill:
         _fill(painter, parts, style, ink, shown, path)
-    if is_lined and not style.has_covered_stroke:
+    if is_lined:
         _stroke(painter, parts, style, ink, shown, path, line or RoundLine())
 
 

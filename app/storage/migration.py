@@ -110,6 +110,13 @@ DROPPED: list[Dropped] = [
     Dropped(Place.DOCUMENT, "kept_pictures", "picture", is_loss=lambda _picture: True),
     Dropped(Place.STYLE, "start_marker", "arrowhead", is_loss=_is_set),
     Dropped(Place.STYLE, "end_marker", "arrowhead", is_loss=_is_set),
+    Dropped(
+        Place.STYLE,
+        "paint_order",
+        "order of fill and line",
+        "orders of fill and line",
+        lambda order: order == "stroke",
+    ),
 ]
 """The fields of version 2 that version 3 does not have."""
 

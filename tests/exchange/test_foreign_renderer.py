@@ -13,7 +13,7 @@ from app.document.clones import add_clones, settled
 from app.document.gradient import Gradient, GradientKind, Stop
 from app.document.model import Document, make_curve
 from app.document.several_curves import mapped, scaled_strokes, whole_curves
-from app.document.style import NO_PAINT, PaintOrder, Style
+from app.document.style import NO_PAINT, Style
 from app.document.transforms import rotation, scaling
 from app.exchange.drawing.styles import LIGHT
 from app.exchange.options import Options
@@ -68,20 +68,6 @@ def test_librsvg_draws_clones_where_and_as_they_are(tmp_path):
     document = settled(larger, added.document, added.document)
     assert svg_of(document).text.count("<use ") == 3
     assert_drawn_the_same(document, tmp_path)
-
-
-@pytest.mark.parametrize("opacity", [1.0, 0.5])
-def test_librsvg_draws_the_same_fill_over_the_stroke(opacity, tmp_path):
-    """A dark fill that is seen whole, and a pale line that is half as wide as it would be."""
-    style = Style(stroke="#dddddd", width=1.0, fill="#000000", opacity=opacity)
-    leaf = replace(make_curve([(0, 0), (5, -1), (6, 3)], family=HERMITE), closed=True)
-    inks = [
-        assert_drawn_the_same(
-            Document((replace(leaf, style=replace(style, paint_order=order)),)), tmp_path
-        ).sum()
-        for order in PaintOrder
-    ]
-    assert inks[1] > 1.2 * inks[0]
 
 
 def assert_drawn_the_same(kind, tmp_path):

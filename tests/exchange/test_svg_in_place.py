@@ -14,7 +14,6 @@ from app.document.gradient import Gradient, Stop
 from app.document.model import Axis, Guide, Page, make_curve
 from app.document.several_curves import stepped, whole_curves
 from app.document.shapes import tidy_shapes, whole_shapes
-from app.document.style import PaintOrder
 from app.document.transforms import rotation, transform_points
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.formats.pictures import read
@@ -120,13 +119,6 @@ EDITS = {
         [
             '-style="fill:url(#lg2);stroke:#000000;stroke-width:0.5"',
             '+style="fill:#112233;stroke:#000000;stroke-width:0.5"',
-        ],
-    ),
-    "a fill comes to lie over its stroke": (
-        lambda d: changed(d, RECT, paint_order=PaintOrder.FILL_ABOVE),
-        [
-            '-style="fill:url(#lg2);stroke:#000000;stroke-width:0.5"',
-            '+style="fill:url(#lg2);stroke:#000000;stroke-width:0.5;paint-order:stroke"',
         ],
     ),
     "a line gets dashes": (

@@ -33,8 +33,6 @@ TEXTS = {
     "gradient": '<text x="9" y="30" fill="url(#g)">Gradient words</text>',
     "clipped": '<text x="9" y="30" clip-path="url(#c)">Clipped words</text>',
     "stroked": '<text x="9" y="30" fill="#ffa" stroke="#333" stroke-width=".4">Stroked words</text>',
-    "covered": '<text x="9" y="30" fill="#ffa" stroke="#333" stroke-width="2" '
-    'paint-order="stroke">Covered line</text>',
     "outlined": '<text x="9" y="30" fill="none" stroke="#333" stroke-width=".4">Outlined words</text>',
     "turned": '<text transform="rotate(9) scale(1.2 .8)" x="9" y="30">Rotated words</text>',
     "accents": '<text x="9" y="30">Größe naïve Ελληνικά</text>',
@@ -47,7 +45,6 @@ WORDS = {
     "gradient": "Gradient words",
     "clipped": "Clipped words",
     "stroked": "Stroked words",
-    "covered": "Covered line",
     "outlined": "Outlined words",
     "turned": "Rotated words",
     "accents": "Größe naïve Ελληνικά",

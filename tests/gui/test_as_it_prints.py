@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QImage
 
 from app.appearance.theme import LIGHT
 from app.document.model import Document, Page, make_curve
-from app.document.style import FillRule, LineCap, LineJoin, PaintOrder, Style
+from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange import png_file
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.styles import LIGHT as LIGHT_PAPER
@@ -29,10 +29,6 @@ STYLES = {
     "both": Style(stroke="#d55e00", width=0.3, fill="#f0e442"),
     "through": Style(stroke="#d55e00", width=0.5, fill="#f0e442", opacity=0.5),
     "apart": Style(stroke="#d55e00", width=0.5, fill="#0072b2", stroke_opacity=0.5, fill_opacity=0.7),
-    "fill on top": Style(stroke="#d55e00", width=0.5, fill="#0072b2", paint_order=PaintOrder.FILL_ABOVE),
-    "fill on top, through": Style(
-        stroke="#d55e00", width=0.5, fill="#0072b2", opacity=0.5, paint_order=PaintOrder.FILL_ABOVE
-    ),
     "even-odd": Style(stroke="none", fill="#009e73", fill_rule=FillRule.EVENODD),
     "nonzero": Style(stroke="none", fill="#009e73"),
     "ink": Style(fill="", width=0.1),

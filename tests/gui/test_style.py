@@ -23,7 +23,7 @@ from app.appearance.theme import LIGHT, ThemeMode
 from app.document.gradient import Gradient, Stop
 from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
-from app.document.style import NO_PAINT, FillRule, LineCap, LineJoin, PaintOrder, Style
+from app.document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot
 from app.plotting.drawing import Stroke
@@ -144,8 +144,7 @@ def test_ends_corners_rules_and_dashes(editor, panel):
     enter(editor, panel, "miterLimit", "10")
     click(panel, "fillPaint_Blue")
     click(panel, "fillRule_evenodd")
-    click(panel, "paintOrder_stroke")
-    assert editor.session.undo_stack.undoText() == "Paint order of Stem"
+    assert editor.session.undo_stack.undoText() == "Fill rule of Stem"
     box = child(panel, QComboBox, "dashBox")
     box.setFocus()
     QTest.keyClick(box, Qt.Key.Key_Down)
@@ -158,7 +157,6 @@ def test_ends_corners_rules_and_dashes(editor, panel):
         miter_limit=10.0,
         fill=BLUE,
         fill_rule=FillRule.EVENODD,
-        paint_order=PaintOrder.FILL_ABOVE,
         dash=(3.0, 1.0, 0.5, 1.0),
         dash_offset=2.0,
     )

@@ -180,21 +180,15 @@ class Painting:
         pen = self._pen(style, length_within(shape))
         brush = self._brush(style) if style.has_fill else None
         if is_together and pen is not None:
-            self._paint_apart(style, path, pen, brush)
+            self._paint_apart(path, pen, brush)
             return
-        self._fill_and_stroke(self._painter, path, pen, brush, style)
+        self._fill_and_stroke(self._painter, path, pen, brush)
 
-    def _paint_apart(
-        self, style: Style, path: QPainterPath, pen: QPen, brush: QBrush | QColor | None
-    ) -> None:
+    def _paint_apart(self, path: QPainterPath, pen: QPen, brush: QBrush | QColor | None) -> None:
         """Paint fill and stroke as outlines that do not overlap: both have one opacity."""
         painter, line = self._painter, QPainterPathStroker(pen).createStroke(path)
-        if style.has_covered_stroke:
-            line = line.subtracted(path)
-        else:
-            path = path.subtracted(line)
         if brush is not None:
-            self._fill(painter, path, brush)
+            self._fill(painter, path.subtracted(line), brush)
         self._fill(painter, line, pen.brush())
 
     def _paint_blurred(self, shape: tuple[Outline, ...]) -> None:
@@ -243,19 +237,17 @@ class Painting:
         elif isinstance(content, Lettering):
             for path, style in self._inked(frame, content):
                 brush = self._brush(style) if style.has_fill else None
-                self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush, style)
+                self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush)
 
     def _write(self, writing: Writing) -> None:
         """Paint letters as such, and as outlines those that no font paints so."""
         style, painter, whole = writing.style, self._painter, writing.whole
         brush, pen = self._brush(style) if style.has_fill else None, self._pen(style, 0.0)
-        if pen is not None and style.has_covered_stroke:
-            self._stroke(painter, whole, pen)
         if brush is not None:
             self._fill(painter, writing.path if isinstance(brush, QColor) else whole, brush)
         if brush is not None or pen is not None:
             write(painter, writing, brush if isinstance(brush, QColor) else CLEAR)
-        if pen is not None and not style.has_covered_stroke:
+        if pen is not None:
             self._stroke(painter, whole, pen)
 
     def _inked(self, frame: Outline, text: Lettering) -> Iterator[tuple[QPainterPath, Style]]:
@@ -267,13 +259,10 @@ class Painting:
         path: QPainterPath,
         pen: QPen | None,
         brush: QBrush | QColor | None,
-        style: Style,
     ) -> None:
-        if pen is not None and style.has_covered_stroke:
-            self._stroke(painter, path, pen)
         if brush is not None:
             self._fill(painter, path, brush)
-        if pen is not None and not style.has_covered_stroke:
+        if pen is not None:
             self._stroke(painter, path, pen)
 
     def _stroke(self, painter: QPainter, path: QPainterPath, pen: QPen) -> None:
@@ -338,7 +327,7 @@ class Painting:
         with QPainter(layer) as painter:
             painter.setRenderHints(self._painter.renderHints())
             painter.translate(-place.topLeft())
-            self._fill_and_stroke(painter, path, pen, brush, style)
+            self._fill_and_stroke(painter, path, pen, brush)
         return layer
 
     def _path(self, shape: Iterable[Outline]) -> QPainterPath:

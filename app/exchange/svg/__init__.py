@@ -1,7 +1,7 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``mask_elements``, ``marker_elements``,
+  ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``mask_elements``,
   ``filter_elements``, ``numbers``: styles and numbers as text.
   ``defined_elements``: what those that are referred to have in common.
   ``form_elements``: rectangles and ellipses as such.  ``inkscape_forms``: stars, as Inkscape notes them.

@@ -11,7 +11,7 @@ from typing import TypeVar
 from msgspec.structs import replace
 
 from ...document.model import MAX_MAGNITUDE
-from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, PaintOrder, Style
+from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
 from .flaw import Flaw
@@ -25,6 +25,7 @@ DECORATIONS = ("underline", "line-through")
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
+_COVERED = Flaw("its fill covers its line", "its line covers its fill")
 _MARKED = Flaw("it has markers", "it comes in without them")
 _SIZES = {
     "xx-small": 9.0,
@@ -151,6 +152,9 @@ class StyleReader:
         flaws = [Flaw(each.why, each.instead) for each in (fill, stroke) if each.why]
         if any(values[name].lower() != "none" for name in _MARKERS):
             flaws.append(_MARKED)
+        is_both = "none" not in (fill.colour, stroke.colour)
+        if is_both and _has_fill_above(values["paint-order"]):
+            flaws.append(_COVERED)
         style = Style(
             stroke=stroke.colour,
             fill=fill.colour,
@@ -158,7 +162,6 @@ class StyleReader:
             fill_opacity=_rounded(fill.opacity * share_of(values["fill-opacity"])),
             opacity=properties.share,
             fill_gradient=fill.gradient,
-            paint_order=_paint_order(values["paint-order"]),
         )
         if stroke.colour == "none":
             return style, tuple(flaws)
@@ -185,10 +188,9 @@ def _with_stroke(
     )
 
 
-def _paint_order(text: str) -> PaintOrder:
-    """Return which of fill and stroke covers the other."""
-    first = next((word for word in text.lower().split() if word in _PAINTS), "fill")
-    return PaintOrder.FILL_ABOVE if first == "stroke" else PaintOrder.STROKE_ABOVE
+def _has_fill_above(text: str) -> bool:
+    """Whether a `paint-order` lets the fill cover the stroke."""
+    return next((word for word in text.lower().split() if word in _PAINTS), "fill") == "stroke"
 
 
 def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float:

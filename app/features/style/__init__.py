@@ -7,7 +7,6 @@
 - ``notes``: what the form says below its fields.  ``used_colours``: those that one may want again.
 - ``subject``: whose style is meant.  ``indicator``: that in the status line.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
-  ``marker_field``: what stands at the ends of lines.
 - ``gradient_field``: the kind of a paint, and what a gradient has.  ``stop_bar``: its stops.
   ``pattern_row``: patterns to choose.
 - ``blur_field``: how soft what is chosen is.  ``blur_gesture``: its slider, live.

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QSizePolicy, QWidget
 
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
-from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, PaintOrder, Style
+from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...document.style_edits import common_values
 from ...document.transforms import clean_step_within, decimal_product, decimal_sum
 from ...qt.labels import Label, tip_of
@@ -112,7 +112,6 @@ class StylePanel(FieldForm):
             "stroke": GradientField("stroke", "Stroke", tools.gradient, self.stroke),
         }
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
-        self._order = ChoiceRow("paintOrder", "Paint order", "Which of line and fill lies on top", PaintOrder)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
         self._make_numbers()
@@ -172,7 +171,6 @@ class StylePanel(FieldForm):
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
             ("Dashes", dashes),
-            ("Order", self._order),
             ("Opacity", self.opacities["stroke_opacity"]),
             down=6,
         )
@@ -198,7 +196,6 @@ class StylePanel(FieldForm):
             (self._cap, "cap"),
             (self._join, "join"),
             (self._dash, "dash"),
-            (self._order, "paint_order"),
         )
         for part, name in parts:
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
@@ -292,7 +289,6 @@ class StylePanel(FieldForm):
             gradient.render_styles(styles, stops[paint])
         self._render_colours()
         self._rule.render_value(values.get("fill_rule"))
-        self._order.render_value(values.get("paint_order"))
         self._cap.render_value(values.get("cap"))
         self._join.render_value(values.get("join"))
         self._dash.render_value(values.get("dash"))
@@ -341,7 +337,6 @@ class StylePanel(FieldForm):
             part.setEnabled(has_fill)
         for each in (*of_line, self.opacities["stroke_opacity"]):
             each.setEnabled(has_stroke)
-        self._order.setEnabled(any(style.has_fill and style.has_stroke for style in styles))
         self._limit.setEnabled(has_stroke and any(style.join is LineJoin.MITER for style in styles))
         self._offset.setEnabled(has_stroke and any(style.dash for style in styles))
 

@@ -112,7 +112,7 @@ def strokes_as_shapes(
             filled = [replace(curve, style=replace(style, stroke=NO_PAINT)) for curve in own]
             names.next()
         lines = curves_of(found, replace(own[0], style=_as_fill(style)), names.next(), tolerance)
-        made[places] = [*lines, *filled] if style.has_covered_stroke else [*filled, *lines]
+        made[places] = [*filled, *lines]
         off = max(off, deviation + tolerance)
     return Combined(*replaced(document, made), len(chosen), off)
 

@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ....document.gradient import Gradient, GradientKind
 from ....document.model import Vector
-from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, PaintOrder, Style
+from ....document.style import GRADIENTS, NO_PAINT, FillRule, LineJoin, Style
 from ....document.value import Value
 from ....view_model.geometry.extents import extent_of
 from ....view_model.geometry.stroked import farthest_reach
@@ -52,7 +52,6 @@ _PARTS = (
     Part(("cap",), ("stroke-linecap",)),
     Part(("join", "miter_limit"), ("stroke-linejoin", "stroke-miterlimit")),
     Part(("opacity",), ("opacity",), ""),
-    Part(("paint_order",), ("paint-order",), ""),
     _CLIP,
     _MASK,
     _BLUR,
@@ -109,8 +108,6 @@ class Looks:
         for name, gradient in style.gradients.items():
             stops = tuple(replace(stop, colour=stop.colour or self._picture.ink) for stop in gradient.stops)
             style = replace(style, **{name: _in_its_colour(_plainest(replace(gradient, stops=stops)))})
-        if not style.has_covered_stroke:
-            style = replace(style, paint_order=PaintOrder.STROKE_ABOVE)
         # The colour that stands for a gradient is not drawn.
         flat = {name: "" for name, field in GRADIENTS.items() if getattr(style, field) is not None}
         return replace(style, **flat)
@@ -200,7 +197,6 @@ class Looks:
             "fill-opacity": number(style.fill_opacity),
             "fill-rule": str(style.fill_rule.value),
             "stroke": paints["stroke"],
-            "paint-order": str(style.paint_order.value),
             **_stroke_properties(style, scale),
             "opacity": number(style.opacity / opacity if opacity else style.opacity),
             "filter": made.filters.reference(blur, corners, farthest_reach(style) / scale)

@@ -1,0 +1,36 @@
+"""What files of version 2 said of looks that curves do not have: dropped, counted and told."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from app.document.style import Style
+from app.storage.format import decode_counting
+
+
+def older(*styles):
+    """The content of a file of version 2 whose curves have these styles."""
+    points = [{"x": 0.0, "y": 0.0}, {"x": 1.0, "y": 1.0}]
+    rules = {"family": "lagrange", "parametrization": {"kind": "uniform"}, "points": points}
+    curves = [{"name": f"Curve {at}", **rules, "style": style} for at, style in enumerate(styles, start=1)]
+    return json.dumps({"format": "curvebench", "version": 2, "curves": curves}).encode()
+
+
+@pytest.mark.parametrize(
+    ("styles", "words"),
+    [
+        ([{"start_marker": "dot", "end_marker": "arrow"}, {"end_marker": "bar"}], "3 arrowheads"),
+        ([{"paint_order": "stroke"}], "1 order of fill and line"),
+        ([{"paint_order": "stroke"}] * 2, "2 orders of fill and line"),
+    ],
+)
+def test_what_changes_how_it_looks_is_counted(styles, words):
+    found = decode_counting(older(*styles))
+    assert found.left_out.words == (words,)
+    assert {each.style for each in found.document.curves} == {Style()}
+
+
+def test_what_changes_nothing_is_not_counted():
+    assert not decode_counting(older({"start_marker": "none", "paint_order": "normal"})).left_out
