@@ -117,7 +117,6 @@ def test_the_window_starts_without_what_is_rarely_used():
         "export_commands",
         "import_series",
         "overwrite_commands",
-        "picture_commands",
         "revert_commands",
         "save_copy_commands",
     }

@@ -1,4 +1,4 @@
-"""Sizes of PNG and JPEG files, in pixels and on paper, by their heads."""
+"""Sizes of PNG and JPEG files in pixels, by their heads."""
 
 from __future__ import annotations
 
@@ -35,48 +35,3 @@ def _size_in_jpeg(data: bytes) -> tuple[int, int]:
             height, width = struct.unpack(">HH", data[place + 5 : place + 9])
             return height, width
         place += 2 + length
-
-
-_INCH = 0.0254
-_PER_UNIT = {1: 1.0, 2: 100.0 * _INCH}
-"""Factors to pixels per inch of the units of a JPEG file: per inch, and per centimetre."""
-_LEAST_DENSITY, _MOST_DENSITY = 1.0, 20_000.0
-
-
-def density_of(data: bytes) -> tuple[float, float] | None:
-    """Return pixels per inch, across and up, of a PNG or JPEG file; None where it does not say."""
-    try:
-        found = _density_in_png(data) if data.startswith(_PNG) else _density_in_jpeg(data)
-    except struct.error:
-        return None
-    is_meant = found is not None and all(_LEAST_DENSITY <= each <= _MOST_DENSITY for each in found)
-    return found if is_meant else None
-
-
-def _density_in_png(data: bytes) -> tuple[float, float] | None:
-    place = len(_PNG)
-    while True:
-        length, kind = struct.unpack(">I4s", data[place : place + 8])
-        if kind == b"pHYs":
-            across, up, unit = struct.unpack(">IIB", data[place + 8 : place + 17])
-            return (_per_inch(across), _per_inch(up)) if unit == 1 else None
-        if kind in (b"IDAT", b"IEND"):
-            return None
-        place += 12 + length
-
-
-def _per_inch(per_metre: int) -> float:
-    """Return pixels per inch as they were meant: a PNG has whole ones per metre, which people have not.
-
-    Of 96 some programs make 3780, and others 3779.
-    """
-    whole = round(per_metre * _INCH)
-    return float(whole) if abs(whole / _INCH - per_metre) < 1.0 else per_metre * _INCH
-
-
-def _density_in_jpeg(data: bytes) -> tuple[float, float] | None:
-    # The head of JFIF stands first, where there is one.
-    start, kind, name, unit, across, up = struct.unpack(">2s2s2x5s2xBHH", data[:18])
-    if (start, kind, name) != (_JPEG, b"\xff\xe0", b"JFIF\0") or unit not in _PER_UNIT:
-        return None
-    return across * _PER_UNIT[unit], up * _PER_UNIT[unit]

@@ -62,16 +62,15 @@ class Drops:
         self._holds, self._paste = hooks(takers, "holds_drawing"), hooks(takers, "paste_dropped")
         self.open_window: OpenWindow | None = None
 
-    def take(self, files: Given, problems: Iterable[str] = (), at: Vector | None = None) -> None:
-        """Open the documents, import what is to be imported, one after the other, and take the pictures.
+    def take(self, files: Given, problems: Iterable[str] = ()) -> None:
+        """Open the documents, import what is to be imported, one after the other, and trace a picture.
 
-        Those of a drawing come to a place, where one is given. What was wrong with other files, `problems`,
-        is said together with what is left out.
+        What was wrong with other files, `problems`, is said together with what is left out.
         """
         left = [*problems, *self._open(files.documents)]
         # Else a large document, which takes a while, would come in the place of what they were added to.
         self._context.files.after_opening(
-            lambda problem: self._add(files, [problem, *left] if problem else left, at)
+            lambda problem: self._add(files, [problem, *left] if problem else left)
         )
 
     def accepts_drawing(self, event: QDropEvent) -> bool:
@@ -88,9 +87,9 @@ class Drops:
         for paste in self._paste:
             paste(event.mimeData(), place)
 
-    def _add(self, files: Given, left: list[str], at: Vector | None) -> None:
+    def _add(self, files: Given, left: list[str]) -> None:
         """Import and trace what was given, and say what was `left` out, and why."""
-        if others := self._context.files.take_pictures(files.pictures, None if files.documents else at):
+        if others := self._context.files.trace(files.pictures):
             left.append(others)
         if files.elsewhere:
             left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..document.paper import DocumentKind
 from ..document.words import count_of
 from ..exchange.formats import can_import
 from ..storage.image_path import PICTURE_SUFFIXES
@@ -19,7 +18,7 @@ class Given:
     Attributes
     ----------
     documents, imports, pictures
-        To be opened, imported, and placed or traced.
+        To be opened, imported, traced.
     elsewhere
         How many addresses there are of what is not on this machine's disk.
     """
@@ -29,14 +28,13 @@ class Given:
     pictures: tuple[Path, ...] = ()
     elsewhere: int = 0
 
-    def invitation(self, target: DocumentKind) -> str:
-        """Return a sentence about the effect of a drop: a drawing gets pictures, a sketch one to trace."""
+    @property
+    def invitation(self) -> str:
+        """A sentence about the effect of a drop; of several pictures the first is traced."""
         kinds = (
             ("open", "document", self.documents),
             ("import", "file", self.imports),
-            ("import", "picture", self.pictures)
-            if target is DocumentKind.DRAWING
-            else ("trace", "picture", self.pictures[:1]),
+            ("trace", "picture", self.pictures[:1]),
         )
         there = [kind for kind in kinds if kind[2]]
         if len(there) == 1 and len(there[0][2]) == 1:

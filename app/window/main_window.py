@@ -236,7 +236,7 @@ class MainWindow(Guarded, QMainWindow):
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         files = accepted(event)
         if files is not None:
-            self.status_line.show_tip(files.invitation(kind_of(self.session.document)))
+            self.status_line.show_tip(files.invitation)
         elif self.commands.drops.accepts_drawing(event):
             self.status_line.show_tip("Drop to add the drawing here")
 
@@ -251,7 +251,7 @@ class MainWindow(Guarded, QMainWindow):
         self.status_line.show_tip("")
         files = accepted(event)
         if files is not None:
-            self.commands.drops.take(files, at=self._place_of(event))
+            self.commands.drops.take(files)
         elif self.commands.drops.accepts_drawing(event):
             self.commands.drops.take_drawing(event, self._place_of(event))
 

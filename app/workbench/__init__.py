@@ -11,7 +11,7 @@
   ``file_work``: files beside the window.  ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.
   ``contents_here``: texts in the fonts of this computer.
-  ``placed_pictures``: files as pictures of a drawing.
+
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
   ``form_edits``: changes by a form.  ``computed_step``: one that takes a while.

@@ -7,11 +7,10 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtGui import QGuiApplication
 
 from .. import exchange
 from ..document.model import Document
-from ..qt.picture_data import png_of
 from ..storage.format import decode
 
 if TYPE_CHECKING:
@@ -60,15 +59,6 @@ def drawing_in(data: QMimeData) -> Fragment | None:
 def holds_picture(data: QMimeData) -> bool:
     """Whether there is a picture from another program."""
     return data.hasImage() or any(map(data.hasFormat, _PICTURES))
-
-
-def picture_in(data: QMimeData) -> bytes | None:
-    """Return the file of a picture from another program; None where there is none."""
-    kind = next(filter(data.hasFormat, _PICTURES), None)
-    if kind is not None:
-        return bytes(data.data(kind).data())
-    image = data.imageData() if data.hasImage() else None
-    return png_of(image) if isinstance(image, QImage) and not image.isNull() else None
 
 
 def put_on_clipboard(data: QMimeData) -> None:

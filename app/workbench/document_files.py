@@ -10,8 +10,8 @@ from typing import Any
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
-from ..document.model import Document, Vector
-from ..document.paper import DocumentKind, kind_of
+from ..document.model import Document
+from ..document.paper import DocumentKind
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
 from ..session import Session
@@ -74,8 +74,6 @@ class DocumentFiles:
         """Opens a file of another format as a new document."""
         self.trace: Callable[[Sequence[Path]], str] = lambda _paths: ""
         """Puts the first of these pictures behind the curves; returns what it says of the others."""
-        self.place: Callable[[Sequence[Path], Vector | None], str] = lambda _paths, _at: ""
-        """Adds these pictures to a drawing, there or in sight; returns what it says of the others."""
         self.save_back: Callable[[bool], bool] | None = None
         """Saves to the file of another format that the document was opened from; returns whether it is saved.
 
@@ -218,13 +216,6 @@ class DocumentFiles:
             then("")
         else:
             self._after_opening.append(then)
-
-    def take_pictures(self, paths: Sequence[Path], at: Vector | None = None) -> str:
-        """Place pictures in a drawing, there or in sight, trace one in a sketch; return what was left out."""
-        if not paths:
-            return ""
-        is_drawing = kind_of(self._session.document) is DocumentKind.DRAWING
-        return self.place(paths, at) if is_drawing else self.trace(paths)
 
     def why_not(self, path: Path) -> str:
         """Return why a document cannot be opened, as a sentence; empty where it can."""

@@ -134,6 +134,25 @@ def test_what_cannot_come_is_said(three):
     assert "Tree" in [curve.name for curve in three.session.document.curves]
 
 
+def test_a_picture_is_no_curve_and_that_is_said(three):
+    """“There are no numbers on the clipboard.”"""
+    image = QImage(4, 4, QImage.Format.Format_RGB32)
+    image.fill(0)
+    before, data = three.session.document, QMimeData()
+    data.setImageData(image)
+    QGuiApplication.clipboard().setMimeData(data)
+    three.trigger("pastePoints")
+    assert three.session.document is before
+    assert three.status == "A picture is no curve: File › Reference Image shows one to trace."
+    # A spreadsheet offers a picture of its cells, too.
+    beside_numbers = QMimeData()
+    beside_numbers.setImageData(image)
+    beside_numbers.setText("1\t2\n3\t4\n")
+    QGuiApplication.clipboard().setMimeData(beside_numbers)
+    three.trigger("pasteAsCurve")
+    assert len(three.session.document.curves) == len(before.curves) + 1
+
+
 def test_a_faulty_drawing_leaves_the_document_and_says_why(three):
     document = three.session.document
     three.paste_text(f'<svg xmlns="{SVG}"><path d="M0 0L4"/></svg>')

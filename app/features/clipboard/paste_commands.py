@@ -16,7 +16,6 @@ from ...actions.keymap import keys_text
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
-from ...document.curve_edits import free_name
 from ...document.edits import EditError
 from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Vector
@@ -35,16 +34,16 @@ from ...view_model.pieces.pasting import (
     copied_as_new_curve,
     refuse_unordered,
 )
-from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, holds_picture, picture_in
+from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, holds_picture
 from ...workbench.contents_here import as_here
 from ...workbench.context import WindowContext
-from ...workbench.placed_pictures import picture_curve
 from .content import PointsContent, curves_in, points_in
 from .keys import give_keys_to_drawing
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
 
+_NO_CURVE = "A picture is no curve: File › Reference Image shows one to trace."
 _MANY_POINTS = 200
 """Points of curves that are worked out beside the window."""
 
@@ -59,7 +58,7 @@ class PasteCommands:
     @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V, Shift+Ins", "paste")
     @also(CANVAS_MENU(20), CHOSEN_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
-        """Add the curves, SVG or picture on the clipboard at the pointer; append points (x y, or t x y)."""
+        """Add the curves or SVG on the clipboard at the pointer; append points (x y, or t x y)."""
         place = self._context.central.canvas.pointed_place
         self._paste(place, partial(self._append, place))
 
@@ -79,34 +78,28 @@ class PasteCommands:
         data = clipboard_data()
         try:
             if not self._take(data, place):
-                self._take_points(data, place, put_points)
+                self._take_points(data, put_points)
         except (EditError, TableTextError) as reason:
             self._session.refuse(str(reason))
 
-    def _take_points(
-        self, data: QMimeData, place: Vector | None, put_points: Callable[[PointsContent], None]
-    ) -> None:
+    def _take_points(self, data: QMimeData, put_points: Callable[[PointsContent], None]) -> None:
         try:
             points = points_in(data, readings_of(self._session.document))
         except TableTextError:
             # A spreadsheet offers a picture of its cells, too: there numbers are meant.
-            if not self._take_picture(data, place):
-                raise
-        else:
-            put_points(points)
+            if holds_picture(data):
+                raise EditError(_NO_CURVE) from None
+            raise
+        put_points(points)
 
     def holds_drawing(self, data: QMimeData) -> bool:
         """Whether what is dragged is a drawing, or curves of ours."""
-        return data.hasFormat(CURVES) or drawing_in(data) is not None or self._holds_picture(data)
-
-    def _holds_picture(self, data: QMimeData) -> bool:
-        return holds_picture(data) and kind_of(self._session.document) is DocumentKind.DRAWING
+        return data.hasFormat(CURVES) or drawing_in(data) is not None
 
     def paste_dropped(self, data: QMimeData, place: Vector) -> None:
         """Add a drawing that was dropped at a place."""
         try:
-            if not self._take(data, place):
-                self._take_picture(data, place)
+            self._take(data, place)
         except EditError as reason:
             self._session.refuse(str(reason))
 
@@ -124,29 +117,6 @@ class PasteCommands:
         if (fragment := drawing_in(data)) is None:
             return False
         self._bring(lambda report: as_here(exchange.svg.fragments.read_fragment(fragment, report)), place)
-        return True
-
-    def _take_picture(self, data: QMimeData, place: Vector | None) -> bool:
-        """Add the picture in `data`, at a place or in the middle of the page; return whether it has any.
-
-        Raises
-        ------
-        EditError
-            If it cannot be shown, or the document is a sketch.
-        """
-        content, document = picture_in(data), self._session.committed
-        if content is None:
-            return False
-        page = document.page
-        if page is None:
-            raise EditError(
-                "A picture is pasted into a drawing, which has a page. "
-                "In a sketch File › Reference Image shows one to trace."
-            )
-        frame = picture_curve(content, free_name(document, "Picture"), "The picture", document)
-        middle = place or (page.x + page.width / 2, page.y + page.height / 2)
-        found = exchange.cubics_in.Imported(Document((frame,), unit=document.unit))
-        self._add(_filled(self._target(middle), found), ())
         return True
 
     # Curves

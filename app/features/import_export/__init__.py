@@ -1,7 +1,7 @@
 """Import and export of other formats.
 
 - ``commands``: what comes in.  ``import_series``: several files, one after the other.
-  ``intake``: curves of one in the document.  ``picture_commands``: pictures, placed in a drawing.
+  ``intake``: curves of one in the document.
 - ``export_commands``: what goes out.  ``own_files``: a file for each chosen object.
 - ``copy_commands``: pictures on the clipboard.  ``overwrite_commands``: back to the file that was opened.
   ``save_copy_commands``: to another one, beside it.  ``revert_commands``: what the file holds, read again.

@@ -38,7 +38,6 @@ from .copy_commands import CopyCommands
 from .export_commands import ExportCommands
 from .import_series import ImportSeries
 from .overwrite_commands import OverwriteCommands
-from .picture_commands import PictureCommands
 from .revert_commands import RevertCommands
 from .save_copy_commands import SaveCopyCommands
 
@@ -74,12 +73,12 @@ class ImportCommands:
 
     @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
     def _ask_and_import(self) -> None:
-        """Take in curves from SVG, DXF, a table or another document, and pictures."""
+        """Take in curves from SVG, DXF, a table or another document, and a picture to trace."""
         folder, kinds = str(self._preferences.last_folder), file_filters(PICTURES)
         names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, kinds)
         paths = [Path(name) for name in names]
         pictures = [path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES]
-        if others := self._context.files.take_pictures(pictures):
+        if others := self._context.files.trace(pictures):
             self._context.central.message_bar.warn(others)
         drawings = [path for path in paths if path not in pictures]
         if drawings and not self._work.refuse_second():
@@ -325,7 +324,6 @@ class _OpenTable:
 
 COMMAND_SETS = (
     ImportCommands,
-    PictureCommands,
     ExportCommands,
     CopyCommands,
     SaveCopyCommands,
