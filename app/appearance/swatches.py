@@ -18,9 +18,6 @@ _SIDE = 16
 """Pixels along the sides of the picture: headers and menus scale what is smaller than their icons are."""
 
 
-_GAP = 3
-
-
 @lru_cache(maxsize=512)
 def swatch(colour: str, size: int) -> QPixmap:
     """Return a disc of `size` pixels in the middle of a picture."""
@@ -42,41 +39,16 @@ def paint_picture(paint: str, theme: Theme, paper: Theme, size: int = _SIDE) -> 
     picture = QPixmap(2 * size, 2 * size)
     picture.setDevicePixelRatio(2)
     picture.fill(Qt.GlobalColor.transparent)
+    inner = QRectF(1, 1, size - 2, size - 2)
     with QPainter(picture) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        _draw_paint(painter, QRectF(0, 0, size, size), paint, theme, paper)
+        painter.setPen(QPen(rim(theme), 1.0))
+        painter.setBrush(theme.paper if paint == NO_PAINT else fill_colour(paint, paper))
+        painter.drawRoundedRect(inner, 2.5, 2.5)
+        if paint == NO_PAINT:
+            painter.setPen(QPen(theme.warning, 1.5))
+            painter.drawLine(inner.bottomLeft(), inner.topRight())
     return picture
-
-
-def paints_picture(fill: str | None, stroke: str | None, theme: Theme, paper: Theme) -> QPixmap:
-    """Return a square of a fill and, beside it, a frame of a stroke; None for several."""
-    picture = QPixmap(2 * (2 * _SIDE + _GAP), 2 * _SIDE)
-    picture.setDevicePixelRatio(2)
-    picture.fill(Qt.GlobalColor.transparent)
-    with QPainter(picture) as painter:
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        for left, paint in ((0, fill), (_SIDE + _GAP, stroke)):
-            rect = QRectF(left, 0, _SIDE, _SIDE)
-            if paint is None:
-                painter.setPen(QPen(theme.muted, 1.0))
-                painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, "…")
-            else:
-                _draw_paint(painter, rect, paint, theme, paper)
-        if stroke not in (None, NO_PAINT):
-            painter.setPen(QPen(rim(theme), 1.0))
-            painter.setBrush(theme.surface)
-            painter.drawRect(rect.adjusted(5, 5, -5, -5))
-    return picture
-
-
-def _draw_paint(painter: QPainter, rect: QRectF, paint: str, theme: Theme, paper: Theme) -> None:
-    inner = rect.adjusted(1, 1, -1, -1)
-    painter.setPen(QPen(rim(theme), 1.0))
-    painter.setBrush(theme.paper if paint == NO_PAINT else fill_colour(paint, paper))
-    painter.drawRoundedRect(inner, 2.5, 2.5)
-    if paint == NO_PAINT:
-        painter.setPen(QPen(theme.warning, 1.5))
-        painter.drawLine(inner.bottomLeft(), inner.topRight())
 
 
 def draw_style(

@@ -43,7 +43,6 @@ class StatusLine(Guarded, QStatusBar):
         self._label.setContentsMargins(6, 0, 6, 0)
         # A long hint is cut, it never widens the window.
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._place = 0
         # A permanent widget: others Qt hides while there is a tip, for good where a button goes away with it.
         self.addPermanentWidget(self._label, 1)
         self.messageChanged.connect(self._follow_tip)
@@ -56,14 +55,9 @@ class StatusLine(Guarded, QStatusBar):
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.clear_message)
 
-    def put_before(self, widget: QWidget) -> None:
-        """Put a widget before the sentence."""
-        self.insertPermanentWidget(self._place, widget)
-        self._place += 1
-
     def put_after(self, widget: QWidget) -> None:
         """Put a widget behind the sentence, before all numbers."""
-        self.insertPermanentWidget(self._place + 1, widget)
+        self.insertPermanentWidget(1, widget)
 
     @property
     def text(self) -> str:

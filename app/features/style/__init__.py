@@ -5,7 +5,7 @@
 - ``clipboard_commands``: Copy Style and Paste Style.
 - ``view_commands``: thin lines, and paper as it prints.
 - ``notes``: what the form says below its fields.  ``used_colours``: those that one may want again.
-- ``subject``: whose style is meant.  ``indicator``: that in the status line.
+- ``subject``: whose style is meant.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
 - ``gradient_field``: the kind of a paint, and what a gradient has.  ``stop_bar``: its stops.
   ``pattern_row``: patterns to choose.

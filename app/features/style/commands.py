@@ -25,7 +25,6 @@ from ...document.gradient_edits import (
 )
 from ...document.group_opacity import opacities_of, with_looks
 from ...document.model import Document, make_curve
-from ...document.paper import DocumentKind
 from ...document.several_curves import named
 from ...document.shapes import shape_of
 from ...document.style import GRADIENTS
@@ -42,10 +41,9 @@ from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
-from .indicator import StyleIndicator
 from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
 from .pattern_commands import PatternCommands
-from .subject import Shown, StyleSubject
+from .subject import StyleSubject
 from .used_colours import UsedColours, UsedPatterns
 from .view_commands import StyleViewCommands
 
@@ -65,9 +63,6 @@ class StyleCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
         self._dock, self._subject = context.docks["styleDock"], StyleSubject(context.session)
-        self._indicator = StyleIndicator()
-        context.status_line.put_before(self._indicator)
-        self._indicator.clicked.connect(context.actions["showStyle"].trigger)
         self._panel: StylePanel | None = None
         self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
@@ -146,18 +141,10 @@ class StyleCommands:
         self._render()
 
     def _render(self, *_: object) -> None:
-        session, state = self._session, self._context.store.state
-        is_drawing = state.kind is DocumentKind.DRAWING
-        self._indicator.setVisible(is_drawing)
-        has_panel = self._panel is not None and self._panel.isVisibleTo(self._context.window)
-        if is_drawing or has_panel:
-            shown, paper = self._subject.now(), state.paper(session.document, self._theme)
-            self._indicator.render_styles(shown, paper)
-            if self._panel is not None and has_panel:
-                self._render_panel(self._panel, shown, paper)
-
-    def _render_panel(self, panel: StylePanel, shown: Shown, paper: Theme) -> None:
-        session, state = self._session, self._context.store.state
+        panel, session, state = self._panel, self._session, self._context.store.state
+        if panel is None or not panel.isVisibleTo(self._context.window):
+            return
+        shown, paper = self._subject.now(), state.paper(session.document, self._theme)
         curves, styles = shown.curves, shown.styles
         note = HOW_TO_CHOOSE if not curves else note_on(styles, state, session.document, self._theme)
         panel.show_paper(paper)
