@@ -266,7 +266,7 @@ def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
         path.write_text(text, encoding="utf-8")
         assert main(["render", str(path), "-o", str(drawn)]) == 0
         said = capsys.readouterr().err
-        assert ("x.png" in said) is (name == "in.svg")
+        assert ("picture" in said) is (name == "in.svg")
         assert main(["convert", str(path), str(converted)]) == 0
         assert drawn.read_bytes() == converted.read_bytes()
         capsys.readouterr()
@@ -710,11 +710,10 @@ def test_a_drawing_or_a_table_alone_is_the_document(qtbot, tmp_path, name, conte
         qtbot.waitUntil(lambda: asked.ok.isEnabled() and not asked.jobs.is_busy)
         asked.ok.click()
     else:
-        qtbot.waitUntil(lambda: session.files.foreign is not None)
+        qtbot.waitUntil(lambda: not session.files.is_untouched)
     document, stem = session.document, path.stem
     assert ([len(curve.points) for curve in document.curves], document.unit) == ([2], unit)
-    title = stem if unit == "" else name
-    assert (title_of(session), file_stem(session), session.files.path) == (title, stem, None)
+    assert (title_of(session), file_stem(session), session.files.path) == (stem, stem, None)
     assert not session.files.is_modified, "closing it asks nothing"
     assert not session.undo_stack.canUndo()
 

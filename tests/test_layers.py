@@ -116,8 +116,6 @@ def test_the_window_starts_without_what_is_rarely_used():
         "copy_commands",
         "export_commands",
         "import_series",
-        "overwrite_commands",
-        "revert_commands",
         "save_copy_commands",
     }
 

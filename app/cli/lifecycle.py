@@ -117,8 +117,7 @@ class Lifecycle(QObject):
     def _show_open(self, asked_in: MainWindow, path: Path) -> bool:
         """Bring another window that has a file to the front; return whether there is one."""
         for window in self._autosaves:
-            files = window.session.files
-            here = files.path or (files.foreign.path if files.foreign is not None else None)
+            here = window.session.files.path
             if window is not asked_in and here is not None and here.absolute() == path.absolute():
                 window.raise_()
                 window.activateWindow()

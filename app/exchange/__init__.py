@@ -2,15 +2,13 @@
 
 - ``formats``: one record for each format, found by listing; what writes text beside them.
 - ``writing``, ``reading``: the name of a file decides which.  ``options``, ``choice``: what a person chose.
-  ``each``: a file for each chosen object.
 - ``drawing``: a document as a picture: SVG's source, PNG, PDF, films.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``tikz_style``: strokes and fills for TeX.
 - ``code_runtime``: what exported Python brings along.
 - ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
   ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
-  ``linked``: pictures in files beside them.  ``picture_sizes``: how large these are.
-  ``missed``: what of them does not come in.  ``lasting``: what a drawing would not keep.
+  ``picture_sizes``: how large pictures are.  ``missed``: what of a drawing does not come in.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
 - ``units``: how large a length of one is on paper.  ``lengths``: lengths as they are typed.

@@ -5,10 +5,7 @@ from . import corner as corner
 from . import cubics_in as cubics_in
 from . import drawing as drawing
 from . import dxf_library as dxf_library
-from . import each as each
 from . import facts as facts
-from . import lasting as lasting
-from . import linked as linked
 from . import missed as missed
 from . import options as options
 from . import parts as parts

@@ -20,7 +20,6 @@ from .options import (
     BASIS,
     BY_DPI,
     DARK_PAPER,
-    EACH,
     EXTENT,
     TRUE_SIZE,
     Extent,
@@ -56,11 +55,6 @@ class ExportChoice:
     def format(self) -> Format:
         """The record of the format."""
         return next(each for each in FORMATS.offered if each.ending == self.ending)
-
-    @property
-    def is_each(self) -> bool:
-        """Whether each chosen object has a file of its own."""
-        return self[EACH] and self[EXTENT] is Extent.CHOSEN
 
     def of_chosen(self) -> ExportChoice:
         """Return the same for the chosen curves alone."""
@@ -185,7 +179,7 @@ def chosen(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
 
 def offered_options() -> tuple[Option[Any], ...]:
     """Return the options of all formats that the window offers, in the order of their rows."""
-    return all_options([(EXTENT, EACH, TRUE_SIZE), *(each.options for each in FORMATS.offered)])
+    return all_options([(EXTENT, TRUE_SIZE), *(each.options for each in FORMATS.offered)])
 
 
 def text_of(choice: ExportChoice) -> str:

@@ -33,7 +33,6 @@ from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..document.text import Text
 from ..families import HERMITE
-from ..storage.foreign import Lost
 from ..view_model.shapes.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.shapes.cubics import points_of_cubics
 from .errors import ExchangeError
@@ -67,26 +66,17 @@ class Imported:
         One sentence for everything that was left out.
     missed
         The elements of a drawing that come in otherwise than they are drawn.
-    digest
-        That of the file; empty where there is none.
     """
 
     document: Document
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
     missed: tuple[Missed, ...] = ()
-    digest: bytes = b""
 
     @property
     def sentences(self) -> tuple[str, ...]:
         """All that is to be said of what did not come in as it is."""
         return (*(each.sentence for each in self.missed), *self.remarks)
-
-    @property
-    def lost(self) -> tuple[Lost, ...]:
-        """What the file is without once these curves are written over it."""
-        missed = (Lost(each.words, each.shown_as) for each in self.missed)
-        return (*missed, *(Lost(each.removesuffix(".")) for each in self.remarks))
 
     @property
     def has_groups(self) -> bool:

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import msgspec
-
-from ..document.words import names_of
 
 LEFT_OUT = "left out"
 """What was done of which nothing came in."""
@@ -15,14 +11,6 @@ LEFT_OUT = "left out"
 def named_by_place(tag: str, number: int) -> str:
     """Return what a shape without a name is called, by its place in the file."""
     return f"{tag.capitalize()} {number}"
-
-
-def words_about_undrawn(words: Sequence[str], name: str) -> str:
-    """Return the sentence on what in a file is drawn there and not here; empty without any."""
-    if not words:
-        return ""
-    them, verb = ("thing", "is") if len(words) == 1 else ("things", "are")
-    return f"{len(words)} {them} in {name} {verb} drawn otherwise here, or not at all: {names_of(words)}."
 
 
 class Missed(msgspec.Struct, frozen=True):
@@ -52,18 +40,6 @@ class Missed(msgspec.Struct, frozen=True):
     def sentence(self) -> str:
         """All of it in a line."""
         return f"{self.element} {self.called}: {self.why}; {self.instead}."
-
-    @property
-    def words(self) -> str:
-        """What it is and what stands in the way, within a sentence."""
-        return f"{self.element} {self.called} ({self.why})"
-
-    @property
-    def shown_as(self) -> str:
-        """What the document calls it; empty where it is left out."""
-        return (
-            "" if self.instead == LEFT_OUT else self.name or named_by_place(self.element[1:-1], self.number)
-        )
 
     @property
     def called(self) -> str:

@@ -164,15 +164,6 @@ EXTENT = OneOf(
 )
 """Option of all formats; without a page all curves are one."""
 
-EACH = Check(
-    name="each",
-    label="What",
-    title="Each to its own file",
-    tip="Write a file for each chosen object into a folder, named by its name",
-    default=False,
-)
-"""Option of all formats, of what is chosen."""
-
 WIDTH = Whole(
     name="width",
     label="Width",
@@ -282,8 +273,6 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         Hears how far it has come; until the file is put in place it may raise `Cancelled`.
     path
         The file that is written, for formats that say where other files lie.
-    tells_exactness
-        Of an SVG: whether it has a sentence about how near it is to the true curves.
     from_corner
         Of an SVG without a page: whether its coordinates begin in its upper left corner, and not where those
         of the document do.
@@ -304,7 +293,6 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     own: Mapping[str, Any] = {}
     report: Report = silent
     path: str = ""
-    tells_exactness: bool = True
     from_corner: bool = False
 
     def __getitem__(self, option: Option[Value]) -> Value:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import exchange
-from ..document.contents import has_contents
 from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
-from ..storage.files import document_in, read_content
+from ..storage.files import document_in, read
 from ..storage.format_error import FormatError
 from ..storage.unread import clause_about_name
 from ..tasks.progress import Report, silent
@@ -73,14 +72,12 @@ def import_file(
     """
     options = options or ImportOptions()
     form = format_to_read(path)
-    content = read_content(path)
     try:
-        found = _imported(Path(path), form, content.data, options, report)
+        found = _imported(Path(path), form, read(path), options, report)
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
-    found = replace(found, digest=content.stamp.digest)
     return found.called(options.only) if options.only else found
 
 
@@ -104,10 +101,5 @@ def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, rep
         return exchange.cubics_in.Imported(found.document, remarks=remarks)
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
-        drawing = exchange.child.limited(form.read, data, options.tolerance, report=report)
-        if not has_contents(drawing.document.curves):
-            return drawing
-        document = exchange.linked.with_files(drawing.document, path.parent)
-        missing = exchange.linked.words_about_missing(document)
-        return replace(drawing, document=document, remarks=(*drawing.remarks, *missing))
+        return exchange.child.limited(form.read, data, options.tolerance, report=report)
     return table.read.read_table(path, ending_in(path, form), data, options, report)

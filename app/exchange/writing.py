@@ -64,20 +64,3 @@ def put(written: Written, path: str | os.PathLike[str], report: Report) -> None:
     """
     report(FINAL, "Writing")
     write(path, written.data)
-
-
-def with_changes(
-    data: bytes, path: str | os.PathLike[str], document: Document, begun: Document | None, report: Report
-) -> Written | None:
-    """Return a file that was read before with the changes of a document, and nothing else of it changed.
-
-    None where its format or what was done does not allow that: then it can only be written anew. `begun` is
-    what of the file came in; without it, all.
-
-    Raises
-    ------
-    ExchangeError
-        If there is nothing to write.
-    """
-    rewrite = format_of(path, FORMATS.written).rewrite
-    return rewrite(data, document, begun, report) if rewrite is not None else None

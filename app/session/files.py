@@ -16,7 +16,6 @@ from ..document.plain import plain
 from ..document.shapes import tidy_shapes
 from ..storage.examples import template_title
 from ..storage.files import load
-from ..storage.foreign import Foreign
 from ..storage.open_file import FileChange, OpenFile, Reading
 from ..storage.resources import is_resource
 from ..view_model.curve.curve_view import CurveView
@@ -52,7 +51,6 @@ class Files:
         self.beginning = Beginning(gives_way=True)
         # By the beginnings of the documents that undo and redo go to.
         self._exports: dict[Beginning, Export] = {}
-        self._written_back: dict[Beginning, Foreign] = {}
         self.blank: Callable[[], Document] = empty_document
 
     @property
@@ -88,30 +86,6 @@ class Files:
         """
         self._exports[self.beginning] = export
 
-    @property
-    def foreign(self) -> Foreign | None:
-        """The file of another format that the document was opened from."""
-        return self._written_back.get(self.beginning, self.beginning.foreign)
-
-    def note_written_back(self, beginning: Beginning, foreign: Foreign, document: Document) -> None:
-        """Take note that a document that began so was written to the file that it was opened from.
-
-        Where it has no other, it is saved.
-        """
-        self._written_back[beginning] = foreign
-        session = self._session
-        if self.path is None and self.beginning is beginning and session.committed is document:
-            session.undo_stack.setClean()
-            session.saved.emit()
-            session.file_changed.emit()
-
-    def go_over_to(self, foreign: Foreign, beginning: Beginning, document: Document) -> None:
-        """Let a document that began so stand for the file of another format that it was just written to."""
-        if self.beginning is beginning:
-            self._take(None, None)
-        self.note_written_back(beginning, foreign, document)
-        self._session.file_changed.emit()
-
     def close(self) -> None:
         """Go on without a file."""
         self._take(None, None)
@@ -137,12 +111,10 @@ class Files:
         name: str,
         step: str = "",
         views: Sequence[CurveView] = (),
-        foreign: Foreign | None = None,
     ) -> None:
         """Begin with the content of a file of another format; saving it suggests its `name`.
 
-        Undo goes back to the document before where it is a `step` of the history. Its views may be given, and
-        the file where it can be written back to.
+        Undo goes back to the document before where it is a `step` of the history. Its views may be given.
 
         Raises
         ------
@@ -152,8 +124,7 @@ class Files:
         document = tidy_shapes(plain(document))
         if reason := why_not_kept(self.blank(), document):
             raise EditError(reason)
-        title = foreign.path.name if foreign is not None else name
-        session, beginning = self._session, Beginning(title=title, file_stem=name, foreign=foreign)
+        session, beginning = self._session, Beginning(title=name, file_stem=name)
         if not step:
             self.replace(document, None, beginning=beginning, views=views)
             return
@@ -216,7 +187,6 @@ class Files:
         self._take(None, file)
         beginning = beginning or Beginning()
         self._exports = {beginning: document.export}
-        self._written_back = {}
         self._session.begin(State(document, 0, beginning), path, views)
 
     # The file of this one

@@ -15,7 +15,6 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from ..document.model import Document
 from ..document.selection import Choice
 from ..qt.overrides import Guarded
-from ..storage.foreign import Foreign
 
 _RUN_SECONDS = 1.0
 """Changes of the same run that follow each other as quickly as this are one step."""
@@ -35,8 +34,6 @@ class Beginning(msgspec.Struct, frozen=True, eq=False):
         the history begins with it.
     file_stem
         Name for its file without ending; empty for that of a curve.
-    foreign
-        The file of another format that it was opened from; None for any other.
     gives_way
         Whether it is the first sketch or an empty document: unchanged, it is nobody's work.
     """
@@ -45,7 +42,6 @@ class Beginning(msgspec.Struct, frozen=True, eq=False):
     title: str = ""
     before: Beginning | None = None
     file_stem: str = ""
-    foreign: Foreign | None = None
     gives_way: bool = False
 
 

@@ -11,7 +11,7 @@
 - ``lock``: lock files that name their owner; ``system_lock``: locks of the operating system, on files and
   folders; ``processes``, ``ps``: whether a process still runs.  ``digests``: SHA-256.
 - ``open_file``: the file behind an open document: what was seen of it, and the lock.
-- ``recovery``: snapshots of what is not saved.  ``foreign``: files of other formats that were opened.
+- ``recovery``: snapshots of what is not saved.
 - ``resources``: what ships with the program.  ``examples``: the documents among that.
 """
 

@@ -33,7 +33,7 @@ DAMAGED = ".damaged"
 _LOCK = ".claim"
 
 
-class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class _Record(msgspec.Struct, frozen=True):
     """The content of a snapshot's file; the document is text, so that its checksum is that of its bytes."""
 
     format: Literal["curvebench snapshot"]
@@ -46,8 +46,6 @@ class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     document: str
     title: str = ""
     file_stem: str = ""
-    foreign: bytes | None = None
-    missed: tuple[str, ...] = ()
 
 
 _RECORDS = msgspec.json.Decoder(_Record)
@@ -64,23 +62,12 @@ class Origin(msgspec.Struct, frozen=True):
         What it was when it was last read or written; None where that is not known.
     title, file_stem
         Its name until it is saved, and the one that its file would get; empty for none in particular.
-    foreign
-        The file of another format that it was opened from.
-    missed
-        What of that did not come in; see `Foreign`.
     """
 
     path: Path | None = None
     stamp: Stamp | None = None
     title: str = ""
     file_stem: str = ""
-    foreign: Path | None = None
-    missed: tuple[str, ...] = ()
-
-    @property
-    def file(self) -> Path | None:
-        """The file that it is saved to, of whatever format; None where there is none yet."""
-        return self.path or self.foreign
 
     @property
     def is_unchanged(self) -> bool:
@@ -232,8 +219,6 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
             document=text.decode(),
             title=shown(origin.title),
             file_stem=shown(origin.file_stem),
-            foreign=_bytes_of(origin.foreign),
-            missed=tuple(map(shown, origin.missed)),
         )
     )
 
@@ -262,14 +247,7 @@ def _load(file: Path, lock: ProcessLock) -> Snapshot:
     text = record.document.encode()
     if _checksum(text) != record.checksum or not math.isfinite(record.written):
         raise ValueError("the checksum is another one")
-    origin = Origin(
-        _path_of(record.path),
-        record.stamp,
-        record.title,
-        record.file_stem,
-        _path_of(record.foreign),
-        record.missed,
-    )
+    origin = Origin(_path_of(record.path), record.stamp, record.title, record.file_stem)
     found = decode_counting(text)
     return Snapshot(found.document, origin, record.written, file, found.left_out, lock)
 

@@ -6,7 +6,6 @@
 - ``docks``: panels at the sides.  ``dock``: one of them; many are built when they are first shown.
   ``dock_room``: room for one that needs more than its share.  ``dock_title``: its buttons.
 - ``document_files``: opening and saving, with their questions.  ``unsaved_changes``: the one about these.
-  ``undrawn``: what a file has and pictures have not.
   ``new_documents``: what new ones are.  ``file_names``: what they are called.
   ``file_work``: files beside the window.  ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.

@@ -18,7 +18,6 @@ from ..session import Session
 from ..settings.preferences import Preferences
 from ..storage.examples import first_sketch
 from ..storage.files import StorageError, load
-from ..storage.foreign import Foreign
 from ..storage.format_error import FormatError
 from ..storage.open_file import Reading, is_large
 from ..storage.resources import is_resource
@@ -31,10 +30,7 @@ from .file_names import (
     SUFFIX,
     file_stem,
     is_misnamed,
-    is_svg,
-    kind_to_save,
     path_to_save,
-    proposed_ending,
     why_not_saved_as,
 )
 from .new_documents import as_usual, blank_document, blank_drawing, blank_sketch
@@ -74,16 +70,6 @@ class DocumentFiles:
         """Opens a file of another format as a new document."""
         self.trace: Callable[[Sequence[Path]], str] = lambda _paths: ""
         """Puts the first of these pictures behind the curves; returns what it says of the others."""
-        self.save_back: Callable[[bool], bool] | None = None
-        """Saves to the file of another format that the document was opened from; returns whether it is saved.
-
-        Where the window waits for that it is asked already what is lost; else it is done beside the window.
-        """
-        self.save_as_svg: Callable[[Path, bool], bool] = lambda _path, _waits: False
-        """Saves to an SVG that the document stands for from then on, while the window waits for that, or not.
-
-        Returns whether it is saved.
-        """
         self.open_window: Callable[[str], DocumentFiles] | None = None
         """Opens a window, with what the action of a name begins, and returns its files; None where somebody
         else keeps the windows. Without a name it is as untouched as at the start.
@@ -261,45 +247,31 @@ class DocumentFiles:
             self._remember(path)
         return True
 
-    def save(self, *, waits: bool = False) -> bool:
-        """Save to the document's file, or ask for one; return whether it was saved.
-
-        What was opened from a file of another format is saved there: beside the window, unless that `waits`.
-        """
+    def save(self) -> bool:
+        """Save to the document's file, or ask for one; return whether it was saved."""
         file = self._session.files.file
-        if self._foreign is not None and self.save_back is not None:
-            return self.save_back(waits)
         path = self._session.files.path
         is_taken = self._session.files.is_read_only and file and not file.take_if_free()
         if path is None or is_taken or is_misnamed(path):
-            return self.ask_and_save(waits=waits)
+            return self.ask_and_save()
         return self._save(path)
-
-    @property
-    def _foreign(self) -> Foreign | None:
-        """The file of another format that the document is saved to, as long as it has none of ours."""
-        return self._session.files.foreign if self._session.files.path is None else None
 
     def overwrite(self) -> bool:
         """Save to the document's file although it was changed meanwhile; return whether it was saved."""
         return self._session.files.path is not None and self._save(self._session.files.path, overwrite=True)
 
-    def ask_and_save(self, *, waits: bool = False) -> bool:
-        """Let the person choose a file and save there; an SVG beside the window, unless that `waits`."""
+    def ask_and_save(self) -> bool:
+        """Let the person choose a file and save there; return whether it was saved."""
         path = self.ask_where("Save As")
-        if path is None:
-            return False
-        return self.save_as_svg(path, waits) if is_svg(path) else self._save(path)
+        return path is not None and self._save(path)
 
     def ask_where(self, title: str, *, is_copy: bool = False) -> Path | None:
         """Let the person choose a file for the document, or for a copy; None where none may be that."""
         start = self._proposed_path(is_copy=is_copy)
-        name, kind = QFileDialog.getSaveFileName(
-            self._window, title, str(start), SAVED_KINDS, kind_to_save(start)
-        )
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), SAVED_KINDS)
         if not name:
             return None
-        path = path_to_save(Path(name), kind, start)
+        path = path_to_save(Path(name))
         reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
             # The dialog asked about the name without the suffix, if it asked at all.
@@ -310,13 +282,12 @@ class DocumentFiles:
         return None
 
     def _proposed_path(self, *, is_copy: bool) -> Path:
-        foreign, path, stem = self._foreign, self._session.files.path, file_stem(self._session)
-        folder = foreign.path.parent if foreign is not None else self._preferences.last_folder
-        start = path or folder / (stem + proposed_ending(self._session.committed))
+        path, stem = self._session.files.path, file_stem(self._session)
+        start = path or self._preferences.last_folder / (stem + SUFFIX)
         if path is not None and is_misnamed(path):
             start = path.with_name(stem + SUFFIX)
         if self._session.files.is_read_only or is_copy:
-            start = start.with_name(f"{stem} copy{start.suffix if is_svg(start) else SUFFIX}")
+            start = start.with_name(f"{stem} copy{SUFFIX}")
         return start
 
     def _save(self, path: Path, *, overwrite: bool = False) -> bool:
@@ -348,13 +319,11 @@ class DocumentFiles:
             return True
         answer = self._ask_about_changes()
         if answer == QMessageBox.StandardButton.Save:
-            return self.save(waits=True)
-        if answer == QMessageBox.StandardButton.SaveAll:
-            return self.ask_and_save(waits=True)
+            return self.save()
         return answer == QMessageBox.StandardButton.Discard
 
     def _ask_about_changes(self) -> int:
-        return ask_about_changes(self._session, self._foreign, self._window)
+        return ask_about_changes(self._session, self._window)
 
     def release(self) -> None:
         """Tell others that the document is open here no longer."""

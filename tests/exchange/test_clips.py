@@ -13,10 +13,8 @@ from app.document.clip import Clip
 from app.document.several_curves import mapped, stepped, whole_curves
 from app.document.transforms import scaling
 from app.exchange.drawing.image import png_file
-from app.exchange.formats import pictures
 from app.exchange.formats.latex import tikz_picture
 from app.exchange.options import Options
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.storage.format import decode, encode
@@ -180,29 +178,6 @@ def test_a_clip_without_outlines_leaves_nothing():
     assert not leave((Clip(),), (1.0, 1.0))
     document = read('<clipPath id="a"/><rect width="80" height="80" clip-path="url(#a)"/>').document
     assert (colours(png_file(document, Options(width=100)).content) == 255).all()
-
-
-def test_a_file_is_overwritten_with_its_own_clips_and_with_those_that_were_set():
-    data = (
-        f'{HEAD}{CLIPS}<rect id="r" width="80" height="80" clip-path="url(#c)"/><path d="M0 0H9V9Z"/></svg>'
-    )
-    document = pictures.read(data.encode(), None).document
-    assert rewritten(data.encode(), document, document).data.decode() == data
-
-    def written(new):
-        result = rewritten(data.encode(), new, document).data
-        assert b'<circle cx="100" cy="80" r="50"/>' in result
-        return pictures.read(result, None).document.curves
-
-    moved = stepped(document, whole_curves(document, [0]), (20.0, 10.0))
-    for one, other in zip(written(moved)[0].style.clips, moved.curves[0].style.clips, strict=True):
-        assert one.rings[0].numbers == pytest.approx(other.rings[0].numbers)
-    rect, path = document.curves
-    free = replace(document, curves=(replace(rect, style=rect.style.with_fields({"clips": ()})), path))
-    assert written(free)[0].style.clips == ()
-    styled = replace(path, style=replace(path.style, clips=rect.style.clips))
-    (clip,) = written(replace(document, curves=(rect, styled)))[1].style.clips
-    assert clip.rings[0].numbers == pytest.approx(rect.style.clips[0].rings[0].numbers)
 
 
 def test_what_cuts_a_use_lies_where_the_use_is_moved_to():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import re
 import shutil
 import subprocess
 
@@ -15,20 +14,16 @@ from PySide6.QtGui import QColor, QImage
 from app.document.content import MOST_LETTERS, WHOLE, Anchor
 from app.document.contents import corners_of, is_content, plane_of, repainted, why_no_frame
 from app.document.edits import delete_points, move_points
-from app.document.several_curves import add_copies, in_order, mapped, remove_curves, stepped, whole_curves
+from app.document.several_curves import mapped, whole_curves
 from app.document.style_edits import with_style
 from app.document.transforms import Affine
-from app.exchange.corner import from_lower_left
 from app.exchange.drawing.image import pdf_file, png_file
 from app.exchange.drawing.styles import LIGHT
-from app.exchange.linked import with_files, words_about_missing
 from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.rescaled import in_unit
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.qt.contents import measured
 from app.qt.glyphs import has_fonts
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
@@ -128,52 +123,6 @@ def test_a_picture_is_as_large_as_it_is_shown():
     assert (form.part, curve.style.opacity) == (WHOLE, 0.5)
 
 
-def test_pictures_are_read_from_the_folder_of_their_drawing_and_from_nowhere_else(tmp_path, qapp):
-    """Neither an address, nor another folder, nor a picture that is a drawing with such in it."""
-    folder = tmp_path / "drawing"
-    (folder / "below").mkdir(parents=True)
-    data = base64.b64decode(png(4, 2, "red"))
-    for place in ("a b.png", "below/c.png", "../d.png"):
-        (folder / place).write_bytes(data)
-    (folder / "e.png").symlink_to(tmp_path / "d.png")
-    (folder / "f.png").write_bytes(b"secret")
-    near = ["a%20b.png", "below/c.png", "./below/../below/c.png"]
-    far = [
-        "../d.png",
-        "e.png",
-        "f.png",
-        "gone.png",
-        (folder / "below/c.png").as_uri(),
-        "http://localhost/a.png",
-    ]
-    far += [str(folder / "below/c.png"), "data:image/svg+xml,%3Csvg/%3E", "C:a.png", "//host/a.png", "."]
-    body = "".join(f'<image width="10" height="10" xlink:href="{each}"/>' for each in (*near, *far))
-    document = with_files(read_svg(file_of(LINE + body)).document, folder)
-    pictures = [each.form for each in document.curves if is_content(each)]
-    assert [bool(each.data) for each in pictures] == [True] * len(near) + [False] * len(far)
-    # It keeps its proportions in the middle of its place.
-    assert pictures[0].part == (0.0, -0.5, 1.0, 1.5)
-    assert words_about_missing(document)[0].startswith("“d.png” is no PNG or JPEG picture of up to 64")
-
-
-def test_what_is_too_large_is_told_and_not_read(tmp_path):
-    """A picture of a thousand megapixels takes a megabyte; it was drawn as nothing, without a word."""
-    head = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + (40_000).to_bytes(4, "big") * 2
-    held = base64.b64encode(head).decode()
-    text = f"<text>{'a' * MOST_LETTERS}</text>"
-    data = file_of(f'{LINE}<image width="9" height="9" href="data:image/png;base64,{held}"/>{text}{text}')
-    found = read_svg(data)
-    assert [each.why for each in found.missed] == [
-        "it is no PNG or JPEG picture of up to 64 megapixels, or too much beside others",
-        "of all texts 20000 letters are read",
-    ]
-    assert [each.form and each.form.noun for each in found.document.curves] == [None, "picture", "text"]
-    assert found.document.curves[1].form.data == ""
-    (tmp_path / "large.png").write_bytes(head)
-    linked = kept('<image width="9" height="9" href="large.png"/>')
-    assert with_files(linked, tmp_path) == linked
-
-
 def test_files_and_other_units_keep_them(tmp_path):
     (tmp_path / "a.svg").write_bytes(
         file_of(f'{LINE}<text x="1" y="2">a</text><image width="9" height="9"/>')
@@ -266,24 +215,6 @@ def places(document):
     """Where the units of all texts and pictures lie."""
     planes = [plane_of(each.form, corners_of(each)) for each in document.curves if is_content(each)]
     return [[each.x, each.y, *each.across, *each.down] for each in planes]
-
-
-def test_a_text_is_turned_and_scaled_with_curves_as_it_is_in_the_file():
-    data = file_of(GROUPED)
-    begun = from_lower_left(read_svg(data).document)
-    assert [each.groups for each in begun.curves] == [("logo",), ("logo",), ("logo",), ()]
-    # A quarter turn to twice the size; a move; a mirror image twice as wide.
-    for by in (
-        Affine(-1.0, -2.0, 2.0, -1.0, (7.0, -5.0)),
-        Affine(0.0, 0.0, 0.0, 0.0, (0.0, 0.0), (3.0, 4.0)),
-        Affine(-3.0, 0.0, 0.0, 0.0, (7.0, -5.0)),
-    ):
-        moved = mapped(begun, whole_curves(begun, {0, 1, 2}), by)
-        assert why_no_frame(begun, moved) == ""
-        again = from_lower_left(read_svg(rewritten(data, moved, begun).data).document)
-        assert moved.curves[3] is begun.curves[3]
-        for mine, read in zip(places(moved), places(again), strict=True):
-            assert mine == pytest.approx(read)
 
 
 def test_what_would_tear_a_frame_is_told():
@@ -386,84 +317,3 @@ LETTER = (
     '<text x="50" y="60">same</text><text x="60" y="70" font-size="8">same</text>'
     '<g><text x="50" y="60">same</text></g>'
 )
-
-
-def test_a_text_moved_or_removed_is_so_in_its_file():
-    """With all of its lines, in what turns and stretches it; the rest stays, to the byte."""
-    picture = (
-        '<clipPath id="c"><circle cx="20" cy="30" r="9"/></clipPath>'
-        f'<image clip-path="url(#c)" x="10" y="10" width="40" height="40" '
-        f'href="data:image/png;base64,{png(4, 4, "red")}"/>'
-    )
-    data = file_of(LINE + LETTER + picture)
-    begun = from_lower_left(read_svg(data).document)
-    assert [each.name for each in begun.curves[2:]] == ["Dear Sir or Madam", *["same"] * 3, "Picture"]
-    moved = stepped(begun, whole_curves(begun, {2}), (3.0, -4.0))
-    moved = stepped(moved, whole_curves(moved, {5}), (1.0, 1.0))
-    moved = stepped(moved, whole_curves(moved, {6}), (-7.0, 2.0))
-    moved = remove_curves(moved, {3})
-    written = rewritten(data, moved, begun).data
-    again = from_lower_left(read_svg(written).document)
-    for mine, read in zip(places(moved), places(again), strict=True):
-        assert mine == pytest.approx(read, abs=1e-6)
-    assert again.curves[-1].style.clips[0].rings[0].numbers == pytest.approx(
-        moved.curves[-1].style.clips[0].rings[0].numbers
-    )
-    # Without what was set, and with what went, it is the file of before.
-    back = re.sub(rb' transform="translate\([^"]*"', b"", written)
-    back = re.sub(rb"matrix\(0\.5,0,0,0\.5,[^)]*\)", b"scale(.5)", back)
-    assert back == data.replace(b'<text x="50" y="60">same</text>', b"", 1)
-    assert rewritten(written, moved, moved).data == written
-
-
-@pytest.mark.usefixtures("qapp")
-def test_copies_come_into_the_file_and_what_went_comes_back():
-    """Also where the frames of texts are those of the fonts here, which the file does not know of."""
-    picture = f'<image x="9" y="9" width="40" height="20" href="data:image/png;base64,{png(4, 2, "red")}"/>'
-    data = file_of(LINE + LETTER + picture)
-    begun = measured(from_lower_left(read_svg(data).document))
-    assert not has_fonts() or begun.curves[2].form.box != read_svg(data).document.curves[2].form.box
-    copied = add_copies(begun, {2, 3, 6}).document
-    written = rewritten(data, copied, begun).data
-    assert (written.count(b"<text"), written.count(b"<image")) == (6, 2)
-    # Inkscape 1.2 shows a picture by no other name; that of the file is as it was.
-    assert (written.count(b" href="), written.count(b"xlink:href=")) == (1, 1)
-    assert svg_of(copied, Options(unit="mm")).data.count(b"xlink:href=") == 2
-    again = from_lower_left(read_svg(written).document)
-    assert [each.groups for each in again.curves] == [each.groups for each in copied.curves]
-    for mine, read in zip(places(copied), places(again), strict=True):
-        assert mine == pytest.approx(read)
-    gone = remove_curves(begun, {2, 6})
-    without = rewritten(data, gone, begun).data
-    back = from_lower_left(read_svg(rewritten(without, begun, gone).data).document)
-    for mine, read in zip(places(begun), places(back), strict=True):
-        assert mine == pytest.approx(read)
-
-
-def test_another_order_and_another_colour_are_so_in_the_file():
-    one, other = '<text x="5" y="9">one</text>', '<text x="6" y="7">other</text>'
-    data = file_of(f"{LINE}{one}{other}{LINE}")
-    begun = from_lower_left(read_svg(data).document)
-    coloured = with_style(begun, {1}, fill="#ff0000")
-    written = rewritten(data, in_order(coloured, [0, 2, 1, 3]), begun).data
-    red = one.replace(">one", ' fill="#ff0000">one')
-    assert written == file_of(f"{LINE}{other}{red}{LINE}")
-
-
-@pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="librsvg is not installed")
-def test_a_moved_text_has_its_ink_there(tmp_path):
-    data = file_of('<path d="M-9 -9H-8" stroke="#000"/><text x="20" y="40" font-size="14">Letters</text>')
-    begun = from_lower_left(read_svg(data).document)
-    boxes = []
-    for name, moved in (("a", begun), ("b", stepped(begun, whole_curves(begun, {1}), (50.0, 20.0)))):
-        (tmp_path / f"{name}.svg").write_bytes(rewritten(data, moved, begun).data)
-        command = [
-            "rsvg-convert",
-            "--width=800",
-            "--background-color=white",
-            "-o",
-            str(tmp_path / f"{name}.png"),
-        ]
-        subprocess.run([*command, str(tmp_path / f"{name}.svg")], check=True, timeout=60)
-        boxes.append(ink_box(grey(tmp_path / f"{name}.png")))
-    assert np.abs(boxes[1] - boxes[0] - [200, -80, 200, -80]).max() <= 1

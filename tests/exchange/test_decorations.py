@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from msgspec.structs import replace
 
 from app.document.contents import corners_of
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.qt.contents import letters_of, measured, painted_letters
@@ -63,23 +61,3 @@ def test_they_are_drawn_and_made_outlines_where_inkscape_has_them(drawing):
     corners = np.array([under.left(), -under.bottom(), under.right(), -under.top()])
     assert contour.reshape(-1, 2).min(axis=0) == pytest.approx(corners[:2])
     assert contour.reshape(-1, 2).max(axis=0) == pytest.approx(corners[2:])
-
-
-def test_in_place_one_letter_has_none_any_more_and_another_one_has(drawing):
-    data = (SVG % (BOTH + ONE)).encode()
-
-    def without(run, **lines):
-        return replace(run, **lines) if run.words.strip() == "small" else run
-
-    document = drawing
-    for place, change in (
-        (0, lambda run: without(run, underline=False)),
-        (1, lambda run: replace(run, strike=True)),
-    ):
-        curve = document.curves[place]
-        lines = tuple(replace(each, runs=tuple(map(change, each.runs))) for each in curve.form.lines)
-        form = replace(curve.form, lines=lines)
-        document = document.with_curve(place, replace(curve, form=form))
-    again = read_svg(rewritten(data, measured(document), drawing).data).document
-    assert lines_in(again, 0) == [("AH", True, True), ("small", False, True), ("e", True, True)]
-    assert lines_in(again, 1) == [("A", False, True), ("H", True, True), ("e", False, True)]

@@ -4,16 +4,13 @@ import shutil
 import subprocess
 
 import pytest
-from msgspec.structs import replace
 from PySide6.QtGui import QImage, QPainter
 
 from app.document.group_opacity import opacities_of, with_overall_opacity
-from app.document.shape_edits import ungrouped
 from app.document.shapes import tidy_shapes
 from app.exchange.formats.latex import tikz_picture
 from app.exchange.formats.pictures import read
 from app.exchange.options import Options
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
@@ -136,41 +133,6 @@ def on_white(image):
 
 def changed(document, places, opacity):
     return tidy_shapes(with_overall_opacity(document, places, opacity))
-
-
-def test_in_place_the_opacity_of_a_group_is_one_word_of_the_file():
-    document = read(NESTED, None).document
-    written = rewritten(NESTED, changed(document, range(5), 0.7))
-    assert written.data == NESTED.replace(b'opacity="0.5"', b'opacity="0.7"')
-    inner = rewritten(NESTED, changed(document, range(2, 5), 1.0))
-    assert inner.data == NESTED.replace(b"opacity:.4", b"opacity:1")
-    assert rewritten(NESTED, document).data == NESTED
-
-
-def test_in_place_other_changes_leave_the_opacities_of_groups_alone():
-    document = read(NESTED, None).document
-    curve = document.curves[3]
-    other = document.with_curve(3, replace(curve, style=replace(curve.style, fill="#00ff00", opacity=0.5)))
-    written = rewritten(NESTED, other)
-    assert chains(read(written.data, None).document) == chains(document)
-    assert [each.style.opacity for each in read(written.data, None).document.curves] == [1, 1, 1, 0.5, 1, 1]
-
-
-@pytest.mark.parametrize("data", [NESTED, USED], ids=["nested", "used"])
-def test_in_place_groups_that_were_taken_apart_are_written_as_they_are_seen(data):
-    document = read(data, None).document
-    apart = tidy_shapes(ungrouped(document, [*range(len(document.curves))]))
-    written = rewritten(data, apart)
-    back = read(written.data, None).document
-    assert chains(back) == chains(apart)
-    assert [each.style.opacity for each in back.curves] == [each.style.opacity for each in apart.curves]
-
-
-def test_in_place_the_opacity_of_a_clone_of_a_group_is_written():
-    document = read(USED, None).document
-    wanted = changed(document, [0, 1], 0.2)
-    written = rewritten(USED, wanted)
-    assert chains(read(written.data, None).document) == chains(wanted)
 
 
 def test_tikz_has_no_groups_and_says_so():

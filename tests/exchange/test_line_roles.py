@@ -8,9 +8,7 @@ import subprocess
 import xml.etree.ElementTree as ET
 
 import pytest
-from msgspec.structs import replace
 
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.names import SODIPODI_SPACE
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
@@ -80,14 +78,3 @@ def test_inkscape_lays_them_out_where_they_are(drawing, tmp_path):
     heights = [point.y for point in drawing.curves[0].points]
     assert x == pytest.approx(min(point.x for point in drawing.curves[0].points), abs=0.01)
     assert (y, high) == pytest.approx((-max(heights), max(heights) - min(heights)), abs=0.01)
-
-
-def test_in_place_lines_stay_lines_with_another_height():
-    data = svg_of(read_svg((SVG % EVEN).encode()).document).text.encode()
-    begun = measured(read_svg(data).document)
-    curve = begun.curves[0]
-    lines = tuple(replace(line, y=50 + 2 * (line.y - 50)) for line in curve.form.lines)
-    document = begun.with_curve(0, replace(curve, form=replace(curve.form, lines=lines)))
-    text = rewritten(data, measured(document), begun).data.decode()
-    assert roles_in(text) == [pytest.approx([50, 96.5625, 143.125, 189.6875])]
-    assert heights_in(text) == pytest.approx([2 * 1.1640625])

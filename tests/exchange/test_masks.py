@@ -10,12 +10,10 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtGui import QImage
 
-from app.document.several_curves import mapped, stepped, whole_curves
+from app.document.several_curves import mapped, whole_curves
 from app.document.transforms import rotation, scaling
 from app.exchange.drawing.image import pdf_file, png_file
-from app.exchange.formats.pictures import read as opened
 from app.exchange.options import Options
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.storage.format import decode, encode
@@ -160,40 +158,6 @@ def test_a_pdf_has_a_picture_of_what_is_masked_and_says_so():
     assert b"/SMask" in written.content
 
 
-@pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
-def test_the_file_that_was_opened_keeps_its_masks(body):
-    data = svg(body)
-    document = opened(data, None).document
-    assert rewritten(data, document).data == data
-    clear = document.with_curve(
-        0, replace(document.curves[0], style=replace(document.curves[0].style, opacity=0.5))
-    )
-    changed = rewritten(data, clear)
-    assert changed is not None
-    again = opened(changed.data, None).document.curves[0].style
-    assert (again.masks, again.opacity) == (clear.curves[0].style.masks, 0.5)
-
-
-def test_a_shape_of_a_file_that_was_opened_is_moved_with_its_mask(by_librsvg):
-    data = svg(SHAPES["a region"])
-    document = opened(data, None).document
-    moved = stepped(document, whole_curves(document, [0]), (20.0, -30.0))
-    written = rewritten(data, moved)
-    assert written.data.count(b"<mask") == data.count(b"<mask")
-    assert differs(by_librsvg(written.data), ours(moved)) == 0
-
-
-def test_a_mask_taken_away_is_gone_from_the_file_that_was_opened(by_librsvg):
-    data = svg(SHAPES["a region"])
-    document = opened(data, None).document
-    whole = document.with_curve(
-        0, replace(document.curves[0], style=replace(document.curves[0].style, masks=()))
-    )
-    written = rewritten(data, whole)
-    assert opened(written.data, None).document.curves[0].style.masks == ()
-    assert differs(by_librsvg(written.data), ours(whole)) == 0
-
-
 def test_groups_whose_shapes_lie_one_over_the_other_are_told():
     pair = '<rect width="50" height="50"/><rect x="40" width="50" height="50"/>'
     body = f'<g id="Pair" mask="url(#fade)">{pair}</g>'
@@ -225,31 +189,3 @@ def test_a_mask_of_a_file_refers_to_nothing_outside(body):
     curve = replace(document.curves[0], style=replace(style, masks=(mask,)))
     with pytest.raises(FormatError, match="refer to nothing but its own parts"):
         validate(replace(document, curves=(curve,)))
-
-
-@pytest.mark.parametrize(
-    "body",
-    [
-        '<g transform="translate(20 10) scale(.8) rotate(15)"><rect width="80" height="60"/></g>',
-        '<g transform="translate(20 10) rotate(5)"><text y="30" font-size="30" font-family="DejaVu Sans"'
-        ' transform="scale(1.5)">MM</text></g>',
-        '<g transform="translate(20 5) rotate(15)">'
-        + SHAPES["a picture"].replace(' mask="url(#fade)"', "").replace('x="60"', 'x="20"')
-        + "</g>",
-    ],
-    ids=["shape", "text", "picture"],
-)
-def test_a_file_that_was_opened_takes_a_new_mask(body, by_librsvg):
-    data = svg(body)
-    document = opened(data, None).document
-    (mask,) = opened(svg(SHAPES["alpha, of a group"]), None).document.curves[0].style.masks
-    (fade,) = opened(svg(SHAPES["a box in the units of the page"]), None).document.curves[0].style.masks
-    fade = fade.mapped(lambda place: (3.0 * place[0], 2.0 * place[1]))
-    for masks in ((mask,), (fade, mask)):
-        style = replace(document.curves[0].style, masks=masks)
-        masked = document.with_curve(0, replace(document.curves[0], style=style))
-        written = rewritten(data, masked)
-        assert differs(by_librsvg(written.data), by_librsvg(data)) > 2000
-        assert differs(by_librsvg(written.data), ours(masked)) == 0
-        assert differs(ours(opened(written.data, None).document), ours(masked)) == 0
-        assert rewritten(written.data, masked, masked).data == written.data

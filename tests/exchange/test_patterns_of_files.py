@@ -5,15 +5,11 @@ import subprocess
 
 import numpy as np
 import pytest
-from msgspec.structs import replace
 from PySide6.QtGui import QImage
 
-from app.document.patterns import PATTERNS, laid_across
 from app.document.several_curves import mapped, whole_curves
 from app.document.transforms import rotation
-from app.exchange.formats.pictures import read
 from app.exchange.options import Options
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
@@ -120,31 +116,6 @@ def test_a_pattern_that_was_written_is_read_as_the_same_however_often():
                 assert theirs.tile.body == mine.tile.body
                 assert theirs.tile.view == pytest.approx(mine.tile.view, abs=1e-9)
         document = again
-
-
-@pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
-def test_the_file_that_was_opened_keeps_its_patterns(body):
-    data = svg(body)
-    document = read(data, None).document
-    assert rewritten(data, document).data == data
-    style = document.curves[0].style
-    swapped = document.with_curve(0, replace(document.curves[0], style=style.swapped))
-    changed = rewritten(data, swapped)
-    assert changed is not None
-    again = read(changed.data, None).document.curves[0].style
-    assert again.gradients.keys() == swapped.curves[0].style.gradients.keys()
-
-
-@pytest.mark.parametrize("stock", PATTERNS, ids=lambda each: each.name)
-def test_a_file_that_was_opened_takes_a_pattern_in_a_colour(stock):
-    data = svg(SHAPES["box"])
-    document = read(data, None).document
-    pattern = laid_across(((160.0, -130.0), (280.0, -10.0)), stock.tile, "#d55e00")
-    style = document.curves[0].style.with_gradient("fill", pattern)
-    changed = rewritten(data, document.with_curve(0, replace(document.curves[0], style=style)))
-    assert changed is not None
-    assert b"currentColor" not in changed.data
-    assert read(changed.data, None).document.curves[0].style.fill_gradient.tile is not None
 
 
 @pytest.mark.skipif(shutil.which("pdftoppm") is None, reason="poppler is not installed")

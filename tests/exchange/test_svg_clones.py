@@ -1,6 +1,5 @@
 """Clones of SVG files are clones here, and go back as such."""
 
-import difflib
 import re
 from pathlib import Path
 
@@ -12,7 +11,6 @@ from app.document.edits import move_points
 from app.document.several_curves import (
     add_copies,
     mapped,
-    remove_curves,
     scaled_strokes,
     stepped,
     whole_curves,
@@ -20,7 +18,6 @@ from app.document.several_curves import (
 from app.document.transforms import rotation, scaling
 from app.exchange.corner import from_lower_left
 from app.exchange.options import Options
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.view_model.curve.curve_view import view_of
@@ -94,46 +91,8 @@ def written(document):
     return svg_of(document, Options(unit="mm"))
 
 
-def test_a_clone_is_written_as_a_use_and_is_a_clone_again(document):
-    result = written(document)
-    assert uses(result.text) == [
-        ("moved", "leaf", "translate(50 10)"),
-        ("turned", "leaf", "matrix(0 1.5 -1.5 0 106 57.5)"),
-        ("nested", "turned", "translate(20 10)"),
-        ("box_2", "box", "translate(0 30)"),
-        ("disc_2", "disc", "translate(0 30)"),
-    ]
-    assert result.changes == ()
-    again = from_lower_left(read_svg(result.text.encode()).document)
-    for place, (now, was) in enumerate(zip(again.curves, document.curves, strict=True)):
-        assert (now.name, now.groups) == (was.name, was.groups)
-        assert sites(now) == pytest.approx(sites(was))
-        assert original_of(again, place) == original_of(document, place)
-
-
 def styled(d, place, **fields):
     return d.with_curve(place, replace(d.curves[place], style=replace(d.curves[place].style, **fields)))
-
-
-@pytest.mark.parametrize(
-    ("edit", "path"),
-    [
-        (lambda d: styled(d, MOVED, fill="#112233"), "moved"),
-        (lambda d: styled(d, TURNED, width=1.0), "turned"),
-        (lambda d: mapped(d, whole_curves(d, [NESTED]), scaling(2.0, 0.5, (1.0, 1.0))), "nested"),
-        (lambda d: d.with_curve(DISC, replace(d.curves[DISC], visible=False)), "disc"),
-    ],
-)
-def test_one_that_looks_otherwise_is_a_path_and_that_is_said(document, edit, path):
-    result = written(changed(document, edit))
-    assert path not in [name.removesuffix("_2") for name, _, _ in uses(result.text)]
-    assert len(uses(result.text)) == 4
-    assert result.changes == (
-        f"The clone “{path}” became a path, because it looks otherwise than its original.",
-    )
-    # Without a line nothing shows that it was stretched.
-    stretched = changed(document, lambda d: mapped(d, whole_curves(d, [BOX_2]), scaling(2.0, 0.5, (1, 1))))
-    assert len(uses(written(stretched).text)) == 5
 
 
 def test_the_original_may_lie_in_front_and_be_hidden_with_its_layer(document):
@@ -235,52 +194,3 @@ EDITS = {
         ['-<use xlink:href="#hidden" id="first"', '+<use xlink:href="#hidden" id="first" x="103" y="96"'],
     ),
 }
-
-
-@pytest.mark.parametrize("name", EDITS)
-def test_a_use_stays_as_it_is_written_and_new_clones_are_some(document, name):
-    edit, expected = EDITS[name]
-    after = changed(document, edit)
-    result = rewritten(CLONES, after, document)
-    lines = difflib.unified_diff(*(text.splitlines() for text in (CLONES.decode(), result.text)), n=0)
-    found = [line[0] + line[1:].lstrip() for line in lines if not line.startswith(("---", "+++", "@@"))]
-    assert len(found) == len(expected)
-    assert all(line.startswith(start) for line, start in zip(found, expected, strict=True))
-    again = from_lower_left(read_svg(result.data).document)
-    assert [original_of(again, place) for place in range(len(again.curves))] == [
-        original_of(after, place) for place in range(len(after.curves))
-    ]
-    assert [sites(curve) for curve in again.curves] == [
-        pytest.approx(sites(curve), abs=1e-6) for curve in after.curves
-    ]
-    said = ("The clone “nested” became a path, because its own points were moved.",)
-    assert result.changes == (said if name == "a clone is bent" else ())
-
-
-def test_what_is_a_clone_of_something_deleted_is_shown_from_where_nothing_is_drawn(document):
-    after = changed(document, lambda d: remove_curves(d, [LEAF]))
-    text = rewritten(CLONES, after, document).text
-    assert text.count('xlink:href="#leaf"') == 2
-    assert text.index('id="leaf"') < text.index("</defs>")
-
-
-def test_a_line_is_cloned_and_turned(document):
-    data = CLONES.replace(b"M10 10C20 0 30 0 40 10C45 15 30 30 20 20Z", b"M10 10L40 20")
-    line = from_lower_left(read_svg(data).document)
-    after = changed(line, lambda d: mapped(cloned(d, [LEAF]), whole_curves(d, [1]), rotation(30.0, (0, 150))))
-    assert (
-        'id="leaf_copy" inkscape:label="leaf copy" xlink:href="#leaf" transform="matrix('
-        in rewritten(data, after, line).text
-    )
-
-
-def test_the_clone_of_a_text_that_looks_otherwise_is_called_a_text():
-    text = (
-        '<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="60mm" viewBox="0 0 90 60">'
-        '<text id="t" x="10" y="30" font-size="9" fill="#ff0000">MMM</text></svg>'
-    )
-    document = read_svg(text.encode()).document
-    document = cloned(document, [0])
-    said = written(styled(document, 1, fill="#112233")).changes
-    assert len(said) == 1
-    assert said[0].endswith(" became a text, because it looks otherwise than its original.")

@@ -13,8 +13,6 @@ from app.document.contents import corners_of
 from app.document.several_curves import add_copies, mapped, moved, remove_curves, whole_curves
 from app.document.transforms import Affine
 from app.exchange.corner import from_lower_left
-from app.exchange.rescaled import in_unit
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.qt.contents import letters_of, measured
@@ -126,30 +124,6 @@ def test_a_path_that_is_drawn_nowhere_is_a_course_of_its_own():
     document = read(text)
     assert along_of(document.curves[0]).of == ""
     assert places(read(svg_of(document).text), 0) == pytest.approx(places(document, 0), abs=1e-6)
-
-
-@pytest.mark.parametrize("unit", ["mm", "in"])
-def test_it_is_kept_in_place_whatever_is_changed(unit):
-    begun = read(FILE)
-    by = Affine(0.2, -0.3, 0.1, 0.4, (20.0, 20.0))
-    edits = {
-        "path": lambda now: moved(now, whole_curves(now, (CURVE,)), (7.0, -3.0)),
-        "stretched path": lambda now: mapped(now, whole_curves(now, (CURVE,)), by),
-        "text": lambda now: moved(now, whole_curves(now, (TEXT,)), (7.0, -3.0)),
-        "start": lambda now: now.with_curve(TEXT, _along(now.curves[TEXT], start=12.0, is_share=False)),
-        "side": lambda now: now.with_curve(TEXT, _along(now.curves[TEXT], is_flipped=True)),
-        "words": lambda now: now.with_curve(TEXT, _worded(now.curves[TEXT])),
-    }
-    for name, edit in edits.items():
-        document = measured(changed(in_unit(begun, unit), edit))
-        written = rewritten(FILE.encode(), document, begun)
-        assert written is not None, name
-        text = written.data.decode()
-        assert "<!-- kept -->" in text, name
-        assert '<textPath id="tp" xlink:href="#c"' in text, name
-        again = in_unit(read(text), unit)
-        assert places(again) == pytest.approx(places(document), abs=1e-5), name
-        assert along_of(again.curves[TEXT]).of == again.curves[CURVE].identity, name
 
 
 def _along(curve, **fields):

@@ -25,7 +25,6 @@ from app.features.recovery.offers import age_in_words
 from app.session import MessageKind, Session
 from app.settings.preferences import Preferences
 from app.storage.files import load, save
-from app.storage.foreign import Foreign, Lost
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
@@ -370,37 +369,16 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
 
 def test_what_never_had_a_file_keeps_its_name(kept):
     """A drawing that had been imported was called “Untitled” after a crash."""
-    opened_from = Foreign(Path("/nowhere/icon.svg"), missed=(Lost("<text> “Title” (text is no curve)"),))
-    kept.session.files.begin_imported(SKETCH, "icon", foreign=opened_from)
+    kept.session.files.begin_imported(SKETCH, "icon")
     move_point(kept, (2.0, 3.0))
     assert kept.autosave.write_now()
     leave_behind(origin=origin_of(kept.session))
     kept.session.files.begin(SKETCH)
     kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert "icon.svg" in [each.text() for each in bar(kept).findChildren(QLabel)]
+    assert "icon" in [each.text() for each in bar(kept).findChildren(QLabel)]
     press(kept, "restoreWork0")
-    assert kept.window.windowTitle() == "icon.svg[*] – Curvebench"
-    assert kept.session.files.foreign == opened_from
+    assert kept.window.windowTitle() == "icon[*] – Curvebench"
     assert (kept.session.files.path, file_stem(kept.session)) == (None, "icon")
-
-
-@pytest.mark.parametrize("is_there", [True, False])
-def test_a_drawing_is_not_called_unsaved_where_its_file_is_an_svg(kept, tmp_path, is_there):
-    """It was “never saved”, and had “no file yet”, though saving wrote its SVG."""
-    path = tmp_path / "icon.svg"
-    if is_there:
-        path.write_text("<svg/>")
-    leave_behind(origin=Origin(title="icon.svg", file_stem="icon", foreign=path))
-    kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    told = [each.text() for each in bar(kept).findChildren(QLabel)]
-    assert "a moment ago" + ("" if is_there else " · file gone") in told
-    press(kept, "restoreWork0")
-    assert kept.session.files.foreign.path == path
-    assert kept.status == (
-        "Restored; icon.svg does not hold these changes until you save."
-        if is_there
-        else "icon.svg is gone; your work was restored."
-    )
 
 
 @pytest.mark.parametrize("looks", [{"locked": True}, {"visible": False}])

@@ -13,7 +13,6 @@ from app.actions.strips import CURVE_LIST_MENU
 from app.document.layers import layer_of, with_layer_looks
 from app.document.shape_edits import moved_into
 from app.exchange.options import Options
-from app.exchange.svg.in_place.rewriting import rewritten
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.features.curve_list.row_parts import Spot, spot_rect
@@ -188,29 +187,6 @@ def test_empty_layers_stay_in_the_list_and_in_files(layered):
     editor.trigger("undo")
     assert session.document.curves[0].groups == ("Back",)
     assert [each.name for each in session.document.empty_layers] == ["Sketch", "Inner", "Notes"]
-
-
-def test_an_emptied_layer_is_seen_and_locked_as_it_was(layered):
-    """The eye opened with the last curve gone, and the file was told to show the layer."""
-    editor, session, view = layered, layered.session, view_of(layered)
-    begun = read_svg(SVG.encode()).document
-    click_row(editor, "Back", Spot.EYE)
-    session.selected.choose((0,))
-    editor.trigger("deleteSelection")
-    row = view.curves.row(rows(editor).index("Back"))
-    assert (row.visible, row.locked) == (False, False)
-    document = replace(session.document, unit=begun.unit, page=begun.page)
-    text = rewritten(SVG.encode(), document, begun).data.decode()
-    assert text.count("display:none") == 2
-    assert "display:inline" not in text
-    editor.trigger("undo")
-    # The same where the curve goes into another layer.
-    view.curves.open(rows(editor).index("Back"), True)
-    editor.settle()
-    drag_row(editor, rows(editor).index("  ground"), view.parts.entry_rect(0).center())
-    assert layers(editor)["ground"] == "Notes"
-    row = view.curves.row(rows(editor).index("Back"))
-    assert (row.visible, row.locked) == (False, False)
 
 
 def test_layers_are_made_named_stepped_and_deleted(layered):

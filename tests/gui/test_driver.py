@@ -19,7 +19,7 @@ def test_what_no_person_can_do_is_refused_with_the_reason(editor):
     with impossible(r"'undo' \(.*\) is disabled"):
         editor.trigger("undo")
     with impossible("is disabled"):
-        editor.trigger("overwriteForeign")
+        editor.trigger("redo")
     x_min, y_min, x_max, _ = canvas.pixel_map.box
     outside = (x_max + 0.5 * (x_max - x_min), y_min)
     for gesture in (

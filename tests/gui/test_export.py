@@ -761,38 +761,3 @@ def test_a_pdf_says_which_gradients_are_pictures_in_it(editor, dialog, tmp_path,
     path = tmp_path / "a.pdf"
     export(editor, dialog, path, monkeypatch)
     assert (said in editor.message, path.read_bytes().count(b"/Subtype /Image") > 0) == (True, True)
-
-
-def test_each_chosen_object_has_a_file_of_its_own(editor, tmp_path, monkeypatch):
-    """A whole shape is one; names are made safe and different, also where capitals are not told apart."""
-    arcs = [make_curve([(x, 0), (x + 1, 2), (x + 2, 0)], family=HERMITE) for x in (0, 4, 8, 12, 16)]
-    names = [("Leaf/1", ""), ("leaf 1", ""), ("Outer", "Ring"), ("Inner", "Ring"), ("Rest", "")]
-    curves = [replace(arc, name=name, shape=shape) for arc, (name, shape) in zip(arcs, names, strict=True)]
-    editor.session.commit(Document(tuple(curves)), "Begin")
-    editor.session.selected.choose([0, 1, 2, 3])
-    editor.trigger("exportPicture")
-    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
-    choose_format(dialog, ".svg")
-    click(dialog.form.fields["each"].widget)
-    assert dialog.form.fields["each"].widget.isChecked()
-    (tmp_path / "Ring.svg").write_text("old")
-    asked = []
-    answers = [QMessageBox.StandardButton.No, QMessageBox.StandardButton.Yes]
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
-    monkeypatch.setattr(QMessageBox, "question", lambda *words: asked.append(words[2]) or answers.pop(0))
-    QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
-    editor.wait_for_work()
-    assert [each.name for each in tmp_path.iterdir()] == ["Ring.svg"]
-    assert "“Ring.svg” is in" in asked[0]
-    editor.trigger("exportPicture")
-    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
-    choose_format(dialog, ".svg")
-    each = dialog.form.fields["each"].widget
-    if not each.isChecked():
-        click(each)
-    QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
-    editor.wait_for_work()
-    assert sorted(each.name for each in tmp_path.iterdir()) == ["Leaf 1.svg", "Ring.svg", "leaf 1 2.svg"]
-    found = {each.stem: import_file(each).document.curves for each in tmp_path.iterdir()}
-    assert [len(found[name]) for name in ("Leaf 1", "leaf 1 2", "Ring")] == [1, 1, 2]
-    assert editor.status.startswith(f"Wrote 3 files to {tmp_path.name}: ")

@@ -8,24 +8,19 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QToolButton
+from PySide6.QtWidgets import QDialog, QFileDialog
 
-from app.document.clones import original_of
-from app.document.contents import is_content
-from app.document.edits import move_points, set_family, set_position
-from app.document.guide_edits import add_guide
-from app.document.model import Axis, Document, Page, make_curve
+from app.document.edits import set_position
+from app.document.model import Document, Page, make_curve
 from app.document.style import Style
 from app.exchange.corner import from_lower_left
 from app.exchange.options import Options
-from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.families import LAGRANGE
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.export_commands import ExportCommands
+from app.storage.files import load
 from app.testing import spin
-from app.workbench.document_files import DocumentFiles
 from app.workbench.file_names import title_of
 
 SVG = Path(__file__).parents[1] / "data" / "svg"
@@ -233,54 +228,11 @@ def test_a_drawing_of_which_all_comes_in_opens_without_a_question(editor, tmp_pa
     editor.wait_for_work()
     assert editor.window.findChild(QDialog, "importDrawingDialog") is None
     assert editor.status == "Opened poster.svg: 1 curve, 3 points, exact."
-    assert editor.session.files.foreign.path == path
+    assert (title_of(editor.session), editor.session.files.path) == ("poster", None)
     assert not editor.session.undo_stack.canUndo()
     # What is imported may be put on either document, in part: that is asked.
     dialog = opened(editor, path)
     assert dialog.windowTitle() == "Import poster.svg"
-
-
-def test_open_takes_a_drawing_as_a_document_of_its_own(editor, tmp_path, monkeypatch):
-    editor.session.files.begin(editor.session.document)
-    editor.drag_point(0, to=(0.0, 0.0))
-    path = tmp_path / "badge.svg"
-    path.write_text(INCH, encoding="utf-8")
-    asked, saved = [], []
-    monkeypatch.setattr(
-        QFileDialog, "getOpenFileName", lambda *words: (asked.append(words[3]), (str(path), ""))[1]
-    )
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *words: (saved.append(words[2]), ("", ""))[1])
-    monkeypatch.setattr(DocumentFiles, "_ask_about_changes", lambda _: QMessageBox.StandardButton.Discard)
-    editor.trigger("openDocument")
-    editor.wait_for_work()
-    assert editor.window.findChild(QDialog, "importDrawingDialog") is None
-    session = editor.session
-    assert ("*.svg" in asked[0], "*.curve.json" in asked[0]) == (True, True)
-    assert ([curve.name for curve in session.document.curves], session.document.unit) == (["a"], "in")
-    assert (session.files.is_modified, session.undo_stack.canUndo()) == (False, False)
-    title = editor.window.windowTitle
-    assert title() == "badge.svg[*] – Curvebench"
-    # It is the document's file.
-    move_first_point(editor, 7.0)
-    assert editor.window.isWindowModified()
-    save(editor)
-    document = session.document
-    assert (saved, title(), editor.message) == ([], "badge.svg[*] – Curvebench", "")
-    assert (editor.window.isWindowModified(), session.files.is_modified) == (False, False)
-    assert editor.status == "Wrote badge.svg, exact. What it was is kept as badge.svg.before.bak."
-    assert (tmp_path / "badge.svg.before.bak").read_text(encoding="utf-8") == INCH
-    back = import_file(path).document
-    assert [each.position for each in back.curves[0].points] == [(7, 0), (1, 1), (1, 0)]
-    assert (back.curves[0].style, back.unit, back.page) == (document.curves[0].style, "in", document.page)
-    # Another time nothing of it is lost.
-    move_first_point(editor, 8.0)
-    overwrite(editor)
-    assert (editor.status, session.files.is_modified) == ("Wrote badge.svg, exact.", False)
-    editor.trigger("undo")
-    assert session.files.is_modified
-    editor.trigger("saveDocumentAs")
-    assert saved == [str(path)]
-    assert sorted(each.name for each in tmp_path.iterdir()) == ["badge.svg", "badge.svg.before.bak"]
 
 
 def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor, tmp_path):
@@ -297,54 +249,7 @@ def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor,
     assert editor.window.findChild(QDialog, "importDrawingDialog") is None
     assert editor.status == "Opened badge.svg: 1 curve, 3 points, exact. 1 element otherwise than drawn."
     assert editor.session.files.beginning is not beginning
-    assert editor.session.files.foreign.path == path
-
-
-def test_what_a_drawing_cannot_keep_is_asked_about_once(editor, tmp_path, monkeypatch):
-    path = tmp_path / "badge.svg"
-    path.write_text(INCH, encoding="utf-8")
-    open_as_document(editor, path)
-    session, asked = editor.session, []
-    session.change("Family", lambda document: set_family(document, 0, LAGRANGE))
-    save(editor)
-    assert (editor.message, editor.status) == (
-        "badge.svg cannot keep “a” as Lagrange.",
-        "badge.svg is not saved yet.",
-    )
-    bar = editor.window.message_bar
-    buttons = [bar.findChild(QToolButton, name) for name in ("offeredAction", "secondOffer")]
-    assert [each.text() for each in buttons if each.isVisible()] == ["Overwrite “badge.svg”", "Save As"]
-    assert path.read_text(encoding="utf-8") == INCH
-
-    def answer(question):
-        question.show()
-        asked.append([question.informativeText(), *(each.text() for each in question.buttons())])
-        return answers.pop()
-
-    monkeypatch.setattr(QMessageBox, "exec", answer)
-    kinds = QMessageBox.StandardButton
-    answers = [kinds.Save, kinds.Cancel]
-    assert not editor.window.context.files.may_discard()
-    assert asked[0][0] == "badge.svg cannot keep “a” as Lagrange."
-    assert {"Save in badge.svg", "Save As…"} < set(asked[0])
-    # Closing waits until it is written.
-    assert editor.window.context.files.may_discard()
-    assert (session.files.is_modified, path.read_text(encoding="utf-8") == INCH) == (False, False)
-    # From now on that is where it is saved.
-    move_first_point(editor, 7.0)
-    save(editor)
-    assert (editor.message, session.files.is_modified) == ("", False)
-    assert editor.status.startswith("Wrote badge.svg, ")
-
-
-def opened_with_more(editor, tmp_path):
-    """Open a file that holds more than curves; return its place and what it holds."""
-    path = tmp_path / "layers.svg"
-    cut = '<clipPath id="c"><text>Hi</text></clipPath><text id="Title" x="1" y="2">Hi</text>'
-    whole = INCH.replace("<path ", f'{cut}<path clip-path="url(#c)" ')
-    path.write_text(whole, encoding="utf-8")
-    open_as_document(editor, path)
-    return path, whole
+    assert (title_of(editor.session), editor.session.files.is_modified) == ("badge", False)
 
 
 def open_as_document(editor, path):
@@ -357,126 +262,19 @@ def open_as_document(editor, path):
     editor.settle()
 
 
-def save(editor):
-    editor.window.activateWindow()
-    editor.settle()
-    editor.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
-    editor.wait_for_work()
-
-
-def overwrite(editor):
-    # No window manager does it where there is no screen.
-    editor.window.activateWindow()
-    editor.settle()
-    editor.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
-    editor.wait_for_work()
-
-
-def test_overwrite_keeps_what_did_not_come_in(editor, tmp_path):
-    """It wrote the whole file anew, without its texts and clip paths."""
-    path, whole = opened_with_more(editor, tmp_path)
-    overwrite(editor)
-    assert path.read_text(encoding="utf-8") == whole
-    assert editor.status == "layers.svg is like this already."
-    assert list(tmp_path.iterdir()) == [path]
-    for x, data in ((0.25, "M 1 4 "), (0.5, "M 2 4 ")):
-        move_first_point(editor, x)
-        overwrite(editor)
-        assert editor.status.startswith("Wrote layers.svg, exact; 1 thing that had not come in is as before.")
-        assert (tmp_path / "layers.svg.before.bak").read_text(encoding="utf-8") == whole
-        found = path.read_text(encoding="utf-8")
-        before, after = whole.split(' d="')[0], whole.split(' d="')[1].partition('"')[2]
-        assert found.startswith(f'{before} d="{data}')
-        assert found.endswith(after)
-    (_, back), (_, mine) = import_file(path).document.curves, editor.session.document.curves
-    assert [each.position for each in back.points] == [each.position for each in mine.points]
-
-
-def test_one_path_that_is_dragged_is_all_that_changes_in_a_file_of_inkscape(editor, tmp_path):
-    """Layers, text, clips, filters, clones, guides and names of what was not touched stay as they were."""
-    path, whole = tmp_path / "badge.svg", SVG.parent / "overwrite" / "badge.svg"
-    before = whole.read_text(encoding="utf-8").splitlines()
-    path.write_bytes(whole.read_bytes())
-    open_as_document(editor, path)
-    # The middle of the wave, from the lower left corner of the page.
-    editor.escape()
-    editor.drag((32, 24.5), to=(37, 27))
-    assert editor.session.undo_stack.undoText() == "Move wave"
-    overwrite(editor)
-    after = path.read_text(encoding="utf-8").splitlines()
-    changed = [line.strip() for line in before if line not in after]
-    assert changed == ['d="m 20,60 c 5,-10 15,-10 20,0"']
-    (course,) = [line.strip() for line in after if line not in before]
-    assert [float(each) for each in course.split()[1:3]] == pytest.approx([25, 57.5], abs=0.5)
-    assert "became" not in editor.status
-    # A clone is one as long as it can be; else the status line tells of it.
-    names = [curve.name for curve in editor.session.document.curves]
-    place = names.index("use1")
-    editor.session.change("Move", lambda document: move_points(document, place, [0], (1.0, 0.0)))
-    overwrite(editor)
-    assert "The clone “use1” became a path, because its own points were moved." in editor.status
-
-
-def test_overwrite_asks_before_it_changes_what_another_program_has_written(editor, tmp_path):
-    path, whole = opened_with_more(editor, tmp_path)
-    theirs = whole.replace("</svg>", "<text>theirs</text></svg>\n")
-    path.write_text(theirs, encoding="utf-8")
-    editor.session.change("Guide", lambda document: add_guide(document, Axis.X, 1.0))
-    overwrite(editor)
-    assert editor.message == (
-        "layers.svg was changed by another program since it was opened here. Overwrite again to put these "
-        "curves into what it holds now, of which a copy is kept."
-    )
-    assert path.read_text(encoding="utf-8") == theirs
-    overwrite(editor)
-    assert import_file(path).document.guides == editor.session.document.guides
-    assert "<text>theirs</text></svg>\n" in path.read_text(encoding="utf-8")
-    assert editor.status.endswith("kept as layers.svg.before.bak.")
-    assert (tmp_path / "layers.svg.before.bak").read_text(encoding="utf-8") == theirs
-
-
-def test_overwrite_says_before_it_writes_what_would_be_lost(editor, tmp_path):
-    """It wrote a file without its texts and clip paths at the first press, and called that exact."""
-    path, whole = opened_with_more(editor, tmp_path)
-    # What has no page is written anew, as large as its curves.
-    editor.session.change("Page", lambda document: replace(document, page=None))
-    told = (
-        "1 thing in layers.svg did not come in as drawn and would be lost: "
-        "<path> “a” (a clip path cuts some of it off). Overwrite again to write it without it."
-    )
-    for x in (0.25, 0.5):
-        # Asked anew of another drawing.
-        move_first_point(editor, x)
-        overwrite(editor)
-        assert editor.message == told
-        assert editor.status == "layers.svg is not written yet."
-        assert path.read_text(encoding="utf-8") == whole
-    button = editor.window.message_bar.findChild(QToolButton, "offeredAction")
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    editor.wait_for_work()
-    assert editor.status == (
-        "Wrote layers.svg without 1 thing that had not come in. What it was is kept as layers.svg.before.bak."
-    )
-    assert editor.message == ""
-    assert "deviation" not in path.read_text(encoding="utf-8")
-    (_, back), (_, mine) = import_file(path).document.curves, editor.session.document.curves
-    assert [each.position for each in back.points] == [each.position for each in mine.points]
-    # Now there is nothing left to lose.
-    overwrite(editor)
-    assert editor.status == "Wrote layers.svg, exact."
-
-
-def test_what_was_not_opened_from_a_file_has_none_to_overwrite(editor, tmp_path):
-    blank(editor)
-    path = tmp_path / "inch.svg"
+def test_an_opened_drawing_is_saved_as_a_document_of_its_own(editor, tmp_path, monkeypatch):
+    path, asked = tmp_path / "badge.svg", []
     path.write_text(INCH, encoding="utf-8")
-    imported(editor, path)
-    assert not editor.action("overwriteForeign").isEnabled()
-
-
-def move_first_point(editor, x):
-    place = next(at for at, each in enumerate(editor.session.document.curves) if not is_content(each))
-    editor.session.change("Move", lambda document: set_position(document, place, 0, (x, 0.0)))
+    open_as_document(editor, path)
+    session, own = editor.session, tmp_path / "badge.curve.json"
+    session.change("Move", lambda document: set_position(document, 0, 0, (7.0, 0.0)))
+    monkeypatch.setattr(
+        QFileDialog, "getSaveFileName", lambda *words: asked.append(words[2]) or (str(own), "")
+    )
+    editor.trigger("saveDocument")
+    assert [Path(each).name for each in asked] == ["badge.curve.json"]
+    assert (session.files.path, session.files.is_modified) == (own, False)
+    assert (load(own), path.read_text(encoding="utf-8")) == (session.document, INCH)
 
 
 def test_very_many_shapes_without_a_group_come_together(editor, tmp_path):
@@ -602,66 +400,3 @@ def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path
     assert len(again.guides) == 2
     assert set(again.guides) == set(document.guides)
     assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4
-
-
-def test_closing_saves_to_the_opened_drawing_before_the_window_goes(new_editor, tmp_path, monkeypatch):
-    # Its own: it is closed.
-    editor = new_editor
-    path, asked = tmp_path / "badge.svg", []
-    path.write_text(INCH, encoding="utf-8")
-    open_as_document(editor, path)
-    move_first_point(editor, 7.0)
-    kinds = QMessageBox.StandardButton
-    answers = [kinds.Save, kinds.Cancel]
-    monkeypatch.setattr(
-        DocumentFiles, "_ask_about_changes", lambda _: asked.append(1) or answers[len(answers) - len(asked)]
-    )
-    monkeypatch.setattr(editor.window, "asks_before_closing", True)
-    editor.window.activateWindow()
-    editor.settle()
-    editor.key(Qt.Key.Key_Q, Qt.KeyboardModifier.ControlModifier)
-    assert (len(asked), editor.window.isVisible(), path.read_text(encoding="utf-8")) == (1, True, INCH)
-    closed = []
-    editor.window.closed.connect(lambda: closed.append(1))
-    editor.window.actions_by_name["quit"].trigger()
-    assert (len(asked), closed, editor.session.files.is_modified) == (2, [1], False)
-    assert path.read_text(encoding="utf-8") != INCH
-
-
-def test_clones_of_an_svg_are_followed_copied_and_written_as_such(editor, tmp_path):
-    """Copied with its original one follows the copy; and none is lost by the name that it has of another."""
-    path, session = tmp_path / "clones.svg", editor.session
-    before = (SVG.parent / "overwrite" / "clones.svg").read_text(encoding="utf-8")
-    path.write_text(before, encoding="utf-8")
-    open_as_document(editor, path)
-    editor.window.activateWindow()
-    editor.settle()
-
-    def originals():
-        document = session.document
-        return [original_of(document, place) for place in range(len(document.curves))]
-
-    for copies, expected in (
-        ([(Qt.Key.Key_D, CTRL)], [-1, 0, -1, 2, 0, 4, -1, -1, 6, 7, -1, -1]),
-        ([(Qt.Key.Key_C, CTRL), (Qt.Key.Key_V, CTRL)], [-1, 0, 0, 2, -1, -1, 4, 5, -1, -1, -1, 10]),
-    ):
-        session.selected.choose([0, 1])
-        editor.settle()
-        for key in copies:
-            editor.key(*key)
-            editor.wait_for_work()
-        assert originals() == expected
-        assert "clone" not in editor.status
-        editor.trigger("undo")
-    session.selected.choose([4, 5])
-    editor.settle()
-    editor.key(Qt.Key.Key_D, Qt.KeyboardModifier.AltModifier)
-    assert editor.status == "A clone of pair lies on it and is chosen; a drag moves it."
-    session.change("Bend", lambda document: move_points(document, 0, [0], (1.0, 1.0)))
-    overwrite(editor)
-    assert editor.status.startswith("Wrote clones.svg, exact. ")
-    text = path.read_text(encoding="utf-8")
-    assert text.count("<use") == before.count("<use") + 2
-    assert [line for line in before.splitlines() if "<use" in line and line not in text] == []
-    overwrite(editor)
-    assert editor.status == "clones.svg is like this already."

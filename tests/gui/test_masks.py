@@ -2,15 +2,8 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
-
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QImage
-
-from app.exchange.svg.in_place.rewriting import rewritten
-from app.exchange.svg.writer import svg_of
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">
@@ -89,23 +82,6 @@ def test_a_group_masks_and_is_masked_and_comes_back_as_one(drawing):
     drawing.trigger("releaseMask")
     _, dot, fade = drawing.session.document.curves
     assert dot.groups[-1:] == fade.groups[-1:] != ()
-
-
-@pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="librsvg is not installed")
-def test_librsvg_shows_what_was_masked_as_the_canvas_does(drawing, tmp_path):
-    choose(drawing, "Board", "Fade")
-    drawing.trigger("setMask")
-    # Written anew, and into the file that was opened.
-    document, kept = drawing.session.document, rewritten(DRAWING.encode(), drawing.session.document)
-    for data in (svg_of(document).data, kept.data):
-        (tmp_path / "a.svg").write_bytes(data)
-        command = ["rsvg-convert", "--width=1000", "--background-color=white", "-o", f"{tmp_path}/a.png"]
-        subprocess.run([*command, f"{tmp_path}/a.svg"], check=True, timeout=60)
-        image = QImage(f"{tmp_path}/a.png")
-        for x, y in ((15, 60), (30, 60), (55, 50), (75, 45), (85, 60), (20, 20)):
-            theirs = image.pixelColor(10 * x, 1000 - 10 * y)
-            shown = [theirs.red(), theirs.green(), theirs.blue()]
-            assert colour(drawing, float(x), float(y)) == pytest.approx(shown, abs=4)
 
 
 def test_what_cannot_be_masked_is_not_offered(drawing):

@@ -23,7 +23,6 @@ from ..errors import ExchangeError
 
 if TYPE_CHECKING:
     from ...document.model import Document
-    from ...tasks.progress import Report
     from ..drawing.preview import PicturePreview
     from ..options import Option, Options
 
@@ -44,15 +43,12 @@ class Written:
         One sentence for every curve that was left out.
     pixels
         Width and height of a picture in pixels; None of everything else.
-    changes
-        What is something else in the file, or what of one that was kept is so now, in sentences.
     """
 
     content: str | bytes
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
     pixels: tuple[int, int] | None = None
-    changes: tuple[str, ...] = ()
 
     @property
     def text(self) -> str:
@@ -135,9 +131,6 @@ class Format(FileKind):
         Of a drawing a function at the top level of its module, for a process of its own calls it by name: it
         takes the content and the tolerance and returns what was `Imported`. That of a table takes the content
         and returns a `Table`. None for documents and for tables of text.
-    rewrite
-        Takes a file that was read, the document that shall be in it, and what of it came in; returns the file
-        with nothing else changed, or None if that cannot be. None where files are always written anew.
     """
 
     description: str = ""
@@ -150,7 +143,6 @@ class Format(FileKind):
     kind: ContentKind | None = None
     plural: str = ""
     read: Callable[..., Any] | None = None
-    rewrite: Callable[[bytes, Document, Document | None, Report], Written | None] | None = None
 
 
 class Registry:
@@ -289,19 +281,6 @@ def file_filters(pictures: str = "") -> str:
         everything = f"Curves, tables and pictures ({read} {pictures})"
         return ";;".join([everything, *kinds, f"Pictures ({pictures})", "All files (*)"])
     return ";;".join([f"Curves and tables ({read})", *kinds, "All files (*)"])
-
-
-def can_write_back(path: Path) -> bool:
-    """Whether a file that a drawing was read from is of a format that is written, too."""
-    name = path.name.lower()
-    drawings = [each for each in FORMATS.read if each.kind is ContentKind.DRAWING]
-    return name.endswith(endings_of(drawings)) and name.endswith(endings_of(FORMATS.written))
-
-
-def are_read_alike(one: Path, other: Path) -> bool:
-    """Whether files of two names hold drawings that one function reads, such as packed ones and others."""
-    reads = [format_of(each, FORMATS.read).read for each in (one, other)]
-    return reads[0] is not None and reads[0] is reads[1]
 
 
 def can_import(path: Path) -> bool:

@@ -26,28 +26,12 @@ from . import ContentKind, Format, Written
 
 if TYPE_CHECKING:
     from ...document.model import Document
-    from ...tasks.progress import Report
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:
     """Return the curves of a drawing on a page that stands on the origin; see `svg.reader.read_svg`."""
     found = svg.reader.read_svg(unpacked(data), tolerance)
     return replace(found, document=corner.from_lower_left(found.document))
-
-
-def _rewritten(data: bytes, document: Document, begun: Document | None, report: Report) -> Written | None:
-    return svg.in_place.rewriting.rewritten(unpacked(data), document, begun, report)
-
-
-def _rewritten_packed(
-    data: bytes, document: Document, begun: Document | None, report: Report
-) -> Written | None:
-    content = unpacked(data)
-    kept = svg.in_place.rewriting.rewritten(content, document, begun, report)
-    if kept is None:
-        return None
-    # What is as it was stays packed as it was.
-    return replace(kept, content=data) if kept.data == content != data else packed(kept)
 
 
 _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
@@ -128,7 +112,6 @@ FORMATS = (
         kind=ContentKind.DRAWING,
         plural="SVG drawings",
         read=read,
-        rewrite=_rewritten,
     ),
     Format(
         endings=(".svgz",),
@@ -142,7 +125,6 @@ FORMATS = (
         kind=ContentKind.DRAWING,
         plural="Compressed SVG drawings",
         read=read,
-        rewrite=_rewritten_packed,
     ),
     Format(
         endings=(".pdf",),

@@ -26,7 +26,6 @@
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
   ``copied``: as Inkscape does.
-- ``in_place``: files with the changes of a document in them, and everything else as it was.
 - ``own_data``: what we know of a shape, beside its element.
 - ``compressed``: packed by gzip.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.

@@ -2,7 +2,6 @@
 from . import copied as copied
 from . import for_clipboard as for_clipboard
 from . import fragments as fragments
-from . import in_place as in_place
 from . import our_own as our_own
 from . import reader as reader
 from . import tile_documents as tile_documents

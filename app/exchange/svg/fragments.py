@@ -89,7 +89,7 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
     else:
         found = exchange.child.limited(reader, fragment.data, None, report=report)
     if not fragment.is_bare:
-        is_ours = any(mark.encode() in fragment.data for mark in svg.our_own.MARKS)
+        is_ours = svg.our_own.MARK.encode() in fragment.data
         # Where nobody says it a unit of SVG is a pixel; of our own, the document's, which has none.
         unit = found.document.unit or ("" if is_ours else "px")
         return with_fields(found, document=replace(found.document, unit=unit))

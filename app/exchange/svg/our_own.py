@@ -12,10 +12,7 @@ from .matrices import box_of
 from .xml_tree import tag_of
 
 MARK = "Largest deviation from the true curves"
-EXACT = "Its curves are exactly those of the document"
-CLOSE = "Its curves are those of the document"
-MARKS = (MARK, EXACT, CLOSE)
-"""Words of which some are in the metadata of every picture."""
+"""Words in the metadata of every picture."""
 
 _NOTES = ("metadata", "desc")
 """Where these stand: in pictures of before in the description, which Inkscape gives to a layer."""
@@ -47,7 +44,7 @@ class OurOwn:
 
     def __init__(self, root: ET.Element) -> None:
         notes = ("".join(child.itertext()) for child in root if tag_of(child) in _NOTES)
-        self.is_so = any(mark in note for note in notes for mark in MARKS)
+        self.is_so = any(MARK in note for note in notes)
         self.has_nominal_size = self.is_so and root.get("width", "")[-1:].isdigit()
         self.has_page = not self.is_so or root.get("id") == PAGE
         beside = (each.get("id") in NO_CURVES[1:] for each in root.iter())

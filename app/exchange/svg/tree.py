@@ -32,7 +32,7 @@ from .mask_elements import MaskElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
-from .use_elements import use_attributes, used, words_about_clones
+from .use_elements import use_attributes, used
 
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
@@ -96,11 +96,6 @@ class Tree:
         found = [*self._gradients.lines, *self.clips.lines, *self._filters.lines, *self._masks.lines]
         found += self._courses.lines
         return ["  <defs>", *found, "  </defs>"] if found else []
-
-    @property
-    def words(self) -> tuple[str, ...]:
-        """What is to be said of clones."""
-        return words_about_clones(self._shapes, self.uses)
 
     def add(self, place: int) -> None:
         """Write the outlines of a shape as one path, or as what shows another one."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
@@ -13,7 +12,6 @@ from curvecore.arrays import FloatArray
 from ...document.clone_styles import looks_same, style_by
 from ...document.style import Style
 from ...document.transforms import Affine
-from ...document.words import names_of
 from ..drawing.cloned import Cloned, Shape, clones_among
 from .form_elements import matrix_text
 from .matrices import is_uneven
@@ -60,18 +58,3 @@ def use_attributes(identity: str, by: FloatArray) -> str:
     else:
         transform = matrix_text(np.column_stack([linear, shift]))
     return f' xlink:href="#{identity}" transform="{transform}"'
-
-
-def words_about_clones(shapes: Sequence[Shape], uses: Mapping[int, Cloned]) -> tuple[str, ...]:
-    """Return, in sentences, which clones are none in the file, and what they are there."""
-    names = defaultdict[str, list[str]](list)
-    for place, shape in enumerate(shapes):
-        if place not in uses and all(outline.clone is not None for outline in shape):
-            noun = "path" if shape[0].content is None else shape[0].content.noun
-            names[noun].append(f"“{shape[0].shape or shape[0].name}”")
-    return tuple(
-        f"The clone {each[0]} became a {noun}, because it looks otherwise than its original."
-        if len(each) == 1
-        else f"The clones {names_of(each)} became {noun}s; each looks otherwise than its original."
-        for noun, each in names.items()
-    )

@@ -22,7 +22,7 @@ from .escapes import escaped
 from .guides import view_elements
 from .names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
 from .numbers import number
-from .our_own import CLOSE, EXACT, MARK, PAGE
+from .our_own import MARK, PAGE
 from .style_attributes import dash_style
 from .tree import Tree, pair
 
@@ -67,9 +67,8 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
         width=options.width,
         unit=options.unit,
         in_group=in_group,
-        tells_exactness=options.tells_exactness,
     )
-    return Written(text, drawing.deviation, drawing.remarks, changes=curves.words)
+    return Written(text, drawing.deviation, drawing.remarks)
 
 
 def picture_of(
@@ -110,7 +109,6 @@ def svg_text(
     width: float | None = None,
     unit: str = "",
     in_group: bool = False,
-    tells_exactness: bool = True,
 ) -> str:
     """Return a drawing, whose curves are written, as SVG.
 
@@ -121,15 +119,14 @@ def svg_text(
     spaces = f"{_SPACES} {_LINKS}" if curves.has_links else _SPACES
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
-    note = accuracy_of(drawing) if tells_exactness else ""
-    mark = note or f"{CLOSE if drawing.deviation else EXACT}."
+    note = accuracy_of(drawing)
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
-        f"<!-- Curvebench {__version__}. {note} -->" if note else f"<!-- Curvebench {__version__} -->",
+        f"<!-- Curvebench {__version__}. {note} -->",
         f'<svg{name} xmlns="http://www.w3.org/2000/svg" {spaces} '
         f'width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
-        f"  <metadata>{escaped(' '.join([mark, *drawing.remarks]))}</metadata>",
+        f"  <metadata>{escaped(' '.join([note, *drawing.remarks]))}</metadata>",
         *view_elements(drawing.guides, frame, unit if drawing.has_page else ""),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),

@@ -63,9 +63,8 @@ class HistoryCommands:
         if session.undo_stack.count():
             return  # a lesson or an example was opened as a step; it began with something else
         files, curve = session.files, session.active_curve
-        file = files.path or (files.foreign.path if files.foreign is not None else None)
         name = files.beginning.file_stem or (curve.name if curve.points else "")
-        opened = file.name if file is not None else name
+        opened = files.path.name if files.path is not None else name
         self.panel.name_beginning(f"Opened {opened}" if opened else "New document")
 
     @action(

@@ -2,9 +2,8 @@
 
 - ``commands``: what comes in.  ``import_series``: several files, one after the other.
   ``intake``: curves of one in the document.
-- ``export_commands``: what goes out.  ``own_files``: a file for each chosen object.
-- ``copy_commands``: pictures on the clipboard.  ``overwrite_commands``: back to the file that was opened.
-  ``save_copy_commands``: to another one, beside it.  ``revert_commands``: what the file holds, read again.
+- ``export_commands``: what goes out.  ``copy_commands``: pictures on the clipboard.
+- ``save_copy_commands``: the document in another file, beside it.
 - ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,
   ``import_foot``, ``import_picture``, ``missed_list``: what a file holds, before it comes in.

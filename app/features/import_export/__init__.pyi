@@ -4,4 +4,3 @@ from . import form_parts as form_parts
 from . import import_drawing_dialog as import_drawing_dialog
 from . import import_table_dialog as import_table_dialog
 from . import intake as intake
-from . import own_files as own_files

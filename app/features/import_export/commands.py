@@ -21,7 +21,6 @@ from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import (
     ContentKind,
-    can_write_back,
     ending_in,
     file_filters,
     is_document,
@@ -37,8 +36,6 @@ from .. import import_export
 from .copy_commands import CopyCommands
 from .export_commands import ExportCommands
 from .import_series import ImportSeries
-from .overwrite_commands import OverwriteCommands
-from .revert_commands import RevertCommands
 from .save_copy_commands import SaveCopyCommands
 
 if TYPE_CHECKING:
@@ -216,7 +213,7 @@ class ImportCommands:
                     now = free_layer(session.committed, session.selected.layer)
                     arrival = intake.intake(session.committed, new, layer=now)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
-                if self._put(path, arrival, taken, begins=begins, anew=anew):
+                if self._put(path, arrival, begins=begins, anew=anew):
                     said = "Opened" if anew and path == self._opened else "Imported"
                     deviation = taken.deviation * factor
                     done_so = f"{said} {path.name}"
@@ -262,27 +259,18 @@ class ImportCommands:
         self._meant_for = self._documents
         self._series.end()
 
-    def _put(
-        self, path: Path, arrival: Arrival, taken: Imported | PreparedTable, *, begins: bool, anew: bool
-    ) -> bool:
+    def _put(self, path: Path, arrival: Arrival, *, begins: bool, anew: bool) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
-        session, step, intake = self._session, f"Import {path.name}", import_export.intake
-        is_home = (anew or path == self._opened) and can_write_back(path)
+        session, step = self._session, f"Import {path.name}"
         if not begins:
             session.expect(arrival.views)
             return bool(session.change(step, lambda _: arrival.document, active=arrival.places.start))
         try:
-            session.files.begin_imported(
-                arrival.document,
-                path.stem,
-                "" if anew else step,
-                arrival.views,
-                intake.origin_of(path, arrival, taken) if is_home else None,
-            )
+            session.files.begin_imported(arrival.document, path.stem, "" if anew else step, arrival.views)
         except EditError as reason:
             session.refuse(str(reason))
             return False
-        if is_home:
+        if path == self._opened:
             self._preferences.add_recent_file(path.absolute())
         return True
 
@@ -327,6 +315,4 @@ COMMAND_SETS = (
     ExportCommands,
     CopyCommands,
     SaveCopyCommands,
-    OverwriteCommands,
-    RevertCommands,
 )

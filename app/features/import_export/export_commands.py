@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,7 +17,6 @@ from ...storage.files import StorageError
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from ...workbench.file_names import file_stem, own_name
-from ...workbench.undrawn import words_about_undrawn
 from .. import import_export
 
 if TYPE_CHECKING:
@@ -81,16 +79,9 @@ class ExportCommands:
                 session.active_index,
                 session.selected.marked,
                 with_estimates=self._preferences.with_estimates,
-                undrawn=partial(words_about_undrawn, session),
             )
 
     def _ask_where(self, choice: ExportChoice) -> None:
-        if choice.is_each and self._session.selected.chosen:
-            import_export.own_files.OwnFiles(self._context).ask(choice)
-        else:
-            self._ask_where_to(choice)
-
-    def _ask_where_to(self, choice: ExportChoice) -> None:
         session, last = self._session, self._session.files.last_export
         self._preferences.export_choice = exchange.choice.text_of(choice)
         known = exchange.choice.known_name(choice, session.document, session.selected.marked, last)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
@@ -42,7 +40,6 @@ class ExportDialog(WorkDialog):
         super().__init__("exportDialog", "Export", "exportProblem", parent)
         self._document: Document | None = None
         self._active, self._chosen, self._with_estimates = 0, frozenset[int](), False
-        self._words_about: Callable[[Document], str] = lambda _document: ""
         self.form = ExportForm()
         self.picture = Label(name="exportPreview", label="Preview")
         self.picture.setToolTip("What the picture will look like; squares stand for no paper")
@@ -51,7 +48,6 @@ class ExportDialog(WorkDialog):
         self.size_label = Label(name="exportSize", wordWrap=True)
         self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         self.told = Label(name="exportColoursTold", wordWrap=True)
-        self.undrawn = Label(name="exportUndrawn", wordWrap=True)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._render_preview)
         self._lay_out()
@@ -65,9 +61,7 @@ class ExportDialog(WorkDialog):
         foot.rejected.connect(self.reject)
         self.preview_side = QWidget()
         column_of(self.picture, self.size_label, self.told, 1, margins=0, parent=self.preview_side)
-        # In sight without scrolling, for it is said before the file is written.
-        left = column_of(self.form, self.undrawn, 1, margins=0)
-        columns = row_of((left, 1), self.preview_side, spacing=18)
+        columns = row_of((column_of(self.form, 1, margins=0), 1), self.preview_side, spacing=18)
         column_of(columns, margins=(16, 14, 16, 0), parent=self.body)
         self.hold(self.problem, foot, wished=QSize(690, 400))
 
@@ -78,13 +72,8 @@ class ExportDialog(WorkDialog):
         chosen: frozenset[int] = frozenset(),
         *,
         with_estimates: bool = False,
-        undrawn: Callable[[Document], str] = lambda _document: "",
     ) -> None:
-        """Show what this document would look like; for the others see `ExportChoice.order`.
-
-        `undrawn` says of what is exported what the file that it came from has, and it has not.
-        """
-        self._words_about = undrawn
+        """Show what this document would look like; for the others see `ExportChoice.order`."""
         self._document, self._active, self._chosen = document, active, chosen
         self._with_estimates = with_estimates
         self.form.show_document(document, has_chosen=bool(chosen))
@@ -101,8 +90,7 @@ class ExportDialog(WorkDialog):
         self.complain("")
         self.ok.setEnabled(True)
         self.ok.setToolTip(f"Choose where to write the {choice.format.title}")
-        for part in (self.preview_side, self.undrawn):
-            part.setVisible(choice.format.preview is not None)
+        self.preview_side.setVisible(choice.format.preview is not None)
         self._soon.start()
 
     def _render_preview(self) -> None:
@@ -117,7 +105,6 @@ class ExportDialog(WorkDialog):
         preview = choice.format.preview
         assert preview is not None
         order = choice.order(document, active, self._chosen, with_estimates=self._with_estimates)
-        self.undrawn.setText(self._words_about(order.document))
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
 
         def draw(_report: Report) -> PicturePreview:

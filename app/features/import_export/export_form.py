@@ -13,7 +13,7 @@ from ...document.expression import ExpressionError
 from ...document.model import Document
 from ...exchange.choice import ExportChoice, chosen, offered_options
 from ...exchange.formats import FORMATS
-from ...exchange.options import EACH, EXTENT, TRUE_SIZE, Extent, Option
+from ...exchange.options import EXTENT, TRUE_SIZE, Extent, Option
 from ...exchange.units import known_unit
 from ...qt.labels import Label
 from ...widgets.boxes import form_of
@@ -102,8 +102,7 @@ class ExportForm(QWidget):
 
     def _show_rows(self, choice: ExportChoice) -> None:
         self._description.setText(choice.format.description)
-        apart = (EACH,) if choice[EXTENT] is Extent.CHOSEN else ()
-        shown = (EXTENT, *apart, *choice.shown(self._unit))
+        shown = (EXTENT, *choice.shown(self._unit))
         for row, options in self._rows:
             self._form.setRowVisible(row, any(each in shown for each in options))
             if len(options) > 1:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ... import exchange
@@ -12,23 +11,14 @@ from ...document.plain import plain
 from ...document.several_curves import add_imported, is_blank, left_behind
 from ...document.shapes import tidy_shapes
 from ...document.words import names_of
-from ...storage.foreign import Foreign
 from ...view_model.curve.views_ahead import views_ahead
 from ...view_model.pieces.arrivals import Arrival
 
 if TYPE_CHECKING:
-    from ...exchange.cubics_in import Imported
-    from ...exchange.table.prepared import PreparedTable
+    pass
 
 MANY_POINTS = 1000
 """Points of curves whose views are made beside the window."""
-
-
-def origin_of(path: Path, arrival: Arrival, taken: Imported | PreparedTable) -> Foreign:
-    """Return the file that a document begins with."""
-    if not isinstance(taken, exchange.cubics_in.Imported):
-        return Foreign(path.absolute())
-    return Foreign(path.absolute(), missed=taken.lost, opened=taken.digest, begun=arrival.document)
 
 
 def points_of(document: Document) -> int:

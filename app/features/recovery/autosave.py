@@ -10,7 +10,6 @@ from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from ...document.model import Document
 from ...session import Beginning, Session
-from ...storage.foreign import Foreign, Lost
 from ...storage.reasons import shown
 from ...storage.recovery import Origin, SnapshotFile
 from ...tasks.task import Task
@@ -169,10 +168,7 @@ def origin_of(session: Session) -> Origin:
     """Return where the document of a session came from, and what it is called."""
     files, beginning = session.files, session.files.beginning
     stamp = files.file.stamp if files.file is not None else None
-    foreign = files.foreign
-    place = foreign.path if foreign is not None else None
-    missed = tuple(each.words for each in foreign.missed) if foreign is not None else ()
-    return Origin(files.path, stamp, beginning.title, beginning.file_stem, place, missed)
+    return Origin(files.path, stamp, beginning.title, beginning.file_stem)
 
 
 def beginning_of(origin: Origin, path: Path | None) -> Beginning:
@@ -183,9 +179,7 @@ def beginning_of(origin: Origin, path: Path | None) -> Beginning:
     if path is None and origin.path is not None:
         stem = shown(origin.path.name).removesuffix(SUFFIX)
         return Beginning(title=stem, file_stem=stem)
-    missed = tuple(map(Lost, origin.missed))
-    foreign = Foreign(origin.foreign, missed=missed) if origin.foreign is not None else None
-    return Beginning(title=origin.title, file_stem=origin.file_stem, foreign=foreign)
+    return Beginning(title=origin.title, file_stem=origin.file_stem)
 
 
 def _written(file: SnapshotFile, document: Document, origin: Origin, committed: Document) -> str:

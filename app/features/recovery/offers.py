@@ -75,13 +75,13 @@ def _contents(snapshot: Snapshot) -> str:
 
 
 def _offer(snapshot: Snapshot) -> Offer:
-    document, origin, file = snapshot.document, snapshot.origin, snapshot.origin.file
+    document, origin, file = snapshot.document, snapshot.origin, snapshot.origin.path
     words = [age_in_words(time.time() - snapshot.written)]
     if file is None:
         words.append("never saved")
     elif not file.exists():
         words.append("file gone")
-    elif origin.path is not None and not origin.is_unchanged:
+    elif not origin.is_unchanged:
         words.append("file changed since")
     first = document.curves[0].name
     untitled = origin.title or (f"Untitled {kind_of(document).noun}" if first == NEW_NAME else first)
@@ -101,15 +101,13 @@ def note_about(damaged: tuple[Path, ...]) -> str:
 
 def told_after(origin: Origin, *, is_unchanged: bool) -> str:
     """Return what to say of work that was restored, by the file it came from."""
-    if origin.file is None:
+    if origin.path is None:
         return "Restored; it has no file yet."
-    name, is_there = shown(origin.file.name), origin.file.exists()
-    # A drawing goes on with its file of another format, which its saving looks at anew.
-    if is_unchanged or (origin.path is None and is_there):
+    name = shown(origin.path.name)
+    if is_unchanged:
         return f"Restored; {name} does not hold these changes until you save."
-    if not is_there:
-        as_what = "" if origin.path is None else " as a new document"
-        return f"{name} is gone; your work was restored{as_what}."
+    if not origin.path.exists():
+        return f"{name} is gone; your work was restored as a new document."
     return f"{name} has changed since; your work was restored as a new document."
 
 
