@@ -150,7 +150,6 @@ CURVE_SHAPES = CURVE.section("Paths", is_separated=False, also=[CHOSEN_MENU(35),
 CURVE_PATHS = CURVE.section("Paths", also=[CHOSEN_MENU(35), CURVE_LIST_MENU(56)])
 CURVE_OFFSETS = CURVE.section("Paths")
 CURVE_CLIPS = CURVE.section("Arrange", is_separated=False)
-CURVE_PATTERNS = CURVE.section("Arrange", is_separated=False)
 CURVE_GROUPS = CURVE.section("Arrange", is_separated=False)
 CURVE_ORDER = CURVE.section(
     "Arrange", also=[CHOSEN_MENU(21), CURVE_MENU(45), CURVE_LIST_MENU(20)], called="Order"

@@ -18,7 +18,6 @@
   versions of the curve.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.
 - ``marks_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
-  ``gradient_marks``: the line of a gradient.
 - ``label_place``: where words beside a point cover least, and where its number stands.
 - ``pen_layer``: the curve that the pen would make before it is pressed.
 - ``hit_test``, ``line_finder``: what lies under the pointer; ``filled_areas``: insides of shapes.

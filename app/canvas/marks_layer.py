@@ -17,7 +17,6 @@ from ..tools.marks import GestureMarks, Note, Ruler
 from ..tools.snapping import Snap
 from ..tools.transform import TransformKind
 from ..tools.transform_box import Grip, TransformBox
-from .gradient_marks import paint_gradient
 from .label_place import Surroundings, free_corner
 from .selected_curves_layer import BESIDE
 
@@ -79,9 +78,6 @@ class MarksLayer(Layer):
         """Draw what there is."""
         marks = self.marks
         painter.setFont(self.fonts.times(0.95 * self.scale))
-        for at, gradient in enumerate(marks.gradients):
-            chosen = marks.stop[1] if marks.stop is not None and marks.stop[0] == at else None
-            paint_gradient(painter, shown, gradient, self.theme, self.scale, chosen)
         for mark in reversed(marks.forms):
             self._paint_form_mark(painter, *shown.point(*mark.place), is_round=mark.is_round)
         if marks.box is not None:

@@ -193,35 +193,8 @@ _LEAST_AREA = 1e-12
 """Share of the area of a square: axes that enclose less lie on a line."""
 
 
-def filling(box: Box, kind: GradientKind, stops: tuple[Stop, ...], spread: Spread = Spread.PAD) -> Gradient:
-    """Return a gradient from the left to the right of a box, or from its middle to its sides."""
-    (left, bottom), (width, height) = box[0], size_of(box)
-    middle, level = left + width / 2, bottom + height / 2
-    if kind is GradientKind.LINEAR:
-        places = (left, level), (left + width, level), (left, level + width)
-    else:
-        places = (middle, level), (left + width, level), (middle, bottom + height)
-    return Gradient(stops, kind, *places, spread=spread)
-
-
 def size_of(box: Box) -> Vector:
     """Return width and height of a box; of one without either, the other, or 1."""
     (left, bottom), (right, top) = box
     width, height = right - left, top - bottom
     return width or height or 1.0, height or width or 1.0
-
-
-def with_stop_at(stops: tuple[Stop, ...], index: int, offset: float) -> tuple[Stop, ...]:
-    """Return stops of which one lies elsewhere, as far as those beside it let it."""
-    least = stops[index - 1].offset if index else 0.0
-    most = stops[index + 1].offset if index + 1 < len(stops) else 1.0
-    new = replace(stops[index], offset=min(max(offset, least), most))
-    return (*stops[:index], new, *stops[index + 1 :])
-
-
-def with_stop_between(stops: tuple[Stop, ...], offset: float) -> tuple[tuple[Stop, ...], int]:
-    """Return stops with one more that changes nothing, and its place; the same where they are full."""
-    at = sum(stop.offset <= offset for stop in stops)
-    if len(stops) >= MOST_STOPS:
-        return stops, at
-    return (*stops[:at], Gradient(stops).at(offset), *stops[at:]), at

@@ -12,7 +12,6 @@ from typing import Final
 from .contents import has_paints, with_shown_style
 from .curve_edits import with_each
 from .fields import fields_of
-from .gradient import Tile
 from .model import Curve, Document
 from .shapes import whole_shapes
 from .style import INK, NO_PAINT, Style
@@ -39,13 +38,6 @@ def colours_of(curves: Iterable[Curve]) -> list[str]:
             stops = () if gradient is None else gradient.stops
             found.update([*dict.fromkeys(each.colour for each in stops)] or [paint])
     return [paint for paint, _ in found.most_common() if paint not in (INK, NO_PAINT)]
-
-
-def tiles_of(curves: Iterable[Curve]) -> list[Tile]:
-    """Return the tiles of the patterns that curves are painted with, each once."""
-    styles = [curve.style for curve in curves]
-    paints = [paint for each in styles for paint in (each.fill_gradient, each.stroke_gradient)]
-    return list(dict.fromkeys(each.tile for each in paints if each is not None and each.tile is not None))
 
 
 def with_paints_swapped(document: Document, curves: Collection[int]) -> Document:

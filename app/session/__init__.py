@@ -8,7 +8,7 @@
 - ``following``: the selection from document to document.  ``scrub_line``: a t that is shown.
 - ``box``: what the box around what is selected turns about, and what its grips do.
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
-- ``next_style``: the style of what is drawn next.  ``stop_choice``: the stop of a gradient that is chosen.
+- ``next_style``: the style of what is drawn next.
   ``brought``: choosing what has come from elsewhere.
 - ``along_paths``: texts that follow the curves that they lie along.
 - ``edited_clips``: clips that follow their outlines.

@@ -38,7 +38,6 @@ class Following:
         selected = self._session.selected
         selected.set_points([])
         selected.take_up()
-        selected.stop.choose(None)
         selected.next_style.marked = Marked.LENT
 
     def begin_opened(self) -> None:

@@ -11,7 +11,6 @@ from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
 from .highlight import Highlight
 from .next_style import NextStyle
-from .stop_choice import StopChoice
 
 if TYPE_CHECKING:
     from .session import Session
@@ -40,8 +39,6 @@ class Selected:
         The point under the pointer, or -1.
     next_style
         The style of what is drawn next, where nothing is chosen.
-    stop
-        The stop of a gradient that is chosen.
     """
 
     def __init__(self, session: Session) -> None:
@@ -54,7 +51,6 @@ class Selected:
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
         self.next_style = NextStyle()
-        self.stop = StopChoice(session.stop_changed.emit)
         # The layer that was chosen since a curve was; None where that of the active curve is meant.
         self._layer: str | None = None
 

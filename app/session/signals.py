@@ -31,8 +31,6 @@ class SessionSignals(QObject):
         What is new comes into another layer.
     grips_changed
         The grips of the box around what is selected do something else.
-    stop_changed
-        Another stop of a gradient is chosen, or none.
     file_changed
         The path or the modified mark is another one.
     opened
@@ -64,7 +62,6 @@ class SessionSignals(QObject):
     pivot_changed = Signal()
     layer_changed = Signal()
     grips_changed = Signal()
-    stop_changed = Signal()
     file_changed = Signal()
     opened = Signal()
     left = Signal(object)

@@ -20,7 +20,6 @@
 - ``below``: Alt+click on what lies below the topmost curve.
 - ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.
-- ``gradient_places``: what of a gradient is dragged.  ``gradient_stops``: the stop that was chosen.
 - ``pen_click``, ``pen_makes``: what a click of the pen makes.
   ``pen_session``: what it knows of the curves that it draws.
 - ``pencil_detail``: how near a curve comes to what the pencil draws.

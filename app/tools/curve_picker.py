@@ -139,12 +139,6 @@ def _name(context: ToolContext, hit: Hit) -> str:
     return named(host.document, (hit.index,) if is_one else _meant(context, hit))
 
 
-def meant_shapes(host: EditingHost) -> frozenset[int]:
-    """Return the curves that are chosen, or the one that is edited, with all of their shapes."""
-    alone = (host.active_index,) if host.selected.is_editing else ()
-    return whole_shapes(host.document, host.selected.chosen or alone)
-
-
 def _meant(context: ToolContext, hit: Hit) -> frozenset[int]:
     """Return the curves that a press on one of them means; with Ctrl its shape, whatever group it is in."""
     host = context.host

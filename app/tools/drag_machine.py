@@ -9,7 +9,6 @@ from typing import Protocol
 import msgspec
 
 from ..document.edits import EditError
-from ..document.gradient_edits import PaintedStop
 from ..document.model import Curve, Document, Vector
 from ..document.point_group import PointGroup
 from ..document.selection import Choice
@@ -31,10 +30,6 @@ class SelectionHost(Protocol):
     group: PointGroup
     curves: frozenset[int]
     is_editing: bool
-
-    @property
-    def stop(self) -> StopHost:
-        """The stop of a gradient that is chosen."""
 
     @property
     def points(self) -> frozenset[int]:
@@ -97,15 +92,6 @@ class SelectionHost(Protocol):
 
     def edit_chosen(self) -> None:
         """Edit what is chosen."""
-
-
-class StopHost(Protocol):
-    """Stop of a gradient that is chosen in a session, as the tools use it."""
-
-    chosen: PaintedStop | None
-
-    def choose(self, stop: PaintedStop | None) -> None:
-        """Choose a stop, or none."""
 
 
 class BoxHost(Protocol):

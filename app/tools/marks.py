@@ -5,7 +5,6 @@ from __future__ import annotations
 import msgspec
 from msgspec.structs import asdict, replace
 
-from ..document.gradient import Gradient
 from ..document.model import Vector
 from ..view_model.curve.curve_view import CurveView
 from .snapping import Snap
@@ -74,8 +73,6 @@ class GestureMarks(msgspec.Struct, frozen=True):
         The guide under the pointer, or that is dragged: its place in the document.
     kept
         The lines of the text, or the picture, of another program that is chosen.
-    gradients, stop
-        Those whose places can be dragged; which of them has the stop that is chosen, and which stop that is.
     forms
         The handles of forms.
     """
@@ -94,8 +91,6 @@ class GestureMarks(msgspec.Struct, frozen=True):
     line: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
-    gradients: tuple[Gradient, ...] = ()
-    stop: tuple[int, int] | None = None
     forms: tuple[FormMark, ...] = ()
 
     def above(self, below: GestureMarks) -> GestureMarks:

@@ -1,14 +1,11 @@
 """Style: stroke and fill of all selected curves, copied and pasted, and how the canvas shows them.
 
 - ``commands``: the panel in the window, and Swap Fill and Stroke.
-- ``pattern_commands``: objects as patterns, and back.
 - ``clipboard_commands``: Copy Style and Paste Style.
 - ``view_commands``: thin lines, and paper as it prints.
 - ``notes``: what the form says below its fields.  ``used_colours``: those that one may want again.
 - ``subject``: whose style is meant.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
-- ``gradient_field``: the kind of a paint, and what a gradient has.  ``stop_bar``: its stops.
-  ``pattern_row``: patterns to choose.
 - ``blur_field``: how soft what is chosen is.  ``blur_gesture``: its slider, live.
 """
 

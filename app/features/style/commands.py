@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -14,26 +14,15 @@ from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
 from ...document.contents import has_paints
-from ...document.gradient import Spread, Stop, Tile
-from ...document.gradient_edits import (
-    PaintedStop,
-    PaintKind,
-    with_gradient,
-    with_paint_kind,
-    with_stops,
-    with_tile,
-)
 from ...document.group_opacity import opacities_of, with_looks
 from ...document.model import Document, make_curve
 from ...document.several_curves import named
-from ...document.shapes import shape_of
 from ...document.style import GRADIENTS
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...session.next_style import Marked
 from ...state.window_state import WindowState
 from ...tools.drag_machine import CANCELLED
-from ...view_model.boxes.shape_boxes import box_of_shape
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.percent_field import STEPS
 from ...workbench.context import WindowContext
@@ -42,19 +31,12 @@ from ...workbench.slider_gesture import SliderGesture
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
-from .pattern_commands import PatternCommands
 from .subject import StyleSubject
-from .used_colours import UsedColours, UsedPatterns
+from .used_colours import UsedColours
 from .view_commands import StyleViewCommands
 
 if TYPE_CHECKING:
-    from .gradient_field import GradientField
     from .panel import StylePanel
-
-_NO_SHAPE_YET = "A gradient or a pattern is laid over a shape; draw or choose one first."
-
-_StopsAt = Callable[[int], tuple[Stop, ...]]
-"""Tells the stops for a position of a slider."""
 
 
 class StyleCommands:
@@ -67,10 +49,7 @@ class StyleCommands:
         self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
         self._colours = UsedColours(context.session, context.preferences)
-        self._patterns = UsedPatterns(context.session)
         context.session.selected_curves_changed.connect(self._render)
-        context.session.stop_changed.connect(self._render)
-        context.session.stop_changed.connect(context.central.canvas.show_marks)
         context.store.changed.connect(self._follow_tool)
 
     @LatePanel("styleDock", "Style", UPPER, for_drawings=True)
@@ -78,18 +57,10 @@ class StyleCommands:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
         actions = self._context.actions
-        tools = style.panel.PanelTools(actions["gradientTool"], actions["swapFillAndStroke"])
-        panel = self._panel = style.panel.StylePanel(buttons, tools, parent)
+        panel = self._panel = style.panel.StylePanel(buttons, actions["swapFillAndStroke"], parent)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.looked_at.connect(self._look_at)
-        panel.kind_wanted.connect(self._choose_kind)
-        panel.stops_wanted.connect(self._change_stops)
-        panel.stops_looked_at.connect(self._look_at_stops)
-        panel.stop_picked.connect(self._choose_stop)
-        panel.spread_wanted.connect(self._choose_spread)
-        panel.tile_wanted.connect(self._choose_tile)
-        panel.coloured.connect(self._colours.remember)
         panel.given_up.connect(self._give_up)
         panel.shown.connect(self._render)
         panel.refused.connect(self._session.refuse)
@@ -98,27 +69,10 @@ class StyleCommands:
             self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
             for moved in (field.slider.dropped, field.slider.chosen):
                 moved.connect(partial(self._take_share, name))
-        for name, gradient in panel.gradients.items():
-            self._follow_sliders(name, gradient)
-            self._session.interrupted.connect(gradient.abandon)
         self._blur = style.blur_gesture.BlurGesture(self._session, panel.blur, lambda: self._curves)
         for paint in (panel.fill, panel.stroke):
             self._session.interrupted.connect(paint.abandon)
         return panel
-
-    def _follow_sliders(self, paint: str, field: GradientField) -> None:
-        """Move the chosen stop of a gradient, and let more or less of it be seen, by sliders."""
-        edits = {
-            field.offset: lambda position: field.moved_to(position / STEPS),
-            field.opacity: lambda position: field.seen_as(opacity=position / STEPS),
-        }
-        for share, stops in edits.items():
-
-            def edit(document: Document, position: int, stops: _StopsAt = stops) -> Document:
-                return with_stops(document, self._curves, paint, stops(position))
-
-            words = partial(self._words_of_share, GRADIENTS[paint])
-            self._gestures.append(SliderGesture(self._session, share.slider, edit, words))
 
     # What is shown
 
@@ -149,11 +103,9 @@ class StyleCommands:
         note = HOW_TO_CHOOSE if not curves else note_on(styles, state, session.document, self._theme)
         panel.show_paper(paper)
         panel.show_recent(self._colours.recent, self._colours.in_document)
-        for field in panel.gradients.values():
-            field.show_tiles(self._patterns.in_document)
-        unit, stops = session.document.unit, self._stops(curves)
+        unit = session.document.unit
         overall = opacities_of(session.document, curves) if curves else None
-        panel.render_styles(shown.words, styles, unit, note, stops, shown.pictures, overall)
+        panel.render_styles(shown.words, styles, unit, note, shown.pictures, overall)
         self._blur.render([*styles, *shown.pictures], is_sharp=shown.is_next)
 
     # Changes
@@ -169,48 +121,6 @@ class StyleCommands:
         is_apart = next_style.marked is Marked.BROUGHT or next_style.is_own(self._session.document)
         if self._curves and is_apart:
             self._set_next(lambda document, curves: with_style(document, curves, **fields))
-
-    def _choose_kind(self, paint: str, kind: PaintKind) -> None:
-        if not self._curves and kind not in (PaintKind.NONE, PaintKind.FLAT):
-            self._session.refuse(_NO_SHAPE_YET)
-            self._render()
-            return
-        views = self._session.views
-        box_of = partial(box_of_shape, views)
-        self._edit([paint], lambda document, curves: with_paint_kind(document, curves, paint, kind, box_of))
-
-    def _change_stops(self, paint: str, stops: tuple[Stop, ...]) -> None:
-        self._edit([GRADIENTS[paint]], lambda document, curves: with_stops(document, curves, paint, stops))
-
-    def _look_at_stops(self, paint: str, stops: tuple[Stop, ...]) -> None:
-        session = self._session
-        session.preview(with_stops(session.committed, self._curves, paint, stops))
-
-    def _choose_stop(self, paint: str, stop: int) -> None:
-        """Choose a stop here and on the canvas, of the first of several shapes that have it."""
-        first = shape_of(self._session.document, min(self._curves)).start
-        self._session.selected.stop.choose(PaintedStop(first, paint, stop))
-
-    def _stops(self, curves: Collection[int]) -> dict[str, int]:
-        """Return the stop that is chosen of each paint of some curves: the first where nobody chose one."""
-        chosen = self._session.selected.stop.chosen
-        if chosen is None or chosen.curve not in curves:
-            return dict.fromkeys(GRADIENTS, 0)
-        return {paint: chosen.stop if paint == chosen.paint else 0 for paint in GRADIENTS}
-
-    def _choose_spread(self, paint: str, spread: Spread) -> None:
-        self._edit(
-            [GRADIENTS[paint]],
-            lambda document, curves: with_gradient(
-                document, curves, paint, lambda gradient: msgspec.structs.replace(gradient, spread=spread)
-            ),
-        )
-
-    def _choose_tile(self, paint: str, tile: Tile) -> None:
-        box_of = partial(box_of_shape, self._session.views)
-        self._edit(
-            [GRADIENTS[paint]], lambda document, curves: with_tile(document, curves, paint, tile, box_of)
-        )
 
     def _edit(
         self,
@@ -311,6 +221,5 @@ class StyleCommands:
 COMMAND_SETS = (
     StyleCommands,
     StyleClipboardCommands,
-    PatternCommands,
     StyleViewCommands,
 )

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QShowEvent
@@ -25,7 +24,6 @@ from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
 from .blur_field import BlurField
 from .dash_field import DashField
-from .gradient_field import GradientField
 
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
@@ -36,13 +34,6 @@ _UNSEEN_DOTS = "Dashes of length 0 are not seen with butt ends."
 
 _LEAST_WIDTH = 1e-9
 """Width of a line that counts as none: the first step from there is a tenth of the unit."""
-
-
-class PanelTools(NamedTuple):
-    """Actions beside the fields: the tool for gradients, the swap of the paints."""
-
-    gradient: QAction
-    swap: QAction
 
 
 class StylePanel(FieldForm):
@@ -56,16 +47,6 @@ class StylePanel(FieldForm):
         The same by an arrow key or the wheel: what follows quickly is meant as one.
     looked_at
         How that would be is to be seen, until something is wanted or given up.
-    kind_wanted
-        The "fill" or the "stroke" shall be of another kind of paint.
-    stops_wanted, stops_looked_at
-        Gradients of "fill" or "stroke" shall have other stops, or are to be seen with them.
-    stop_picked
-        Another stop of "fill" or "stroke" shall be chosen.
-    spread_wanted, tile_wanted
-        Likewise, what lies beyond their stops; another pattern.
-    coloured
-        A colour was chosen for a stop.
     given_up
         What was looked at is not wanted.
     shown
@@ -75,8 +56,6 @@ class StylePanel(FieldForm):
     ----------
     opacities
         The fields of shares, by the field of a style that they show.
-    gradients
-        The fields of gradients, by the field of the paint.
     blur
         The field of how soft it is.
     """
@@ -84,20 +63,13 @@ class StylePanel(FieldForm):
     wanted = Signal(object)
     stepped = Signal(object)
     looked_at = Signal(object)
-    kind_wanted = Signal(str, object)
-    stops_wanted = Signal(str, object)
-    stops_looked_at = Signal(str, object)
-    stop_picked = Signal(str, int)
-    spread_wanted = Signal(str, object)
-    tile_wanted = Signal(str, object)
-    coloured = Signal(str)
     given_up = Signal()
     shown = Signal()
 
     def __init__(
         self,
         buttons: Sequence[QAction],
-        tools: PanelTools,
+        swap: QAction,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__("stylePanel", "styleProblem", parent)
@@ -107,10 +79,6 @@ class StylePanel(FieldForm):
         self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
         self.fill = PaintField("fillPaint", "Fill", "stroke")
         self.stroke = PaintField("strokePaint", "Stroke", "fill")
-        self.gradients = {
-            "fill": GradientField("fill", "Fill", tools.gradient, self.fill),
-            "stroke": GradientField("stroke", "Stroke", tools.gradient, self.stroke),
-        }
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
@@ -122,8 +90,7 @@ class StylePanel(FieldForm):
             "opacity": PercentField("styleOpacity", "Opacity", "How much is seen of line and fill together"),
         }
         self._shown: tuple[object, ...] = ()
-        self._values: dict[str, object] = {}
-        self._lay_out(buttons, tools.swap)
+        self._lay_out(buttons, swap)
         self._connect()
         self.follow_theme()
 
@@ -162,11 +129,11 @@ class StylePanel(FieldForm):
             ("Overall", self.opacities["opacity"]),
             ("Blur", self.blur),
             ("", _rule_line()),
-            ("Fill", self.gradients["fill"]),
+            ("Fill", self.fill),
             ("Inside", self._rule),
             ("Opacity", self.opacities["fill_opacity"]),
             ("", row_of((_rule_line(), 1), action_button(swap, flat=True), spacing=6)),
-            ("Stroke", self.gradients["stroke"]),
+            ("Stroke", self.stroke),
             ("Width", self._width),
             ("Ends", self._cap),
             ("Corners", row_of((self._join, 1), "≤", self._limit, spacing=6)),
@@ -184,13 +151,10 @@ class StylePanel(FieldForm):
     def _connect(self) -> None:
         numbers = (self._width, self._limit, self._offset, self._dash.edit, self.blur.edit)
         shares = [field.edit for field in self.opacities.values()]
-        for gradient in self.gradients.values():
-            shares += [gradient.offset.edit, gradient.opacity.edit]
         self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
         for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
             other = "stroke" if name == "fill" else "fill"
             self._connect_paint(paint, name, other)
-            self._connect_gradient(name, self.gradients[name])
         parts = (
             (self._rule, "fill_rule"),
             (self._cap, "cap"),
@@ -209,36 +173,10 @@ class StylePanel(FieldForm):
             edit.stepped.connect(lambda value, name=name: self.stepped.emit({name: value}))
 
     def _connect_paint(self, paint: PaintField, name: str, other: str) -> None:
-        paint.chosen.connect(lambda value: self.choose_colour(name, value))
+        paint.chosen.connect(lambda value: self.wanted.emit({name: value}))
         paint.chosen_for_other.connect(lambda value: self.wanted.emit({other: value}))
-        paint.previewed.connect(lambda value: self._look_at_colour(name, value))
+        paint.previewed.connect(lambda value: self.looked_at.emit({name: value}))
         paint.cancelled.connect(self.given_up)
-
-    def _connect_gradient(self, paint: str, field: GradientField) -> None:
-        field.connect_fields()
-        field.kind_chosen.connect(lambda kind: self.kind_wanted.emit(paint, kind))
-        field.stops_wanted.connect(lambda stops: self.stops_wanted.emit(paint, stops))
-        field.stops_looked_at.connect(lambda stops: self.stops_looked_at.emit(paint, stops))
-        field.spread_chosen.connect(lambda spread: self.spread_wanted.emit(paint, spread))
-        field.tile_chosen.connect(lambda tile: self.tile_wanted.emit(paint, tile))
-        field.given_up.connect(self.given_up)
-        field.picked.connect(lambda stop: self.stop_picked.emit(paint, stop))
-
-    def choose_colour(self, paint: str, colour: str) -> None:
-        """Ask for a colour, of the chosen stop where there is one; there is no stop of nothing."""
-        field = self.gradients[paint]
-        if field.stop is not None and colour != NO_PAINT:
-            self.coloured.emit(colour)
-            self.stops_wanted.emit(paint, field.seen_as(colour=colour))
-        else:
-            self.wanted.emit({paint: colour})
-
-    def _look_at_colour(self, paint: str, colour: str) -> None:
-        field = self.gradients[paint]
-        if field.stop is not None:
-            self.stops_looked_at.emit(paint, field.seen_as(colour=colour))
-        else:
-            self.looked_at.emit({paint: colour})
 
     def _read_width(self, text: str) -> float | None:
         if text.strip().casefold() in ("", AUTO):
@@ -254,8 +192,6 @@ class StylePanel(FieldForm):
         """Show paints as they are drawn on the paper of the document."""
         for paint in (self.fill, self.stroke):
             paint.show_paper(paper)
-        for gradient in self.gradients.values():
-            gradient.bar.show_paper(paper)
 
     def render_styles(
         self,
@@ -263,18 +199,17 @@ class StylePanel(FieldForm):
         styles: Sequence[Style],
         unit: str,
         note: str,
-        stops: Mapping[str, int],
         pictures: Sequence[Style] = (),
         overall: Sequence[float] | None = None,
     ) -> None:
         """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn.
 
-        `stops` are those that are chosen, by the paint; of `pictures` only the opacity is one's choice. The
-        `overall` opacities are those of groups as such, and of shapes; without any those of the styles.
+        Of `pictures` only the opacity is one's choice. The `overall` opacities are those of groups as such,
+        and of shapes; without any those of the styles.
         """
         if overall is None:
             overall = [each.opacity for each in (*styles, *pictures)]
-        wanted = (subject, (tuple(styles), tuple(pictures), tuple(overall)), unit, note, stops)
+        wanted = (subject, (tuple(styles), tuple(pictures), tuple(overall)), unit, note)
         if wanted == self._shown:
             return
         if self._shown and wanted[:2] != self._shown[:2]:
@@ -284,10 +219,8 @@ class StylePanel(FieldForm):
         values["opacity"] = overall[0] if len(set(overall)) == 1 else None
         self._subject.setText(subject)
         self._subject.setToolTip(tip_of(subject))
-        self._values = values
-        for paint, gradient in self.gradients.items():
-            gradient.render_styles(styles, stops[paint])
-        self._render_colours()
+        self.fill.render_value(values.get("fill"))
+        self.stroke.render_value(values.get("stroke"))
         self._rule.render_value(values.get("fill_rule"))
         self._cap.render_value(values.get("cap"))
         self._join.render_value(values.get("join"))
@@ -303,13 +236,6 @@ class StylePanel(FieldForm):
         self._no_dots.setText(unseen)
         self._no_dots.setVisible(bool(unseen))
         self.show_problem("")
-
-    def _render_colours(self) -> None:
-        for paint, shows in (("fill", self.fill), ("stroke", self.stroke)):
-            stop, is_mixed = self.gradients[paint].stop, self.gradients[paint].is_mixed
-            # A gradient has a colour besides, its mean, which may be just that of what is flat.
-            flat = None if is_mixed else self._values.get(paint)
-            shows.render_value(flat if stop is None else stop.colour)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -1,12 +1,11 @@
-"""Colours and patterns that a person may want again: those used last, and those of the document."""
+"""Colours that a person may want again: those used last, and those of the document."""
 
 from __future__ import annotations
 
 import re
 
-from ...document.gradient import Tile
 from ...document.model import Curve
-from ...document.style_edits import colours_of, tiles_of
+from ...document.style_edits import colours_of
 from ...session.session import Session
 from ...settings.preferences import Preferences
 
@@ -39,19 +38,3 @@ class UsedColours:
         if codes:
             found = list(dict.fromkeys([*codes, *self.recent]))[:_MOST_REMEMBERED]
             self._preferences.recent_colours = " ".join(found)
-
-
-class UsedPatterns:
-    """Patterns of the document."""
-
-    def __init__(self, session: Session) -> None:
-        self._session = session
-        self._found: tuple[tuple[Curve, ...], list[Tile]] = ((), [])
-
-    @property
-    def in_document(self) -> list[Tile]:
-        """Those of the document, found anew for another step of its history."""
-        curves = self._session.committed.curves
-        if self._found[0] is not curves:
-            self._found = curves, tiles_of(curves)
-        return self._found[1]
