@@ -174,19 +174,10 @@ class Canvas(ToolPlot):
             self.guide_opened.emit(axis)
         elif event.button() == Qt.MouseButton.LeftButton and hit is not None and hit.part is Part.GUIDE:
             self.guide_opened.emit(hit.index)
-        elif (
-            event.button() == Qt.MouseButton.LeftButton and (guide := self._guide_meant(pointer)) is not None
-        ):
-            self.guide_opened.emit(guide)
         else:
             super().mouseDoubleClickEvent(event)
             return
         event.accept()
-
-    def _guide_meant(self, pointer: Pointer) -> int | None:
-        """Return the guide that a double click is on with a tool that finds none and gives way to it."""
-        hit = self.drawing.guides.hit(pointer.pixel, self.pixel_map)
-        return hit.index if hit is not None and self.tools.tool.gives_way(self.tools.context) else None
 
     # Menus and keys
 
@@ -203,8 +194,6 @@ class Canvas(ToolPlot):
             hit = Hit(Part.OTHER_CURVE, self.tools.context.host.active_index, middle)
         corner = (place or self.camera.centre()).toPoint()
         self._asked_at = self.pointer_at(QPointF(corner))
-        if not by_key and (hit is None or hit.inside):
-            hit = self.drawing.locked_guide_at(self._asked_at, self.tools.tool) or hit
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
 
     def hit_at(self, place: QPoint) -> Hit | None:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPen
@@ -34,12 +31,8 @@ class GuidesLayer(Layer):
     ----------
     guides
         What is drawn.
-    lit, last
-        The guide under the pointer, or that is dragged, None for none; the one that was this last, or −1.
-    locked
-        Whether none of them can be grabbed.
-    pointed_at
-        Told of `last` when it changes.
+    lit
+        The guide under the pointer, or that is dragged; None for none.
     """
 
     z = 5.0
@@ -48,9 +41,6 @@ class GuidesLayer(Layer):
         super().__init__(plot)
         self.guides: tuple[Guide, ...] = ()
         self.lit: int | None = None
-        self.last = -1
-        self.locked = False
-        self.pointed_at: Callable[[int], object] = lambda _place: None
         self._unit, self._readings = "", PLAIN
         self._halo = Halo()
         self.set_shown(False)
@@ -67,22 +57,12 @@ class GuidesLayer(Layer):
         if place != self.lit:
             self.lit = place
             self.update()
-        if place is not None:
-            self.point_at(place)
 
-    def point_at(self, place: int) -> None:
-        """Take one of the guides for the one that is meant."""
-        if place != self.last:
-            self.last = place
-            self.pointed_at(place)
-
-    def hit(self, pixel: Vector, shown: PixelMap, *, locked: bool = False) -> Hit | None:
-        """Return the guide at a pixel of the plot area, the nearest of several; a locked one where asked."""
-        if self.locked or not self.is_visible or not self.guides:
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return the guide at a pixel of the plot area, the nearest of several."""
+        if not self.is_visible or not self.guides:
             return None
-        away = [
-            _distance(guide, pixel, shown) if guide.locked is locked else math.inf for guide in self.guides
-        ]
+        away = [abs(_pixel_of(guide, shown) - pixel[guide.axis.coordinate]) for guide in self.guides]
         # Of those at one place the last one wins: it is drawn on top.
         nearest = len(away) - 1 - int(np.argmin(away[::-1]))
         if away[nearest] > _REACH:
@@ -91,27 +71,25 @@ class GuidesLayer(Layer):
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw those in sight."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         for place, guide in enumerate(self.guides):
-            ends = _ends(guide, shown)
-            room = (shown.width, shown.height)[guide.axis.coordinate]
-            if min(ends) <= room and max(ends) >= 0:
-                painter.setRenderHint(QPainter.RenderHint.Antialiasing, bool(guide.lean))
-                self._paint_guide(painter, shown, guide, ends, is_lit=place == self.lit)
+            at, room = _pixel_of(guide, shown), (shown.width, shown.height)[guide.axis.coordinate]
+            if 0 <= at <= room:
+                self._paint_guide(painter, shown, guide, round(at), is_lit=place == self.lit)
 
     def _paint_guide(
-        self, painter: QPainter, shown: PixelMap, guide: Guide, ends: tuple[float, float], *, is_lit: bool
+        self, painter: QPainter, shown: PixelMap, guide: Guide, at: int, *, is_lit: bool
     ) -> None:
         pen = QPen(self.theme.accent, 1.0)
         if not is_lit:
             pen.setDashPattern(_DASHES)
         painter.setPen(pen)
-        first, last = ends if guide.lean else map(round, ends)
         if guide.axis is Axis.X:
-            painter.drawLine(QPointF(first, 0), QPointF(last, shown.height))
+            painter.drawLine(QPointF(at, 0), QPointF(at, shown.height))
         else:
-            painter.drawLine(QPointF(0, first), QPointF(shown.width, last))
+            painter.drawLine(QPointF(0, at), QPointF(shown.width, at))
         if is_lit:
-            self._write(painter, shown, guide, round(ends[0]))
+            self._write(painter, shown, guide, at)
 
     def _write(self, painter: QPainter, shown: PixelMap, guide: Guide, at: int) -> None:
         """Write where the guide lies, near its upper or left end."""
@@ -129,15 +107,7 @@ class GuidesLayer(Layer):
         self._halo.write(painter, box, text, self.theme.paper, self.theme.accent_text, 2 * self.scale)
 
 
-def _distance(guide: Guide, pixel: Vector, shown: PixelMap) -> float:
-    """Return how many pixels a place is away from a guide."""
-    beside = shown.point(*guide.beside(shown.plane(*pixel)))[guide.axis.coordinate]
-    return abs(beside - pixel[guide.axis.coordinate]) * math.cos(math.radians(guide.lean))
-
-
-def _ends(guide: Guide, shown: PixelMap) -> tuple[float, float]:
-    """Return where a guide comes into the plot area, at the left or the top, and where it leaves it."""
-    return (
-        shown.point(*guide.beside(shown.plane(0, 0)))[guide.axis.coordinate],
-        shown.point(*guide.beside(shown.plane(shown.width, shown.height)))[guide.axis.coordinate],
-    )
+def _pixel_of(guide: Guide, shown: PixelMap) -> float:
+    """Return where a guide lies in the plot area: from the left, or from the top."""
+    place = (guide.position, 0.0) if guide.axis is Axis.X else (0.0, guide.position)
+    return shown.point(*place)[guide.axis.coordinate]

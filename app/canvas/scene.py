@@ -244,12 +244,6 @@ class CanvasScene:
             hit = self.guides.hit(pixel, shown) or hit
         return hit
 
-    def locked_guide_at(self, pointer: Pointer, tool: Finder) -> Hit | None:
-        """Return the locked guide at the pointer, for a tool that finds guides."""
-        return (
-            self.guides.hit(pointer.pixel, self._plot.pixel_map, locked=True) if tool.finds_guides else None
-        )
-
     def curves_at(self, pointer: Pointer) -> list[int]:
         """Return the places of all free curves at the pointer, the topmost first, one of each shape."""
         return self.curves.all_at(pointer.pixel, self._plot.pixel_map)

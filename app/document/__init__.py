@@ -27,7 +27,7 @@
 - ``layers``: groups that are layers; what is new comes into one.  ``layer_order``: theirs, with empty ones.
   ``empty_layer``: such a one.
 - ``group_look``: groups that are seen through.  ``group_opacity``: how much is seen of groups and shapes.
-- ``guide``: the lines to draw along, and where they meet.
+- ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.  ``readings``: how their coordinates are told.
 - ``clone``, ``clones``: curves that run as others do, mapped.  ``clone_maps``, ``clone_styles``: how they

@@ -38,8 +38,7 @@ def shifted(document: Document, by: Vector) -> Document:
 
 
 def _moved(guide: Guide, by: Vector) -> Guide:
-    position = decimal_sum(guide.position, by[guide.axis.coordinate])
-    return guide.through(position, decimal_sum(guide.across, by[guide.axis.other.coordinate]))
+    return replace(guide, position=decimal_sum(guide.position, by[guide.axis.coordinate]))
 
 
 def from_lower_left(document: Document) -> Document:

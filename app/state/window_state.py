@@ -59,10 +59,8 @@ class WindowState(msgspec.Struct, frozen=True):
         What stands around the canvas in documents of either kind, as the preferences remember it.
     grid, side_panel, lessons
         Whether the grid, the panels at the side and the lessons are shown.
-    rulers, guides_shown, guides_locked
-        Whether the axes of the canvas are rulers; whether guides are shown; whether they stay where they are.
-    guide
-        Place in the document of the guide that was pointed at last; −1 for the last one there is.
+    rulers, guides_shown
+        Whether the axes of the canvas are rulers; whether guides are shown.
     thin_lines
         Whether curves are thin lines without fills.
     as_printed, page_as_printed
@@ -103,8 +101,6 @@ class WindowState(msgspec.Struct, frozen=True):
     lessons: bool = False
     rulers: bool = True
     guides_shown: bool = True
-    guides_locked: bool = False
-    guide: int = -1
     thin_lines: bool = False
     as_printed: bool = False
     page_as_printed: bool = True

@@ -106,6 +106,7 @@ def _begins_text(line: object) -> bool:
 
 
 DROPPED: list[Dropped] = [
+    *(Dropped(Place.GUIDE, field) for field in ("lean", "across", "locked")),
     Dropped(Place.DOCUMENT, "kept_texts", "text", is_loss=_begins_text),
     Dropped(Place.DOCUMENT, "kept_pictures", "picture", is_loss=lambda _picture: True),
     Dropped(Place.STYLE, "start_marker", "arrowhead", is_loss=_is_set),
@@ -169,6 +170,8 @@ def _reduced(values: Values) -> Migrated:
     counts = Counter[str]()
     if isinstance(values.get("curves"), list):
         values = {**values, "curves": _curves_that_stay(values["curves"], counts)}
+    if isinstance(values.get("guides"), list):
+        values = {**values, "guides": _guides_that_stay(values["guides"], counts)}
     fields: dict[tuple[Place, str], list[Dropped]] = {}
     for row in DROPPED:
         fields.setdefault((row.place, row.field), []).append(row)
@@ -199,6 +202,13 @@ def _curves_that_stay(curves: list[Any], counts: Counter[str]) -> list[Any]:
         else:
             counts[noun] += 1
     return stay if stay or not curves else [_NEW_CURVE]
+
+
+def _guides_that_stay(guides: list[Any], counts: Counter[str]) -> list[Any]:
+    """Return the guides that are level or upright."""
+    stay = [each for each in guides if not isinstance(each, dict) or not each.get("lean")]
+    counts["leaning guide"] += len(guides) - len(stay)
+    return stay
 
 
 def _objects(values: Values, place: Place) -> Iterator[Values]:

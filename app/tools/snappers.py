@@ -122,14 +122,13 @@ class Snappers:
         page, guides = document.page, document.guides if guides is None else guides
         readings = readings_of(document)
         drawn = (*lines_of_guides(guides, readings), *lines_of_page(page, middles=middles))
-        leaning = [guide for guide in guides if guide.lean]
 
         def with_centre() -> Targets:
             if page is None or middles or SnapKind.PAGE not in self._kinds:
                 return collect()
             return collect().with_places({"page centre": centre_of_page(page)})
 
-        self.now = Snapper(self._settings, self._grid, readings, with_centre, drawn, leaning)
+        self.now = Snapper(self._settings, self._grid, readings, with_centre, drawn)
         return self.now
 
     @property

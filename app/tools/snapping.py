@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
@@ -13,7 +12,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..document.guide_edits import place_words
-from ..document.model import Axis, Guide, Page, Vector
+from ..document.model import Guide, Page, Vector
 from ..document.readings import Readings
 from ..document.transforms import decimal_sum
 from ..document.words import NamedEnum
@@ -126,18 +125,12 @@ class DrawnLine(msgspec.Struct, frozen=True):
     value: float
     label: str
 
-    @property
-    def as_guide(self) -> Guide:
-        """The same as a guide."""
-        return Guide(list(Axis)[self.axis], self.value)
-
 
 def lines_of_guides(guides: Sequence[Guide], readings: Readings) -> Iterator[DrawnLine]:
-    """Yield the lines of guides that are level or upright."""
+    """Yield the lines of guides."""
     for guide in guides:
-        if not guide.lean:
-            label = f"guide {place_words(guide, readings)}"
-            yield DrawnLine(SnapKind.GUIDES, guide.axis.coordinate, guide.position, label)
+        label = f"guide {place_words(guide, readings)}"
+        yield DrawnLine(SnapKind.GUIDES, guide.axis.coordinate, guide.position, label)
 
 
 def lines_of_page(page: Page | None, *, middles: bool) -> Iterator[DrawnLine]:
@@ -219,11 +212,9 @@ class Snapper:
         readings: Readings,
         collect: Callable[[], Targets],
         drawn: Iterable[DrawnLine] = (),
-        leaning: Iterable[Guide] = (),
     ) -> None:
         self._settings, self._grid, self._readings = settings, grid, readings
         self._collect, self._drawn = collect, tuple(drawn)
-        self._leaning = [(guide, f"guide {place_words(guide, readings)}") for guide in leaning]
         self._targets: Targets | None = None
         self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
@@ -258,17 +249,8 @@ class Snapper:
             _nearest(on_points)
             or _nearest(_carried(targets, position, reach))
             or _nearest(on_curves)
-            or self._on_leaning(position, reach)
             or self._on_lines(targets, position, reach, (0, 1))
         )
-
-    def _on_leaning(self, position: Vector, reach: float) -> Snap | None:
-        """Return the place on a guide at an angle, or where one meets a guide or the page, if near."""
-        kinds = self._settings().kinds
-        if not self._leaning or SnapKind.GUIDES not in kinds:
-            return None
-        straight = [(line.as_guide, line.label) for line in self._drawn if line.kind in kinds]
-        return on_leaning(self._leaning, straight, position, reach)
 
     def _on_lines(self, targets: Targets, position: Vector, reach: float, axes: Sequence[int]) -> Snap | None:
         lines = {
@@ -325,22 +307,6 @@ class Snapper:
             if near:
                 return min(near, key=lambda line: abs(line.value - value))
         return None
-
-
-def on_leaning(
-    lines: Sequence[tuple[Guide, str]], straight: Sequence[tuple[Guide, str]], position: Vector, reach: float
-) -> Snap | None:
-    """Return the nearest place on guides at an angle, or where one meets another line, where that is near."""
-    near = [(guide, label) for guide, label in lines if guide.distance(position) <= reach]
-    crossings = []
-    for guide, label in near:
-        for other, name in (*lines, *straight):
-            meeting = guide.meeting(other)
-            if meeting is not None and (away := math.dist(meeting, position)) <= reach:
-                crossings.append((away, Snap(meeting, f"{label} · {name}")))
-    if crossings:
-        return _nearest(crossings)
-    return _nearest((guide.distance(position), Snap(guide.nearest(position), label)) for guide, label in near)
 
 
 def _carried(targets: Targets, position: Vector, reach: float) -> Iterator[tuple[float, Snap] | None]:

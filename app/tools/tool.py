@@ -42,8 +42,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether the box is one with strokes, and whether these get wider with the curve that they are of.
     keeps_proportions
         Whether the grips at the corners of that box keep its proportions.
-    guides_stay
-        Whether no key moves or removes a guide: they are locked, or not seen.
     nudge
         How far arrow keys go; 0 for as far as is usual in the document.
     pencil
@@ -57,7 +55,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
     shows_box: bool = True
     strokes: Strokes = Strokes()
     keeps_proportions: bool = False
-    guides_stay: bool = False
     nudge: float = 0.0
     pencil: PencilDetail = PencilDetail.MEDIUM
     pen: PenClick = PenClick.BY_DOCUMENT
@@ -291,10 +288,6 @@ class Tool:
 
     def dismiss(self, context: ToolContext) -> bool:
         """Remove what was left on the plot; return whether there was something."""
-        return False
-
-    def gives_way(self, context: ToolContext) -> bool:
-        """Take back what the click did that was the first of two, where both mean a guide; whether it did."""
         return False
 
     def reset(self) -> None:

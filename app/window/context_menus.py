@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu
 
 from ..actions.declaration import place_actions
-from ..actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, GUIDE_MENU, POINT_MENU
+from ..actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, POINT_MENU
 from ..document.shape_edits import pressed
 from ..tools.pointer import Hit, Part
 from ..workbench.context import WindowContext
@@ -43,10 +43,7 @@ class ContextMenus:
             self._open_on_edited(place)
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(place)
-        elif hit is not None and hit.part is Part.GUIDE:
-            self._context.central.canvas.drawing.guides.point_at(hit.index)
-            strip_menu(self._context, GUIDE_MENU, "guideMenu").popup(place)
-        elif hit is not None:
+        elif hit is not None and hit.part is not Part.GUIDE:
             if hit.index not in session.selection:
                 session.selected.set_points([hit.index])
             strip_menu(self._context, POINT_MENU).popup(place)

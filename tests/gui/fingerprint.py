@@ -91,7 +91,7 @@ PASSING = {
     *("TransformPanelCommands._angle_then", "TransformPanelCommands._forms_then"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
-    *("GuidesLayer.last", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
+    *("_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(
         "CurvePicker.entered",
         "Snappers._hovered",

@@ -7,7 +7,7 @@ from fingerprint import Fingerprint, differences
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QLabel, QTabWidget
 
-from app.document.model import Document, make_curve
+from app.document.model import Axis, Document, make_curve
 from app.document.point_group import points_of
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
@@ -59,6 +59,10 @@ def draw_a_guide(editor):
     assert editor.session.document.guides
 
 
+def type_a_guide(editor):
+    editor.window.canvas.guide_opened.emit(Axis.X)
+
+
 def choose_all_curves(editor):
     editor.session.commit(Document((*editor.session.document.curves, ARCH)), "Begin", active=1)
     editor.trigger("selectAllCurves")
@@ -82,9 +86,8 @@ _WAYS = {
     "a guide": draw_a_guide,
     "thin lines": lambda editor: editor.trigger("thinLines"),
     "a style": lambda editor: editor.trigger("showStyle"),
-    "a place that is typed": lambda editor: editor.trigger("addGuide"),
+    "a place that is typed": type_a_guide,
     "a zoom": lambda editor: editor.trigger("zoom200"),
-    "locked guides": lambda editor: editor.trigger("lockGuides"),
     "no rulers": lambda editor: editor.trigger("toggleRulers"),
     "a press": lambda editor: editor.press((1.0, 1.0)),
     "a smaller window": lambda editor: editor.window.resize(900, 650),

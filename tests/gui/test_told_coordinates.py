@@ -11,7 +11,6 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit, QTableView
 
-from app.document.guide import guide_at
 from app.document.model import Axis, Document, Guide, Page, Point, make_curve
 from app.document.readings import readings_of
 from app.families import HERMITE
@@ -42,10 +41,7 @@ def told_drawing(corner=(0.0, 0.0), *, up=False):
         made = [Point(*readings.meant(place), velocity=readings.way(velocity)) for place, velocity in points]
         return replace(make_curve((), name=name, family=HERMITE), points=tuple(made))
 
-    guides = (
-        Guide(Axis.Y, readings.meant_at(1, 72.0)),
-        guide_at(readings.meant((90.0, 30.0)), readings.line_angle(30.0)),
-    )
+    guides = (Guide(Axis.Y, readings.meant_at(1, 72.0)),)
     return replace(frame, curves=(curve("Path", PATH), curve("Leaf", LEAF)), guides=guides)
 
 
@@ -154,8 +150,6 @@ def dragged(reader):
     editor.hover(reader.at((50.0, 72.0)))
     reader.listen("over a guide")
     press_move(reader, (50.0, 72.0), (50.0, 60.0), name="guide dragged")
-    keys(reader, reader.down())
-    reader.listen("guide nudged")
     middle = editor.session.views[1].curve.evaluate(0.25)
     place = reader.readings.shown((float(middle[0]), float(middle[1])))
     editor.click(reader.at(place))
@@ -223,19 +217,10 @@ def in_panels(reader):
 def in_fields(reader):
     editor = reader.editor
     editor.session.selected.choose({1})
-    editor.trigger("addGuide")
-    editor.type_text(editor.window.focusWidget(), "y = 22")
+    editor.double_click(reader.at((50.0, 72.0)))
+    editor.type_text(editor.window.focusWidget(), "22")
     QTest.keyClick(editor.window.focusWidget(), Key.Key_Return)
     reader.listen("guide typed")
-    editor.trigger("typeGuide")
-    reader.listen("guide asked for")
-    angle = editor.window.findChild(QLineEdit, "guideAngle")
-    angle.selectAll()
-    editor.type_text(angle, "30")
-    QTest.keyClick(angle, Key.Key_Return)
-    reader.listen("guide leans")
-    editor.trigger("removeGuide")
-    reader.listen("guide removed")
     editor.paste_text("15 61\n35 69\n")
     editor.trigger("pasteAsCurve")
     reader.listen("pasted")

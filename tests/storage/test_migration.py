@@ -7,7 +7,7 @@ import json
 import pytest
 
 from app.cli import main
-from app.document.model import Document, make_curve
+from app.document.model import Axis, Document, Guide, make_curve
 from app.storage import migration
 from app.storage.files import load
 from app.storage.format import decode, decode_counting, encode
@@ -58,6 +58,14 @@ def test_fields_of_the_document_are_dropped_and_counted():
     found = decode_counting(older(**KEPT))
     assert found.left_out == LeftOut({"text": 2, "picture": 1}, ("2 texts", "1 picture"))
     assert decode(encode(found.document)) == found.document
+
+
+def test_guides_that_lean_are_dropped_and_counted_and_all_others_can_be_moved():
+    upright = {"axis": "x", "position": 2.0, "lean": 0.0, "across": 0.0, "locked": True}
+    leaning = {"axis": "y", "position": 1.0, "lean": 30.0, "across": 4.0}
+    found = decode_counting(older(guides=[upright, leaning]))
+    assert found.document.guides == (Guide(Axis.X, 2.0),)
+    assert found.left_out == LeftOut({"leaning guide": 1}, ("1 leaning guide",))
 
 
 def test_nothing_is_said_of_a_file_that_holds_no_more():

@@ -6,44 +6,50 @@ import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 
-from msgspec.structs import replace
-
-from ...document.guide import Axis, Guide, guide_at
+from ...document.guide import Axis, Guide
 from ...document.model import MAX_MAGNITUDE
 from ...document.paper import PAPER_UNITS
 from ..drawing.frames import Frame
-from .names import LOCKED, SODIPODI
+from ..missed import LEFT_OUT
+from .flaw import Flaw
+from .names import SODIPODI
 from .numbers import number
 from .sheet import Sheet
 
-_ANGLE_DIGITS = 5
-"""Decimals of an angle in degrees: those of its normal are as many as those of places."""
+_ODD = Flaw("it does not say where it lies", LEFT_OUT)
+_LEANING = Flaw("guides are level or upright", LEFT_OUT)
+
+_LEVEL = 1e-5
+"""Share of its normal by which a level or upright guide leans: it is written with few digits."""
 
 _SIGNIFICANT = 7
 """Digits of a place: Inkscape writes eight, the last of them often off by one."""
 
 
-def guides_of(root: ET.Element, sheet: Sheet) -> Iterator[tuple[ET.Element, Guide | None]]:
-    """Yield the elements that are guides, each with the document's; None where a document has no such."""
+def guides_of(root: ET.Element, sheet: Sheet) -> Iterator[tuple[ET.Element, Guide | Flaw]]:
+    """Yield the elements that are guides, each with the document's, or with why a document has none such."""
     for element in root.findall(f"{SODIPODI}namedview/{SODIPODI}guide"):
         yield element, _guide(element, sheet)
 
 
-def _guide(element: ET.Element, sheet: Sheet) -> Guide | None:
+def _guide(element: ET.Element, sheet: Sheet) -> Guide | Flaw:
     """Return a guide; its place is in user units, from the lower left corner."""
     place, normal = _pair(element.get("position", "")), _pair(element.get("orientation", ""))
     page, viewport = sheet.page, sheet.viewport
     if place is None or normal is None or page is None or not viewport.width or not viewport.height:
-        return None
-    across, up = page.width / viewport.width, page.height / viewport.height
-    point = (page.x + place[0] * across, page.y + place[1] * up)
-    # Along it, in the unit of the document.
-    way = (-normal[1] * across, normal[0] * up)
+        return _ODD
+    across, up = (abs(each) for each in normal)
     # Written so that NaN fails.
-    if not (0 < math.hypot(*way) < math.inf and max(map(abs, point)) <= MAX_MAGNITUDE):
-        return None
-    guide = guide_at(point, round(math.degrees(math.atan2(way[1], way[0])), _ANGLE_DIGITS))
-    return replace(guide, locked=element.get(LOCKED) == "true")
+    if not 0 < max(across, up) < math.inf:
+        return _ODD
+    if min(across, up) > _LEVEL * max(across, up):
+        return _LEANING
+    axis = Axis.X if across > up else Axis.Y
+    start, size, user = (
+        (page.x, page.width, viewport.width) if axis is Axis.X else (page.y, page.height, viewport.height)
+    )
+    position = start + place[axis.coordinate] * (size / user)
+    return Guide(axis, position) if abs(position) <= MAX_MAGNITUDE else _ODD
 
 
 def view_elements(guides: Sequence[Guide], frame: Frame, unit: str) -> list[str]:
@@ -59,16 +65,11 @@ def view_elements(guides: Sequence[Guide], frame: Frame, unit: str) -> list[str]
 
 
 def _element(guide: Guide, frame: Frame) -> str:
-    (x, y), (across, up) = guide.point, guide.way
-    if guide.lean:
-        place = f"{number(x - frame.left)},{number(y - frame.bottom)}"
-        normal = f"{number(-up)},{number(across)}"
-    elif guide.axis is Axis.X:
-        place, normal = f"{number(x - frame.left)},0", "1,0"
+    if guide.axis is Axis.X:
+        place, normal = f"{number(guide.position - frame.left)},0", "1,0"
     else:
-        place, normal = f"0,{number(y - frame.bottom)}", "0,1"
-    lock = ' inkscape:locked="true"' if guide.locked else ""
-    return f'<sodipodi:guide position="{place}" orientation="{normal}"{lock}/>'
+        place, normal = f"0,{number(guide.position - frame.bottom)}", "0,1"
+    return f'<sodipodi:guide position="{place}" orientation="{normal}"/>'
 
 
 def _pair(text: str) -> tuple[float, float] | None:

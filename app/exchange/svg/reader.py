@@ -66,7 +66,6 @@ _CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
 _NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", LEFT_OUT)
-_ODD_GUIDE = Flaw("it does not say where it lies", LEFT_OUT)
 _ONE_POINT = Flaw("it is a single point", LEFT_OUT)
 _NOTHING: Iterable[Drawn] = ()
 _UNPAINTED = "it has neither a stroke nor a fill"
@@ -167,8 +166,8 @@ class SvgReader:
         """Return the guides of the file, each once."""
         found: dict[Guide, None] = {}
         for element, guide in guides_of(self._root, self._place):
-            if guide is None:
-                self._missing.note(element, _ODD_GUIDE)
+            if isinstance(guide, Flaw):
+                self._missing.note(element, guide)
             else:
                 found[guide] = None
         return tuple(found)

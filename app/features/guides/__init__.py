@@ -1,7 +1,6 @@
 """Rulers along the canvas, and guides drawn out of them.
 
 - ``commands``: the actions.  ``field``: the field on the canvas into which the place of a guide is typed.
-- ``made_commands``: guides of the page's edges, and of objects.  ``places``: a place as people type it.
 """
 
 import lazy_loader as lazy

@@ -85,14 +85,6 @@ class AddTool(Tool):
         if hints.can_finish(context.view):
             self._pen.finish(context.host)
 
-    def gives_way(self, context: ToolContext) -> bool:
-        """Take back a curve of one point: nobody draws one by a double click, which means the guide there."""
-        host = context.host
-        is_lone = len(host.active_view.source.points) == 1 == self._pen.own_points(host)
-        if is_lone and not context.drags.is_pressed:
-            self._take_back(context)
-        return is_lone
-
     # Finished curves
 
     def claims(self, context: ToolContext, key: str) -> bool:

@@ -21,7 +21,7 @@ from ..marks import GestureMarks
 from ..marquee import Band, CurveMarquee, Marquee
 from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
 from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
-from ..pointer import Cursor, Hint, Hit, Part, Stride
+from ..pointer import Cursor, Hint, Hit, Part
 from ..segment_click import click_segment
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
@@ -50,7 +50,6 @@ class SelectTool(Tool):
 
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
-        self._guides.let_go()
         below, line = find_below(context), self._line_clicked_twice(context)
         self._pressed = None
         if line is not None:
@@ -124,9 +123,7 @@ class SelectTool(Tool):
         return Marquee if context.host.selected.is_editing else CurveMarquee
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Remove a guide with Delete; edit what is chosen with Enter."""
-        if self._guides.key(context, key):
-            return True
+        """Edit what is chosen with Enter."""
         selected = context.host.selected
         if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
             return False
@@ -134,17 +131,8 @@ class SelectTool(Tool):
         select_hit(context)
         return True
 
-    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
-        """Move the guide that was clicked, or else what is selected."""
-        return self._guides.nudge(context, direction, stride) or super().nudge(context, direction, stride)
-
-    def dismiss(self, context: ToolContext) -> bool:
-        """Let go of the guide that was clicked."""
-        return self._guides.let_go()
-
     def reset(self) -> None:
-        """Forget the guide and the curve of another document."""
-        self._guides.let_go()
+        """Forget the curve of another document."""
         self._pressed = None
 
     def walk(self, context: ToolContext, step: int) -> bool:
@@ -196,10 +184,6 @@ class SelectTool(Tool):
         view, hit = pressed
         return hit if view is context.view else None
 
-    def claims(self, context: ToolContext, key: str) -> bool:
-        """Whether a key is for a guide."""
-        return self._guides.claims(key)
-
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
         super().end()
@@ -222,7 +206,7 @@ class SelectTool(Tool):
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
         snaps = context.settings.snapping.on
         takes_pivot = self._is_on_pivot(context)
-        self._guides.hover(context, hit if grip is None and not takes_pivot else None)
+        self._guides.hover(hit if grip is None and not takes_pivot else None)
         self._lit = _unselected_place(context, hit)
         if takes_pivot:
             return PIVOT_HINT
@@ -265,7 +249,7 @@ class SelectTool(Tool):
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
-            guide=self._guides.shown,
+            guide=self._guides.lit,
         )
 
     @staticmethod
@@ -347,7 +331,7 @@ SELECT = ToolRecord(
         ),
         GestureRow("Click a chosen curve", "grips that rotate and skew, or scale again", curves=True),
         GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
-        GestureRow("Click a guide", "choose it: arrow keys move it, Del removes it"),
+        GestureRow("Double-click a guide or a ruler", "type where the guide lies"),
         GestureRow(
             "Drag the cross in the box",
             "move the pivot; double click, Shift+click: back",
