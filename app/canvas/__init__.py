@@ -11,7 +11,6 @@
 - ``grid_layer``, ``unit_layer``, ``guides_layer``, ``page_layer``: grid, unit, guides and page.
   ``desk_outline``: what is dark beside the page, on a dark desk.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
-- ``blurs``: pictures of what is blurred.  ``masked``: what is seen through masks.
   ``group_sheets``: groups that are seen through.
 - ``content_ink``: texts and pictures in their frames.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other

@@ -18,7 +18,6 @@ from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve.curve_view import CurveView, Polyline
-from .blurs import Blurs
 from .group_sheets import GroupSheets
 from .looks import Looks, Shape, line_of, paint_shape
 
@@ -44,7 +43,6 @@ class EditedShapeLayer(Layer):
         self._shape: Shape = ()
         self._line = RoundLine()
         self._looks = Looks()
-        self._blurs = Blurs(plot, lambda: self.update())  # noqa: PLW0108
         self.groups = GroupSheets(plot, lambda: self.update())  # noqa: PLW0108
         self.set_visible(False)
 
@@ -65,7 +63,7 @@ class EditedShapeLayer(Layer):
         if self._shape:
             usual, looks = _WIDTH * self.scale, self._looks
             print_shape = paint_shape if not self._shape[0].source.group_looks else self.groups.paint
-            print_shape(painter, self._shape, looks, shown, self.theme, usual, self._line, self._blurs)
+            print_shape(painter, self._shape, looks, shown, self.theme, usual, self._line)
 
 
 class CurveLayer(Layer):

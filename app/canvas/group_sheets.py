@@ -11,16 +11,18 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, QTimer
 from PySide6.QtGui import QPainter, QPixmap
 
+from curvecore.arrays import FloatArray
+
 from ..appearance.theme import Theme
 from ..document.contents import is_content
 from ..document.group_look import together
 from ..document.shapes import shapes
+from ..document.style import Style
 from ..plotting.pictures import transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.wide_line import RoundLine
 from ..view_model.curve.carried_views import common_way
 from ..view_model.curve.curve_view import CurveView
-from .blurs import Blurs, blurred_box
 from .looks import Looks, Shape, paint_shape
 
 _FEW = 8
@@ -108,13 +110,12 @@ class GroupSheets:
         theme: Theme,
         usual: float,
         line: RoundLine,
-        blurs: Blurs,
     ) -> None:
         """Paint the curves of a group, as `paint_shape` does those of a shape."""
         ratio = painter.device().devicePixelRatioF()
 
         def paint_part(inner: QPainter, part: Shape) -> None:
-            paint_shape(inner, part, looks, shown, theme, usual, line, blurs)
+            paint_shape(inner, part, looks, shown, theme, usual, line)
 
         way = _Way(shown, looks, usual, ratio, paint_part, self)
         views = [view for view in group if view.source.visible and view.has_curve]
@@ -225,7 +226,7 @@ class _Way(msgspec.Struct, frozen=True, eq=False):
                 return area
             style = self.looks.style_of(shape[0])
             width = self.usual / self.shown.sx if style.width is None else style.width
-            (left, low), (right, high) = blurred_box(shape, style, width).tolist()
+            (left, low), (right, high) = _box(shape, style, width).tolist()
             corner, other = self.shown.point(left, high), self.shown.point(right, low)
             box = QRectF(QPointF(*corner), QPointF(*other)).adjusted(-1, -1, 1, 1)
             place = place.united(box.intersected(area))
@@ -255,6 +256,13 @@ def _parts(views: Sequence[CurveView], depth: int) -> list[Shape]:
 def _shapes(views: Sequence[CurveView]) -> list[Shape]:
     runs = ((name, tuple(run)) for name, run in groupby(views, lambda view: view.source.shape))
     return [each for name, run in runs for each in ([run] if name else [(view,) for view in run])]
+
+
+def _box(shape: Shape, style: Style, width: float) -> FloatArray:
+    """Return a box in the plane, [[left, low], [right, high]], that a shape does not leave."""
+    corners = np.vstack([view.drawn_box for view in shape if view.has_curve])
+    reach = width * max(1.0, style.miter_limit) if style.has_stroke else 0.0
+    return np.array([corners.min(axis=0) - reach, corners.max(axis=0) + reach])
 
 
 def _is_same(one: Shape, other: Shape) -> bool:

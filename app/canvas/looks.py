@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 import numpy as np
-from msgspec.structs import replace
 from PySide6.QtGui import QPainter
 
 from ..appearance.colours import curve_colour, fill_colour
@@ -18,10 +17,8 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
 from ..plotting.wide_line import RoundLine
 from ..view_model.curve.curve_view import CurveView, Polyline
-from .blurs import Blurs, paint_blurred
 from .content_ink import paint_content
 from .desk_outline import outline_on_desk
-from .masked import paint_through
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
@@ -87,8 +84,6 @@ def _is_plain(style: Style) -> bool:
         and style.stroke_opacity == style.opacity == 1.0
         and style.stroke_gradient is None
         and not style.clips
-        and not style.masks
-        and not style.blur
     )
 
 
@@ -120,36 +115,13 @@ def paint_shape(
     theme: Theme,
     usual: float,
     line: RoundLine | None = None,
-    blurs: Blurs | None = None,
-    *,
-    style: Style | None = None,
 ) -> None:
-    """Paint a shape as it prints, or in a `style`; `usual` is the width of lines without one, in pixels.
+    """Paint a shape as it prints; `usual` is the width of lines without one, in pixels.
 
-    Whoever paints many keeps a `line`, and `blurs`. Beside a page that lies on a dark desk what is
-    dark has an outline.
+    Whoever paints many keeps a `line`. Beside a page that lies on a dark desk what is dark has an outline.
     """
-    style = looks.style_of(shape[0]) if style is None else style
+    style = looks.style_of(shape[0])
     width = usual if style.width is None else style.width * shown.sx
-    if style.masks:
-        whole = replace(style, masks=())
-        paint_through(
-            painter,
-            shape,
-            style,
-            shown,
-            width,
-            lambda inner: paint_shape(inner, shape, looks, shown, theme, usual, line, blurs, style=whole),
-        )
-        return
-    if style.blur:
-        sharp = replace(style, blur=0.0, clips=())
-
-        def paint(inner: QPainter, part: PixelMap, scale: float) -> None:
-            paint_shape(inner, shape, Looks(), part, theme, usual * scale, style=sharp)
-
-        paint_blurred(painter, shape, style, shown, width, (theme,), paint, blurs)
-        return
     if is_content(shape[0].source):
         paint_content(painter, shape[0].source, style, shown, theme, width)
         return

@@ -21,7 +21,6 @@ from ..tools.pointer import Hit
 from ..view_model.curve.carried_views import common_way
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.look.line_styles import FILE_STYLE
-from .blurs import Blurs
 from .curve_layer import CASING, FAINT_WIDTH
 from .group_sheets import GroupSheets
 from .line_finder import LineFinder, pixels_of
@@ -87,7 +86,6 @@ class OtherCurvesLayer(Layer):
         self._next = QTimer(plot, singleShot=True, interval=0)
         self._next.timeout.connect(lambda: self.update())  # noqa: PLW0108
         self._finder = LineFinder()
-        self._blurs = Blurs(plot, self._repaint)
         self.groups = GroupSheets(plot, self._repaint)
         self.set_visible(False)
 
@@ -265,7 +263,7 @@ class OtherCurvesLayer(Layer):
             else:
                 usual = FAINT_WIDTH * self.scale
                 print_shape = paint_shape if not shape[0].source.group_looks else self.groups.paint
-                print_shape(painter, shape, self.looks, shown, self.theme, usual, line, self._blurs)
+                print_shape(painter, shape, self.looks, shown, self.theme, usual, line)
 
     def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         stroke.show(line_of(view, shown).points, shown)

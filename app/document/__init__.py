@@ -5,7 +5,7 @@
   ``reference_image``: the picture to trace.
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
   ``patterns``: those that every document can use.
-  ``clip``: what it is cut by.  ``mask``, ``mask_edits``: how much is seen of it.
+  ``clip``: what it is cut by.
   ``drawn_kinds``: what begins in which.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``text``: what letters were written as.  ``texts``: the letters of a text.

@@ -18,7 +18,7 @@ def style_followed(own: Style, before: Style, after: Style, by: Affine) -> Style
 
     One that looks as its original did goes on to; be it as wide as that, or enlarged with all of it.
     """
-    if own == before and not (before.goes_along or after.goes_along):
+    if own == before and not (before.is_placed or after.is_placed):
         return after
     return style_by(after, by) if looks_same(own, style_by(before, by)) else own
 

@@ -80,9 +80,7 @@ def has_paints(curve: Curve) -> bool:
 def with_shown_style(curve: Curve, style: Style) -> Curve:
     """Return a curve in a style, as far as it shows that: a picture neither fill nor stroke."""
     if not has_paints(curve):
-        style = replace(
-            curve.style, opacity=style.opacity, blur=style.blur, clips=style.clips, masks=style.masks
-        )
+        style = replace(curve.style, opacity=style.opacity, clips=style.clips)
     return replace(curve, style=style)
 
 

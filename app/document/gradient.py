@@ -87,12 +87,12 @@ class Stop(Value, frozen=True):
 
 
 class Tile(Value, frozen=True):
-    """Picture of a pattern, which repeats, or of a mask.
+    """Picture of a pattern, which repeats.
 
     Attributes
     ----------
     body
-        Elements of SVG; what they paint in ``currentColor`` has the colour of the pattern, in a mask black.
+        Elements of SVG; what they paint in ``currentColor`` has the colour of the pattern.
     view
         The part of their plane that is shown: left, top, width and height.
     """

@@ -91,18 +91,16 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 
 def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
-    """Let gradients, clips and masks go with those shapes of a group that are in it with all their points."""
+    """Let gradients and clips go with those shapes of a group that are in it with all their points."""
     curves = document.curves
     # At every move of a drag: what has none costs no call.
     for curve, _ in group.parts:
         style = curves[curve].style
-        if style.fill_gradient is not None or style.stroke_gradient is not None or style.clips or style.blur:
-            break
-        if style.masks:
+        if style.fill_gradient is not None or style.stroke_gradient is not None or style.clips:
             break
     else:
         return document
-    shapes = {curve for curve in _whole_shapes(document, group) if curves[curve].style.goes_along}
+    shapes = {curve for curve in _whole_shapes(document, group) if curves[curve].style.is_placed}
     return with_each(document, shapes, lambda curve: replace(curve, style=curve.style.mapped(place)))
 
 

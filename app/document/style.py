@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from typing import Annotated, Final
 
@@ -11,7 +10,6 @@ from msgspec.structs import replace
 from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
 from .gradient import Gradient
-from .mask import MOST_MASKS, Mask
 from .value import Value, Vector
 from .words import NamedEnum
 
@@ -29,9 +27,6 @@ LEAST_DASH: Final = 1e-3
 
 USUAL_WIDTH: Final = 0.003
 """Of a line whose style does not say it, against the longer side of the page or of the drawing."""
-
-BLUR_REACH: Final = 3.0
-"""Standard deviations beyond which nothing is seen of a blur."""
 
 GRADIENTS: Final = {"fill": "fill_gradient", "stroke": "stroke_gradient"}
 """The field of a gradient, by that of the paint which it takes the place of."""
@@ -82,14 +77,10 @@ class Style(Value, frozen=True):
         Paint of the inside; an open curve is closed for it by a straight line.
     opacity
         Of stroke and fill together.
-    blur
-        Standard deviation of the Gaussian that softens it, in the unit of the document; 0 for none.
     fill_gradient, stroke_gradient
         What paints in place of the colour, which stands for it where there are no gradients.
     clips
         Areas beyond each of which nothing of it is seen.
-    masks
-        Pictures each of which says how much of it is seen.
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
@@ -107,8 +98,6 @@ class Style(Value, frozen=True):
     fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
     stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
     clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
-    blur: Annotated[float, at_least(0), LENGTH, "Blur"] = 0.0
-    masks: Annotated[tuple[Mask, ...], few(MOST_MASKS, f"hold at most {MOST_MASKS} masks"), "Mask"] = ()
 
     @property
     def has_stroke(self) -> bool:
@@ -160,12 +149,7 @@ class Style(Value, frozen=True):
     def is_placed(self) -> bool:
         """Whether it hangs on places of the plane."""
         has_gradient = self.fill_gradient is not None or self.stroke_gradient is not None
-        return has_gradient or bool(self.clips) or bool(self.masks)
-
-    @property
-    def goes_along(self) -> bool:
-        """Whether some of it is mapped with the curve, whatever its line does."""
-        return self.is_placed or self.blur > 0
+        return has_gradient or bool(self.clips)
 
     @property
     def has_clear_gradient(self) -> bool:
@@ -182,15 +166,13 @@ class Style(Value, frozen=True):
 
     @property
     def flat(self) -> Style:
-        """The style for curves elsewhere: sharp, whole, with the colours in which gradients begin."""
-        if not self.goes_along:
+        """The style for curves elsewhere: whole, with the colours in which gradients begin."""
+        if not self.is_placed:
             return self
         paints = {"fill": self.fill_gradient, "stroke": self.stroke_gradient}
         return replace(
             self.with_fields({name: found.stops[0].colour for name, found in paints.items() if found}),
             clips=(),
-            masks=(),
-            blur=0.0,
         )
 
     @property
@@ -200,27 +182,18 @@ class Style(Value, frozen=True):
         return {name: gradient for name, gradient in found.items() if gradient is not None}
 
     def mapped(self, place: Callable[[Vector], Vector]) -> Style:
-        """Return the style with all that lies in the plane where an affine map puts it; its blur grows."""
-        if not self.goes_along:
+        """Return the style with all that lies in the plane where an affine map puts it."""
+        if not self.is_placed:
             return self
         gradients = {name: each.mapped(place) for name, each in self.gradients.items()}
         clips = tuple(each.mapped(place) for each in self.clips)
-        masks = tuple(each.mapped(place) for each in self.masks)
-        blur = self.blur * _scale_of(place) if self.blur else 0.0
-        return replace(self, **gradients, clips=clips, masks=masks, blur=blur)
+        return replace(self, **gradients, clips=clips)
 
     @property
     def colour(self) -> str:
         """The paint that the curve is known by: that of its line, or of its inside where it has no line."""
         paint = self.stroke if self.has_stroke else self.fill
         return INK if paint == NO_PAINT else paint
-
-
-def _scale_of(place: Callable[[Vector], Vector]) -> float:
-    """Return the mean factor by which an affine map enlarges; 1 but for rounding is 1."""
-    (x, y), (a, b), (c, d) = place((0.0, 0.0)), place((1.0, 0.0)), place((0.0, 1.0))
-    scale = math.sqrt(abs((a - x) * (d - y) - (b - y) * (c - x)))
-    return 1.0 if math.isclose(scale, 1.0, rel_tol=1e-9) else scale
 
 
 PLAIN_STYLE: Final = Style()

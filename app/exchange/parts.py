@@ -146,9 +146,9 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
 
 
 def said_of_paints(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    """Return what a format has to say that knows colours alone, no gradients, clips, masks and blurs."""
+    """Return what a format has to say that knows colours alone, no gradients and clips."""
     named = list(styles)
-    said = (_said_of_gradients, _said_of_clips, _said_of_masks, _said_of_blurs)
+    said = (_said_of_gradients, _said_of_clips)
     return tuple(sentence for each in said for sentence in each(named))
 
 
@@ -162,25 +162,11 @@ def said_of_groups(document: Document) -> tuple[str, ...]:
     return (f"{names_of(names)} {verb} seen through as a whole; what is in it is, each by itself.",)
 
 
-def _said_of_blurs(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.blur))
-    if not names:
-        return ()
-    return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} blurred, and written sharp.",)
-
-
 def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
     names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.clips))
     if not names:
         return ()
     return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} clipped, and written whole.",)
-
-
-def _said_of_masks(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.masks))
-    if not names:
-        return ()
-    return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} masked, and written whole.",)
 
 
 def _said_of_gradients(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:

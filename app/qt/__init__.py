@@ -6,8 +6,7 @@
 - ``glyphs``: outlines of letters, as the fonts of the system have them.
 - ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise;
   ``patterns``: of those.  ``tile_texts``: words in them.
-- ``clips``: what they are cut by.  ``masks``: how much is seen of them.
-- ``blurs``: what is softened, as a picture.
+- ``clips``: what they are cut by.
 - ``contents``: texts and pictures in their frames.  ``picture_data``: what is in PNG and JPEG files.
 - ``run_fonts``: fonts of parts of a text, and what they measure.
 - ``letters_along``: letters along a course.  ``decorations``: lines under and through letters.

@@ -152,4 +152,4 @@ class NextStyle:
             self.take(document, style)
 
     def _keep(self, kind: DrawnKind, document: Document, style: Style) -> None:
-        self._kept[kind] = _Kept(replace(style, blur=0.0), line_width(document))
+        self._kept[kind] = _Kept(style, line_width(document))

@@ -118,6 +118,8 @@ DROPPED: list[Dropped] = [
         "orders of fill and line",
         lambda order: order == "stroke",
     ),
+    Dropped(Place.STYLE, "blur", "blur"),
+    Dropped(Place.STYLE, "masks", "mask", is_shared=True),
 ]
 """The fields of version 2 that version 3 does not have."""
 

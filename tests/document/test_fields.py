@@ -19,7 +19,6 @@ from app.document.form_edits import framed
 from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop, Tile
 from app.document.group_look import GroupLook
-from app.document.mask import Mask
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import GRADIENTS, Style
@@ -34,7 +33,6 @@ PAIR = (1.0, 2.0)
 STOPS = (Stop(0.25, "#112233", 0.5), Stop(0.75))
 TILE = Tile("<rect width='1' height='1'/>", (1.0, 2.0, 3.0, 4.0))
 GRADIENT = Gradient(STOPS, start=PAIR, end=(3.0, 4.0), side=(5.0, 6.0), focus=PAIR, tile=TILE)
-MASK = Mask(TILE, PAIR, (3.0, 4.0), (5.0, 6.0))
 CLIP = Clip((ring_of([PAIR, (3.0, 4.0), (5.0, 6.0), (7.0, 8.0)]),))
 RUN = TextRun("I", spacing=1.0, right=1.0, down=1.0, paint=RunPaint())
 BOX = (1.0, 2.0, 3.0, 4.0)
@@ -60,7 +58,6 @@ def full(form, curve=OPEN):
             fill_gradient=GRADIENT,
             stroke_gradient=GRADIENT,
             clips=(CLIP,),
-            masks=(MASK,),
         ),
         text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
         form=form,
@@ -169,8 +166,8 @@ def test_every_length_goes_with_the_unit():
     of_styles = {"miter_limit", "dash", "stroke_opacity", "fill_opacity", "opacity"}
     of_stops = {"offset", "opacity"}
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
-    # Between start, end and side of the pattern or mask, which go with the unit.
-    of_styles |= {f"{name}.tile.view" for name in (*GRADIENTS.values(), "masks")}
+    # Between start, end and side of the pattern, which go with the unit.
+    of_styles |= {f"{name}.tile.view" for name in GRADIENTS.values()}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {"text.letter_spacing", "text.line_spacing", "group_looks.opacity"}
     of_curves |= {f"style.{name}" for name in of_styles}

@@ -31,7 +31,7 @@ _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySi
 
 PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
-    *("_asked", "_blurs", "_costed", "_cost", "_discs_asked", "_drawn", "_extents", "_ghost"),
+    *("_asked", "_costed", "_cost", "_discs_asked", "_drawn", "_extents", "_ghost"),
     *("_axes", "_ghost_drawn", "_ground", "Curve.has_derivatives", "Rulers._band", "is_due"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),

@@ -9,6 +9,13 @@ import pytest
 from app.document.style import Style
 from app.storage.format import decode_counting
 
+MASK = {
+    "tile": {"body": "<rect width='1' height='1'/>", "view": [0.0, 0.0, 1.0, 1.0]},
+    "start": [0.0, 0.0],
+    "end": [1.0, 0.0],
+    "side": [0.0, 1.0],
+}
+
 
 def older(*styles):
     """The content of a file of version 2 whose curves have these styles."""
@@ -22,6 +29,8 @@ def older(*styles):
     ("styles", "words"),
     [
         ([{"start_marker": "dot", "end_marker": "arrow"}, {"end_marker": "bar"}], "3 arrowheads"),
+        ([{"blur": 0.5}, {"blur": 2.0}], "2 blurs"),
+        ([{"masks": [MASK, MASK]}, {"masks": [MASK | {"is_alpha": True}]}], "2 masks"),
         ([{"paint_order": "stroke"}], "1 order of fill and line"),
         ([{"paint_order": "stroke"}] * 2, "2 orders of fill and line"),
     ],
@@ -33,4 +42,6 @@ def test_what_changes_how_it_looks_is_counted(styles, words):
 
 
 def test_what_changes_nothing_is_not_counted():
-    assert not decode_counting(older({"start_marker": "none", "paint_order": "normal"})).left_out
+    assert not decode_counting(
+        older({"start_marker": "none", "paint_order": "normal", "blur": 0.0, "masks": []})
+    ).left_out

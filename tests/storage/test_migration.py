@@ -94,19 +94,19 @@ def test_fields_of_curves_styles_and_guides(with_rows):
     with_rows(
         Dropped(Place.CURVE, "glow", "glow"),
         Dropped(Place.STYLE, "order", "paint order", is_loss=lambda value: value != "normal"),
-        Dropped(Place.STYLE, "masks", "mask", is_shared=True),
+        Dropped(Place.STYLE, "veils", "veil", is_shared=True),
         Dropped(Place.GUIDE, "colour"),
         Dropped(Place.DOCUMENT, "boxes", "box", "boxes"),
     )
     found = decode_counting(
         older(
-            curve("a", glow=2.0, style={"order": "normal", "masks": [{"x": 1}, {"x": 2}]}),
-            curve("b", glow=0.0, style={"order": "stroke", "masks": [{"x": 1}], "width": 2.0}),
+            curve("a", glow=2.0, style={"order": "normal", "veils": [{"x": 1}, {"x": 2}]}),
+            curve("b", glow=0.0, style={"order": "stroke", "veils": [{"x": 1}], "width": 2.0}),
             guides=[{"axis": "x", "position": 1.0, "colour": "#ff0000"}],
             boxes=[1, 2],
         )
     )
-    assert found.left_out.words == ("1 glow", "1 paint order", "2 masks", "2 boxes")
+    assert found.left_out.words == ("1 glow", "1 paint order", "2 veils", "2 boxes")
     assert [each.style.width for each in found.document.curves] == [None, 2.0]
     assert found.document.guides[0].position == 1.0
 

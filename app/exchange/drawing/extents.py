@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from curvecore.arrays import FloatArray
 
-from ...document.style import BLUR_REACH
 from ...view_model.geometry.clips import seen_box
 from ...view_model.geometry.extents import extent_of, turns_within
 from ...view_model.geometry.stroked import half_width, line_of, stroke_box
@@ -22,6 +19,5 @@ def painted_extent(outline: Outline) -> FloatArray:
     if outline.content is None and half_width(outline.style) > 0.0:
         line = line_of(controls, 0, turns_within(controls), is_closed=outline.closed)
     box = extent_of(controls) if line is None else stroke_box(line, outline.style)
-    box = box + np.array([[-1.0], [1.0]]) * (BLUR_REACH * outline.style.blur)
     seen = seen_box(box, outline.style.clips) if outline.style.clips else box
     return box if seen is None else seen

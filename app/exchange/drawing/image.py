@@ -35,7 +35,7 @@ from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing
 from .frames import Frame
-from .painting import BLUR_DPI, FINEST, FINEST_TILES, Painting
+from .painting import FINEST, FINEST_TILES, Painting
 from .preview import PicturePreview
 from .styles import PictureStyle
 
@@ -272,22 +272,7 @@ def pdf_file(document: Document, options: Options) -> Written:
 
 
 def _pictures_in(drawing: Drawing) -> tuple[str, ...]:
-    """Return the sentence about what is a picture in a PDF: gradients, blurs and masks; none without."""
-    return (*_gradient_pictures(drawing), *_blurred_pictures(drawing))
-
-
-def _blurred_pictures(drawing: Drawing) -> tuple[str, ...]:
-    said = list[str]()
-    for word, field in (("blurred", "blur"), ("masked", "masks")):
-        shapes = [shape[0] for shape in drawing.shapes if getattr(shape[0].style, field)]
-        names = [f"“{each.shape or each.name}”" for each in shapes]
-        verb = f"is {word}, and a picture" if len(names) == 1 else f"are {word}, and pictures"
-        if names:
-            said.append(f"{names_of(names)} {verb} of at most {BLUR_DPI} dpi in a PDF.")
-    return tuple(said)
-
-
-def _gradient_pictures(drawing: Drawing) -> tuple[str, ...]:
+    """Return the sentences about gradients and patterns that are pictures in a PDF; none without."""
     clear = [shape[0] for shape in drawing.shapes if shape[0].style.has_clear_gradient]
     patterned = [each.name for each in clear if any(one.tile for one in each.style.gradients.values())]
     others = [each.name for each in clear if each.name not in patterned]

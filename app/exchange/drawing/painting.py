@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import QRect, QRectF, QSize, Qt
@@ -21,12 +21,10 @@ from PySide6.QtGui import (
 from ...document.content import Lettering, Picture
 from ...document.gradient import Gradient
 from ...document.group_look import GroupLook
-from ...document.style import BLUR_REACH, Style
-from ...qt.blurs import blurred
+from ...document.style import Style
 from ...qt.clips import clipped
 from ...qt.contents import inked, paint_picture
 from ...qt.gradients import brush_of
-from ...qt.masks import beside, paint_masked
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ...qt.written import CLEAR, Writing, write, writings_of
 from ...tasks.progress import Report, told
@@ -43,10 +41,11 @@ _MOST_DASHES = 100_000
 
 _PICTURE = QImage.Format.Format_ARGB32_Premultiplied
 _SMOOTHLY = QPainter.RenderHint.SmoothPixmapTransform | QPainter.RenderHint.LosslessImageRendering
-_MOST_BLURRED = 16_000_000
 
-BLUR_DPI = 300
-"""Dots an inch of what is blurred in a PDF, at most."""
+_MOST_PIXELS = 16_000_000
+
+_GROUP_DPI = 300
+"""Dots an inch of a group that is a picture in a PDF."""
 
 FINEST = 1000
 """Pixels along the longer side of a gradient that goes into a PDF as a picture."""
@@ -119,7 +118,7 @@ class Painting:
             place = place.united(box.intersected(self._frame))
         if place.isEmpty():
             return
-        fine = 1.0 if is_raster(painter) else BLUR_DPI / 72
+        fine = 1.0 if is_raster(painter) else _GROUP_DPI / 72
         place = QRectF(QRectF(place).toAlignedRect())
 
         def paint(inner: QPainter) -> None:
@@ -127,7 +126,7 @@ class Painting:
             for look, run in units_of(shapes, depth):
                 within._paint_unit(look, run, depth)
 
-        picture = beside(painter, place, fine, paint)
+        picture = _beside(painter, place, fine, paint)
         painter.save()
         painter.setOpacity(opacity)
         painter.setRenderHints(_SMOOTHLY)
@@ -141,33 +140,15 @@ class Painting:
             return self._frame
         pen = self._pen(style, 0.0)
         box = self._path(shape).controlPointRect()
-        reach = 1 + BLUR_REACH * style.blur + (overhang_of(pen) if pen is not None else 0.0)
+        reach = 1 + (overhang_of(pen) if pen is not None else 0.0)
         return box.adjusted(-reach, -reach, reach, reach)
 
-    def _paint_masked(self, shape: tuple[Outline, ...]) -> None:
-        """Paint a shape as a picture of what its masks let be seen, which all formats have."""
-        style = shape[0].style
-        whole = replace(shape[0], style=replace(style, masks=()))
-
-        def paint(inner: QPainter) -> None:
-            Painting(self._drawing, inner, self._style)._paint_shape((whole, *shape[1:]))
-
-        place = self._reach(shape).intersected(self._frame)
-        fine = 1.0 if is_raster(self._painter) else BLUR_DPI / 72
-        paint_masked(self._painter, style.masks, self._way, place, fine, paint)
-
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
-        if shape[0].style.masks:
-            self._paint_masked(shape)
-            return
         if clips := shape[0].style.clips:
             # Outlines of a shape have one style.
             whole = replace(shape[0], style=replace(shape[0].style, clips=()))
             with clipped(self._painter, clips, self._way):
                 self._paint_shape((whole, *shape[1:]))
-            return
-        if shape[0].style.blur:
-            self._paint_blurred(shape)
             return
         if shape[0].content is not None:
             self._paint_content(shape[0])
@@ -190,41 +171,6 @@ class Painting:
         if brush is not None:
             self._fill(painter, path.subtracted(line), brush)
         self._fill(painter, line, pen.brush())
-
-    def _paint_blurred(self, shape: tuple[Outline, ...]) -> None:
-        """Paint a shape as a picture of it that is blurred, which all formats have."""
-        style, painter = shape[0].style, self._painter
-        path, reach = self._path(shape).controlPointRect(), BLUR_REACH * style.blur
-        if isinstance(shape[0].content, Lettering):
-            # Letters reach beyond their frame, of which one without fonts knows but the rough size.
-            for letters, _ in self._inked(shape[0], shape[0].content):
-                path = path.united(letters.boundingRect())
-        if shape[0].content is None:
-            pen = self._pen(style, 0.0)
-            reach += overhang_of(pen) if pen is not None else 0.0
-        room = self._frame.adjusted(*(share * BLUR_REACH * style.blur for share in (-1, -1, 1, 1)))
-        place = path.adjusted(-reach, -reach, reach, reach).intersected(room)
-        if place.isEmpty():
-            return
-        sharp = replace(shape[0], style=replace(style, blur=0.0, opacity=1.0))
-
-        def paint(inner: QPainter, part: QRectF, fine: float) -> None:
-            inner.scale(fine, fine)
-            inner.translate(-part.topLeft())
-            Painting(self._drawing, inner, self._style)._paint_shape((sharp, *shape[1:]))
-
-        scale = 1.0 if is_raster(painter) else BLUR_DPI / 72
-        picture = blurred(paint, place, style.blur, scale=scale, most=_MOST_BLURRED, opacity=style.opacity)
-        if not is_raster(painter):
-            # Readers of PDF files show the pixels of a picture as squares.
-            finest = min(scale, FINEST / max(place.width(), place.height()))
-            smooth = Qt.TransformationMode.SmoothTransformation
-            size = (place.size() * finest).toSize().expandedTo(picture.size())
-            picture = picture.scaled(size, Qt.AspectRatioMode.IgnoreAspectRatio, smooth)
-        painter.save()
-        painter.setRenderHints(_SMOOTHLY)
-        painter.drawImage(place, picture)
-        painter.restore()
 
     def _paint_content(self, frame: Outline) -> None:
         """Paint a text or a picture in its frame."""
@@ -364,3 +310,16 @@ class Painting:
     def _served(self, gradient: Gradient, opacity: float) -> QBrush | QColor:
         ink = QColor(self._style.ink)
         return brush_of(gradient, ink, opacity, lambda place: (place[0], self._height - place[1]))
+
+
+def _beside(painter: QPainter, place: QRectF, fine: float, paint: Callable[[QPainter], None]) -> QImage:
+    """Return a picture of a place in the units of a painter, with so many pixels to each or fewer."""
+    fine *= min(1.0, math.sqrt(_MOST_PIXELS / (place.width() * place.height() * fine * fine)))
+    picture = QImage((place.size() * fine).toSize().expandedTo(QSize(1, 1)), _PICTURE)
+    picture.fill(Qt.GlobalColor.transparent)
+    with QPainter(picture) as inner:
+        inner.setRenderHints(painter.renderHints() | QPainter.RenderHint.Antialiasing)
+        inner.scale(picture.width() / place.width(), picture.height() / place.height())
+        inner.translate(-place.topLeft())
+        paint(inner)
+    return picture

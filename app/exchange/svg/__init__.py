@@ -1,8 +1,8 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``gradient_elements``, ``clip_elements``, ``mask_elements``,
-  ``filter_elements``, ``numbers``: styles and numbers as text.
+  ``style_attributes``, ``gradient_elements``, ``clip_elements``,
+  ``numbers``: styles and numbers as text.
   ``defined_elements``: what those that are referred to have in common.
   ``form_elements``: rectangles and ellipses as such.  ``inkscape_forms``: stars, as Inkscape notes them.
   ``use_elements``: clones as such.
@@ -18,8 +18,6 @@
   ``escapes``: text in XML.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
-  ``masks``: how much is seen of them.
-- ``filters``: those that are a blur.
 - ``patterns``: those of fills and strokes, each with a body of its own out of ``tiles``.
   ``tile_documents``: documents as such, and back.
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes

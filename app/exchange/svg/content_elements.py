@@ -65,7 +65,7 @@ def in_units_of(plane: Plane, style: Style) -> Style:
     style = replace(style, clips=())
     if style.width is not None:
         style = replace(style, width=style.width / plane.scale)
-    if not style.goes_along:
+    if not style.is_placed:
         return style
     (a, b), (c, d) = plane.across, plane.down
     area = a * d - b * c

@@ -12,6 +12,8 @@ from .names import shown_name
 from .xml_tree import tag_of
 
 _EFFECTS = {
+    "filter": Flaw("a filter changes it", "it comes in without"),
+    "mask": Flaw("a mask covers some of it", "it comes in whole"),
     "mix-blend-mode": Flaw("it is blended with what lies below", "it covers that"),
 }
 _NO_EFFECT = ("none", "normal")

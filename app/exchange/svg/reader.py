@@ -27,13 +27,11 @@ from .cascade import Cascade
 from .clips import Clips
 from .clones import linked
 from .elements import Elements
-from .filters import Filters, without_noise
 from .flaw import Flaw
 from .gradients import Ground
 from .groups import Drawn, Settled, is_seen, settled, with_line, without_lone_groups
 from .guides import guides_of
 from .lengths import Viewport
-from .masks import Masks
 from .matrices import (
     Box,
     box_of,
@@ -134,7 +132,7 @@ class SvgReader:
         paints = Paints(elements)
         self._styles = StyleReader(paints)
         self._shown = Shown(paints, elements)
-        self._clips, self._filters, self._masks = Clips(elements), Filters(elements), Masks(elements)
+        self._clips = Clips(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
@@ -194,9 +192,6 @@ class SvgReader:
             found = self._used(element, replace(state, anchor=anchor), depth)
         elif tag in _CONTAINERS:
             found = self._contained(element, tag, state, depth, anchor)
-        if declared.get("mask", "none") != "none":
-            found, flaws = self._masks.over(list(found), declared, state)
-            self._missing.note(element, *(flaws if state.properties.is_visible else ()))
         yield from found
         count = len(self._shapes) - first
         if count and state.properties.is_visible:
@@ -226,7 +221,6 @@ class SvgReader:
             matrix=matrix,
             windows=windows,
             clips=clips,
-            blur=self._filters.blurred(state.blur, declared, matrix),
             properties=state.properties.entered(declared),
             # What is locked where it is drawn is not so where it is used.
             is_locked=state.is_locked or (state.anchor is None and element.get(INSENSITIVE) == "true"),
@@ -377,8 +371,7 @@ class SvgReader:
         if state.properties.is_visible:
             self._missing.note(element, *flaws)
         visible = state.properties.is_visible
-        style = msgspec.structs.replace(self._ours.restored(style), blur=without_noise(state.blur))
-        return Look(style, visible=visible, locked=state.is_locked)
+        return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
 
     def _length(self, element: ET.Element, name: str, state: State) -> float | None:
         try:
@@ -390,7 +383,7 @@ class SvgReader:
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
-        found = effects_on(declared) + self._filters.flaws(declared, state.matrix, is_many=is_many)
+        found = effects_on(declared)
         if not self._clips.is_known(declared, state, has_box=tag_of(element) in SHAPES):
             found.append(_CLIPPED)
         if element is self._root and is_many and share_of(declared.get("opacity", "1")) < 1:

@@ -103,8 +103,6 @@ class State:
         The boxes that it is shown in, but for that of the file.
     clips
         What else it is cut by, in the document's plane.
-    blur
-        Standard deviation of all blurs that it is in, in the document's plane.
     is_locked
         Whether Inkscape keeps it from being touched.
     anchor
@@ -120,7 +118,6 @@ class State:
     groups: tuple[Group, ...] = ()
     windows: tuple[Window, ...] = ()
     clips: tuple[Clip, ...] = ()
-    blur: float = 0.0
     is_locked: bool = False
     anchor: Anchor | None = None
     clone: str = ""

@@ -1,4 +1,4 @@
-"""Documents as tiles of patterns and masks, and tiles as documents."""
+"""Documents as tiles of patterns, and tiles as documents."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from msgspec.structs import replace
 
 from ...document.gradient import Gradient, Tile
 from ...document.layers import out_of_layers
-from ...document.mask import Mask
 from ...document.model import Document, Vector
 from ...document.several_curves import mapped, whole_curves
 from ...document.transforms import Affine
@@ -23,7 +22,7 @@ _BLACK = "#000000"
 
 
 def tile_of(document: Document) -> Tile:
-    """Return what lies on the page of a document as the tile of a pattern or a mask.
+    """Return what lies on the page of a document as the tile of a pattern.
 
     Raises
     ------
@@ -48,17 +47,6 @@ def document_of(pattern: Gradient) -> Document:
     if pattern.tile is None:
         raise ExchangeError("It is no pattern.")
     return _laid(pattern.tile, pattern.stops[0].colour or _BLACK, pattern.start, pattern.end, pattern.side)
-
-
-def objects_of(mask: Mask) -> Document:
-    """Return what a mask shows, where it lies, as curves.
-
-    Raises
-    ------
-    ExchangeError
-        If there are none in it.
-    """
-    return _laid(mask.tile, _BLACK, mask.start, mask.end, mask.side)
 
 
 def _laid(tile: Tile, colour: str, start: Vector, end: Vector, side: Vector) -> Document:

@@ -35,13 +35,13 @@ class TileBody:
         self._names: dict[str, str] = {}
 
     def of_pattern(self, pattern: ET.Element, holder: ET.Element) -> str:
-        """Return what a pattern or mask shows, the elements in a `holder`, in a group of what it declares.
+        """Return what a pattern shows, the elements in a `holder`, in a group of what it declares.
 
         What cannot be there by itself, as pictures in other files, is left out.
         """
         within = (pattern.get("id", ""),)
         drawn = "".join(self._copied(child, within) for child in holder)
-        said = {name: text for name, text in self._elements.declared(pattern).items() if name != "mask-type"}
+        said = dict(self._elements.declared(pattern))
         declared = self._attributes(said, within)
         defs = "".join(self._defined.values())
         drawn = f"<g{declared}>{drawn}</g>" if declared else drawn

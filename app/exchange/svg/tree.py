@@ -13,8 +13,6 @@ from curvecore.arrays import FloatArray
 from ...document.content import Lettering
 from ...document.contents import plane_of, shortened
 from ...document.style import Style
-from ...view_model.geometry.extents import extent_of
-from ...view_model.geometry.stroked import farthest_reach
 from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
@@ -25,10 +23,8 @@ from .clip_elements import ClipElements
 from .content_elements import content_element, in_units_of, refers, uncut
 from .course_elements import CourseElements
 from .escapes import quoted
-from .filter_elements import FilterElements
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
-from .mask_elements import MaskElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
@@ -78,7 +74,6 @@ class Tree:
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
         self.clips = ClipElements(self._ids)
-        self._filters, self._masks = FilterElements(self._ids), MaskElements(self._ids)
         self._courses = CourseElements(self._ids, self._carrier)
         contents = (shape[0].content for shape in shapes)
         texts = (each for each in contents if isinstance(each, Lettering) and each.along is not None)
@@ -93,7 +88,7 @@ class Tree:
     @property
     def definitions(self) -> list[str]:
         """What paints what was written and cuts it, in an element of their own."""
-        found = [*self._gradients.lines, *self.clips.lines, *self._filters.lines, *self._masks.lines]
+        found = [*self._gradients.lines, *self.clips.lines]
         found += self._courses.lines
         return ["  <defs>", *found, "  </defs>"] if found else []
 
@@ -118,17 +113,14 @@ class Tree:
         """Return the element that draws a shape."""
         first = shape[0]
         style = self._styled(first.style, self._usual_width)
-        clips, masks = first.style.clips, first.style.masks
+        clips = first.style.clips
         # Texts lie along paths alone, as SVG 1.1 has it: browsers know no others.
         tag, runs = _as_form(shape, as_path=first.identity in self._courses_of_texts) or ("path", "")
         if tag == "path":
             runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
-        cut += f' mask="{self._masks.reference(masks[:1])}"' if masks else ""
-        cut += self._blurred(first.style, _corners_of(shape))
         runs = f"{called}{_own_data_of(shape)}{runs}"
-        element = self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
-        return self._masks.around(element, masks[1:])
+        return self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
 
     def _is_unseen(self, outline: Outline) -> bool:
         """Whether a shape itself is hidden, and not a layer around it."""
@@ -138,13 +130,6 @@ class Tree:
 
     def _styled(self, style: Style, usual_width: float) -> str:
         return style_attributes(style, self._style, usual_width, self._gradients)
-
-    def _blurred(self, style: Style, corners: FloatArray) -> str:
-        """Return the blur of what lies so in its own units, as an attribute; empty of none."""
-        if not style.blur:
-            return ""
-        overhang = farthest_reach(style.with_usual_width(self._usual_width))
-        return f' filter="{self._filters.reference(style.blur, corners, overhang)}"'
 
     def _content(self, frame: Outline, called: str, more: str) -> str:
         """Return a text or a picture; what cuts it is around it, for that does not lie in its units."""
@@ -156,13 +141,8 @@ class Tree:
             painted = self._styled(style, self._usual_width / plane.scale)
         else:
             painted = f' opacity="{number(style.opacity)}"' if style.opacity < 1 else ""
-        # Letters reach beyond their frame.
-        left, top, right, bottom = content.inner
-        beyond = min(right - left, bottom - top) / 4
-        around = np.array([(left - beyond, top - beyond), (right + beyond, bottom + beyond)])
-        painted += self._blurred(style, around)
         element = content_element(content, plane, f"{called}{painted}{more}", path)
-        return self._masks.around(self.clips.around(element, frame.style.clips), frame.style.masks)
+        return self.clips.around(element, frame.style.clips)
 
     def _carrier(self, identity: str) -> str:
         """Return the id of the path that shows a curve; empty where none does."""
@@ -261,16 +241,11 @@ def _as_form(shape: tuple[Outline, ...], *, as_path: bool) -> tuple[str, str] | 
     if found is None or others:
         return None
     tag, attributes, matrix = found
-    if matrix is not None and outline.style.goes_along:
-        # A gradient would turn with it, and a blur be as large as that is.
+    if matrix is not None and outline.style.is_placed:
+        # A gradient would turn with it.
         return None
     turned = {} if matrix is None else {"transform": matrix_text(matrix)}
     return tag, "".join(f' {name}="{value}"' for name, value in {**attributes, **turned}.items())
-
-
-def _corners_of(shape: tuple[Outline, ...]) -> FloatArray:
-    """Return the least and the largest coordinates of a shape in the file, (2, 2)."""
-    return extent_of(np.concatenate([each.control_points for each in shape]) * (1, -1))
 
 
 def _node_types_of(shape: tuple[Outline, ...]) -> str:

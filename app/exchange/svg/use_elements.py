@@ -33,7 +33,6 @@ def used(shapes: Sequence[Shape], usual_width: float, unseen: Iterable[int]) -> 
         for place, each in found.items()
         if each.original not in hidden
         and len(shapes[each.original][0].style.clips) < 2
-        and len(shapes[each.original][0].style.masks) < (2 if shapes[each.original][0].content is None else 1)
         and _looks_so(shapes[each.original][0].style, each.by, shapes[place][0].style, usual_width)
     }
 

@@ -2,7 +2,6 @@
 
 - ``commands``: combining and grouping.  ``path_commands``: union, difference and the like.
 - ``clip_commands``: shapes cut by others.  ``clip_editing``: what cuts them, while it is edited.
-- ``mask_commands``: shapes seen through others.
 - ``simplify_commands``: the same with fewer points.
 - ``shape_work``: what is made of chosen shapes, at once or beside the window.
 - ``offset_commands``: larger and smaller shapes.

@@ -27,7 +27,6 @@ from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import AN_OBJECT, meant
 from .clip_commands import ClipCommands
-from .mask_commands import MaskCommands
 from .offset_commands import OffsetCommands
 from .path_commands import PathCommands
 from .simplify_commands import SimplifyCommands
@@ -179,5 +178,4 @@ COMMAND_SETS = (
     PathCommands,
     SimplifyCommands,
     ClipCommands,
-    MaskCommands,
 )

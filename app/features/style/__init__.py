@@ -6,7 +6,6 @@
 - ``notes``: what the form says below its fields.  ``used_colours``: those that one may want again.
 - ``subject``: whose style is meant.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
-- ``blur_field``: how soft what is chosen is.  ``blur_gesture``: its slider, live.
 """
 
 import lazy_loader as lazy

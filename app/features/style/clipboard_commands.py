@@ -56,7 +56,7 @@ class StyleClipboardCommands:
         """Copy stroke and fill of the curve that is edited."""
         session, data = self._session, QMimeData()
         shape = shape_of(session.document, session.active_index)
-        style = msgspec.structs.replace(session.active_curve.style, clips=(), masks=())
+        style = msgspec.structs.replace(session.active_curve.style, clips=())
         copied = in_unit_box(style, box_of_shape(session.views, shape))
         data.setData(STYLE, msgspec.json.encode(copied))
         put_on_clipboard(data)
@@ -101,7 +101,7 @@ class StyleClipboardCommands:
 
         def fitted(shape: range, style: Style) -> Style:
             pasted = out_of_unit_box(found, box_of_shape(views, shape)) if found.gradients else found
-            return msgspec.structs.replace(pasted, clips=style.clips, masks=style.masks)
+            return msgspec.structs.replace(pasted, clips=style.clips)
 
         if session.change(words, lambda document: with_shape_styles(document, curves, fitted)):
             session.say(f"Pasted the style to {subject}.")
@@ -125,5 +125,5 @@ def _style_in(data: QMimeData) -> Style | None:
 
 def _style_of_first(document: Document) -> Style:
     """Return the style of the first shape, as one for a shape in the unit box."""
-    style = msgspec.structs.replace(document.curves[0].style, clips=(), masks=())
+    style = msgspec.structs.replace(document.curves[0].style, clips=())
     return in_unit_box(style, box_of_first_shape(document.curves)) if style.is_placed else style

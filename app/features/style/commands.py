@@ -69,7 +69,6 @@ class StyleCommands:
             self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
             for moved in (field.slider.dropped, field.slider.chosen):
                 moved.connect(partial(self._take_share, name))
-        self._blur = style.blur_gesture.BlurGesture(self._session, panel.blur, lambda: self._curves)
         for paint in (panel.fill, panel.stroke):
             self._session.interrupted.connect(paint.abandon)
         return panel
@@ -106,7 +105,6 @@ class StyleCommands:
         unit = session.document.unit
         overall = opacities_of(session.document, curves) if curves else None
         panel.render_styles(shown.words, styles, unit, note, shown.pictures, overall)
-        self._blur.render([*styles, *shown.pictures], is_sharp=shown.is_next)
 
     # Changes
 

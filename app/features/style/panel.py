@@ -22,7 +22,6 @@ from ...widgets.length_text import read_length
 from ...widgets.paint_field import PaintField
 from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
-from .blur_field import BlurField
 from .dash_field import DashField
 
 AUTO = "auto"
@@ -56,8 +55,6 @@ class StylePanel(FieldForm):
     ----------
     opacities
         The fields of shares, by the field of a style that they show.
-    blur
-        The field of how soft it is.
     """
 
     wanted = Signal(object)
@@ -83,7 +80,7 @@ class StylePanel(FieldForm):
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
         self._make_numbers()
-        self._dash, self.blur = DashField(), BlurField()
+        self._dash = DashField()
         self.opacities = {
             "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
             "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
@@ -127,7 +124,6 @@ class StylePanel(FieldForm):
         self._form = form_of(
             # In sight in a small window, too.
             ("Overall", self.opacities["opacity"]),
-            ("Blur", self.blur),
             ("", _rule_line()),
             ("Fill", self.fill),
             ("Inside", self._rule),
@@ -149,7 +145,7 @@ class StylePanel(FieldForm):
         column_of(self._subject, self._form, below, *told, 1, margins=12, spacing=8, parent=self)
 
     def _connect(self) -> None:
-        numbers = (self._width, self._limit, self._offset, self._dash.edit, self.blur.edit)
+        numbers = (self._width, self._limit, self._offset, self._dash.edit)
         shares = [field.edit for field in self.opacities.values()]
         self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
         for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
@@ -166,7 +162,6 @@ class StylePanel(FieldForm):
         # Chosen by its name it is to be seen; who types 0 is told why nothing is.
         self._dash.dots_chosen.connect(lambda dash: self.wanted.emit({"dash": dash, "cap": LineCap.ROUND}))
         fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
-        fields[self.blur.edit] = "blur"
         fields |= {field.edit: name for name, field in self.opacities.items()}
         for edit, name in fields.items():
             edit.entered.connect(lambda value, name=name: self.wanted.emit({name: value}))

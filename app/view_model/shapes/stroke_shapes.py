@@ -143,8 +143,6 @@ def _as_fill(style: Style) -> Style:
         fill_opacity=style.stroke_opacity,
         opacity=style.opacity,
         clips=style.clips,
-        masks=style.masks,
-        blur=style.blur,
     )
 
 
