@@ -85,14 +85,6 @@ fitting.fit          few points near many data: `fit`
   joints             corners of data, and where joints should be
   fitter, search     a curve of so many points; the fewest within a tolerance
 
-regions.region       `Region`: closed contours, and what is inside
-  operations         their union, intersection, difference, exclusion, division
-  strokes            what strokes cover: `stroked`; larger and smaller regions: `offset`
-  dashes             stretches of a pattern along a line: `dashed`
-  cutting            lines cut where others cross them: `cut_line`
-  meetings           where contours cross, touch or run along each other
-  arrangement        nodes and edges;  rays: winding numbers;  assembly: contours
-
 rounding.evaluation  curves computed with k decimal digits
   exact_values       the truth, and the digits lost
   decimal_methods    its methods, operation by operation

@@ -276,28 +276,6 @@ def tolerance_value(tolerance: float, name: str = "tolerance") -> float:
     return value
 
 
-def plane_points(points: ArrayLike, name: str) -> FloatArray:
-    """Check points of the plane, finite, of shape (m, 2) with m >= 1."""
-    array = number_array(points, name)
-    if array.ndim != 2 or array.shape[1] != 2 or not len(array):
-        raise CurveError(f"{name} must have the shape (m, 2), not {array.shape}")
-    _check_finite(array, name)
-    return array
-
-
-def contour_array(pieces: ArrayLike, name: str) -> FloatArray:
-    """Check cubic Bezier pieces (k, 4, 2) of the plane, each beginning where the one before ends."""
-    array = number_array(pieces, name)
-    if array.ndim != 3 or array.shape[1:] != (4, 2) or not len(array):
-        raise CurveError(f"{name} must have the shape (k, 4, 2), not {array.shape}")
-    _check_finite(array, name)
-    gap = (array[1:, 0] != array[:-1, 3]).any(axis=1)
-    if gap.any():
-        k = int(np.argmax(gap))
-        raise CurveError(f"{name}[{k + 1}] must begin where {name}[{k}] ends", (k, k + 1))
-    return array
-
-
 def box_edges(box: ArrayLike) -> FloatArray:
     """Check a box (xmin, ymin, xmax, ymax), each minimum at most its maximum."""
     edges = number_array(box, "box")

@@ -90,8 +90,6 @@ def test_the_window_starts_without_what_is_rarely_used():
         "app.features.motion.bar",
         "app.window.command_palette",
         "app.window.preferences_dialog",
-        "curvecore.regions.operations",
-        "curvecore.regions.strokes",
         "app.features.help.shortcut_sheet",
         "app.features.motion.player",
         "defusedxml",

@@ -226,9 +226,6 @@ class Preferences:
     text_in_points = SwitchOfAction("text/in_points", default=False)
     """Whether sizes of text are told in points, whatever the unit of the document."""
 
-    offset_distance = SavedText("path/offset")
-    """The distance that shapes were made larger or smaller by last, as typed, "2 mm"; empty for none yet."""
-
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""
 

@@ -1,4 +1,4 @@
-"""Pairs of arcs of plane curves that may meet: the search behind `self_intersections`, and that of regions.
+"""Pairs of arcs of plane curves that may meet: the search behind `self_intersections`.
 
 Pairs whose boxes are apart, along the axes or along either chord, are
 dropped; the rest are halved until both arcs are straight within a part of the
@@ -94,7 +94,7 @@ def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
     done: list[Pairs] = []
     work = 0
     for _ in range(_ROUNDS):
-        straight = are_straight(pairs.first, small) & are_straight(pairs.second, small)
+        straight = _are_straight(pairs.first, small) & _are_straight(pairs.second, small)
         adjoining = _adjoining(pairs)
         # Two straight neighbours may still form the tip of a loop.
         tiny = np.maximum(_extent(pairs.first.controls), _extent(pairs.second.controls)) <= small
@@ -102,12 +102,12 @@ def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
         done.append(pairs.taken(fine & ~adjoining))
         pairs = pairs.taken(~fine)
         if not len(pairs):
-            return joined_pairs(done), is_complete
+            return _joined_pairs(done), is_complete
         work += len(pairs)
         if len(pairs) > _PAIRS or work > max(_WORK, 64 * len(arcs.start)):
             break
-        pairs = divided_pairs(pairs, margin)
-    return joined_pairs([*done, pairs.taken(~_adjoining(pairs))]), False
+        pairs = _divided_pairs(pairs, margin)
+    return _joined_pairs([*done, pairs.taken(~_adjoining(pairs))]), False
 
 
 def _first_pairs(arcs: Arcs, margin: float) -> tuple[Pairs, bool]:
@@ -128,14 +128,14 @@ def _first_pairs(arcs: Arcs, margin: float) -> tuple[Pairs, bool]:
         if count > _AT_ONCE or i == last:
             first, second = (np.concatenate(column) for column in zip(*waiting, strict=True))
             pairs = Pairs(arcs.taken(first), arcs.taken(second))
-            found.append(pairs.taken(may_meet(pairs, margin)))
+            found.append(pairs.taken(_may_meet(pairs, margin)))
             waiting, count, total = [], 0, total + len(found[-1])
             if total > most:
-                return joined_pairs(found), i == last
-    return joined_pairs(found), True
+                return _joined_pairs(found), i == last
+    return _joined_pairs(found), True
 
 
-def divided_pairs(pairs: Pairs, margin: float) -> Pairs:
+def _divided_pairs(pairs: Pairs, margin: float) -> Pairs:
     """Return the pairs of parts that may meet: of halves, and while pairs are few of quarters."""
     count = 4 if len(pairs) <= _FEW else 2
     which = np.arange(count)
@@ -148,11 +148,11 @@ def divided_pairs(pairs: Pairs, margin: float) -> Pairs:
             left.taken(origin + np.tile(np.repeat(which, count), len(some))),
             right.taken(origin + np.tile(which, count * len(some))),
         )
-        parts.append(each.taken(may_meet(each, margin)))
-    return joined_pairs(parts)
+        parts.append(each.taken(_may_meet(each, margin)))
+    return _joined_pairs(parts)
 
 
-def joined_pairs(parts: list[Pairs]) -> Pairs:
+def _joined_pairs(parts: list[Pairs]) -> Pairs:
     """Return the pairs of all parts."""
     return Pairs(joined_arcs([part.first for part in parts]), joined_arcs([part.second for part in parts]))
 
@@ -162,7 +162,7 @@ def _extent(controls: FloatArray) -> FloatArray:
     return extent
 
 
-def are_straight(arcs: Arcs, small: float) -> BoolArray:
+def _are_straight(arcs: Arcs, small: float) -> BoolArray:
     """Tell which arcs stay within an eighth of a distance of their chords, run through evenly."""
     degree = arcs.controls.shape[1] - 1
     if degree < 2:
@@ -188,7 +188,7 @@ def _adjoining(pairs: Pairs) -> BoolArray:
     return touching
 
 
-def may_meet(pairs: Pairs, margin: float) -> BoolArray:
+def _may_meet(pairs: Pairs, margin: float) -> BoolArray:
     """Tell of which pairs the arcs may come nearer than twice the margin; not where they only adjoin."""
     a, b = pairs.first.controls, pairs.second.controls
     meet: BoolArray = (

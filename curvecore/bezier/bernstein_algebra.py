@@ -30,6 +30,8 @@ _MOST = (
     4096  # intervals at a time, or one for each coefficient: halving adds no changes of sign but by rounding
 )
 _STEPS = 60
+_PRECISION = 2.0**-49
+"""Steps of Newton's method at most, and the length of the last one."""
 
 
 class PieceRoots(NamedTuple):
@@ -255,21 +257,17 @@ def _polished(found: list[_Bracket]) -> PieceRoots:
 
 
 def _refined(bracket: _Bracket) -> FloatArray:
-    if not len(bracket.piece) or not bracket.size:
-        return np.zeros(len(bracket.piece))
-    return refined_roots(bracket.coefficients, bracket.rising)
+    """Return where in [0, 1] the polynomials of a bracket change their sign, which they do once.
 
-
-def refined_roots(coefficients: FloatArray, rising: BoolArray, precision: float = 2.0**-49) -> FloatArray:
-    """Return where in [0, 1] polynomials (k, d + 1) change their sign, which they do once.
-
-    One that does not has its root at the end it is nearer to. `rising` says which are positive behind it.
-    Newton's method, which falls back to halving, until no step is longer than the precision.
+    One that does not has its root at the end it is nearer to. Newton's method, which falls back to halving.
     """
-    count = len(coefficients)
+    count = len(bracket.piece)
+    if not count or not bracket.size:
+        return np.zeros(count)
+    coefficients, rising = bracket.coefficients, bracket.rising
     low, high, place = np.zeros(count), np.ones(count), np.full(count, 0.5)
     slopes = derivative(coefficients)
-    for _ in range(_STEPS if count else 0):
+    for _ in range(_STEPS):
         value, slope = values(coefficients, place), values(slopes, place)
         above = (value > 0.0) == rising
         high, low = np.where(above, place, high), np.where(above, low, place)
@@ -280,6 +278,6 @@ def refined_roots(coefficients: FloatArray, rising: BoolArray, precision: float 
         following = np.where(value == 0.0, place, following)
         moved = np.abs(following - place).max()
         place = following
-        if moved <= precision:
+        if moved <= _PRECISION:
             break
     return place

@@ -96,24 +96,6 @@ def test_edited_or_orphaned_it_is_a_clone_no_more_and_that_is_said(pair):
     assert session.undo_stack.undoText() == "Unlink Leaf copy"
 
 
-def test_what_takes_the_original_away_says_so_behind_what_it_has_made(pair):
-    """What a command says took the place of it in the status line."""
-    session = pair.session
-    other = replace(make_curve([(0.5, -1), (1.5, -1), (1, 2)], name="Other"), closed=True)
-    session.change("Add", lambda d: replace(d, curves=(*d.curves, other)))
-    for title in ("Difference", "Union"):
-        session.selected.choose([0, 2])
-        pair.settle()
-        pair.trigger(f"path{title}")
-        pair.wait_for_work()
-        assert pair.status.startswith(f"{title} of ")
-        assert pair.status.endswith(". “Leaf copy” is no clone any more.")
-        pair.trigger("undo")
-        # It is not said of the next thing.
-        session.say("Done.")
-        assert pair.status == "Done."
-
-
 def test_a_locked_clone_follows_and_stays_where_it_is(pair):
     session = pair.session
     session.change("Lock", lambda d: d.with_curve(1, replace(d.curves[1], locked=True)))

@@ -40,46 +40,6 @@ def test_digits_zoom_in_a_drawing_and_choose_families_in_a_sketch(drawing):
     assert (drawing.curve.family, drawing.window.canvas.pixel_map.sx) == (LAGRANGE, before)
 
 
-def test_paths_are_made_by_the_keys_of_inkscape(drawing):
-    drawing.trigger("rectangleTool")
-    drawing.drag((10, 10), (30, 30))
-    assert drawing.curve.form is not None
-    drawing.key(Key.Key_C, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
-    assert drawing.curve.form is None
-    assert "path" in drawing.session.undo_stack.undoText().lower()
-    drawing.key(Key.Key_C, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
-    drawing.wait_for_rest()
-    assert drawing.session.undo_stack.undoText().startswith("Stroke")
-
-
-def test_shapes_are_united_and_subtracted_by_the_keys_of_inkscape_and_zoomed_by_the_plain_ones(drawing):
-    """Ctrl++ and Ctrl+- zoomed, there too."""
-    drawing.trigger("rectangleTool")
-    drawing.drag((10, 10), (30, 30))
-    drawing.trigger("rectangleTool")
-    drawing.drag((20, 20), (40, 35))
-    drawing.window.canvas.setFocus()
-    zoom, ctrl = drawing.window.canvas.pixel_map.sx, Qt.KeyboardModifier.ControlModifier
-    two, steps = drawing.session.document, drawing.session.undo_stack
-    for key, done in ((Key.Key_Plus, "Union"), (Key.Key_Equal, "Union"), (Key.Key_Minus, "Difference")):
-        drawing.session.selected.choose([1, 2])
-        drawing.key(key, ctrl)
-        assert steps.undoText().startswith(done)
-        assert len(drawing.session.document.curves) == 2
-        drawing.trigger("undo")
-        assert drawing.session.document == two
-    assert drawing.window.canvas.pixel_map.sx == zoom
-    drawing.key(Key.Key_Plus)
-    assert drawing.window.canvas.pixel_map.sx > zoom
-    drawing.key(Key.Key_Minus)
-    assert drawing.window.canvas.pixel_map.sx == pytest.approx(zoom)
-    drawing.new()
-    drawing.window.canvas.setFocus()
-    zoom = drawing.window.canvas.pixel_map.sx
-    drawing.key(Key.Key_Minus, ctrl)
-    assert drawing.window.canvas.pixel_map.sx < zoom
-
-
 def test_a_key_that_the_person_chose_is_theirs_in_documents_of_both_kinds(drawing):
     actions, three = drawing.window.actions_by_name, [QKeySequence("3")]
     keymap = actions.keymap

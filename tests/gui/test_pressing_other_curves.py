@@ -276,13 +276,13 @@ def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
     selected.choose([0, 1])
     found = entries(three.open_menu(on_curve(three, 1)))
     assert all(found.values())
-    assert {"insertPointHere", "splitHere", "ungroupCurves", "breakApart", "pathFracture"}.isdisjoint(found)
+    assert {"insertPointHere", "splitHere", "ungroupCurves", "breakApart"}.isdisjoint(found)
     wanted = ["cutPoints", "copyPoints", "pastePoints", "duplicateCurve", "clone", "deleteCurve"]
     wanted += ["groupCurves", "setClip", "copyStyle", "curveVisible", "curveLocked"]
     assert [name for name in found if name in wanted] == wanted
     menus = {plain(each.text()): each.menu() for each in three.menu().actions() if each.menu()}
     assert list(menus) == ["Order", "Paths"]
-    assert {"combineCurves", "pathUnion"} <= entries(menus["Paths"]).keys()
+    assert {"combineCurves", "simplify"} <= entries(menus["Paths"]).keys()
     assert list(entries(menus["Order"])) == ["raiseCurve", "lowerCurve", "raiseToTop", "lowerToBottom"]
     three.choose("groupCurves")
     # Something that is not chosen is chosen first, with the group that it is in.

@@ -260,13 +260,13 @@ def test_a_drawing_has_the_commands_for_objects_and_for_points_in_place_of_the_f
     assert len(editor.session.selected.chosen) == 2
     assert all(in_sight(editor, OBJECT_BAR))
     assert not any(in_sight(editor, FAMILY_BAR, POINT_BAR))
-    union = next(
+    group = next(
         each
         for each in editor.window.toolbar.findChildren(QToolButton)
-        if each.defaultAction() is editor.action("pathUnion")
+        if each.defaultAction() is editor.action("groupCurves")
     )
-    QTest.mouseClick(union, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: len(editor.session.document.curves) == 1)
+    QTest.mouseClick(group, Qt.MouseButton.LeftButton)
+    assert all(curve.groups for curve in editor.session.document.curves)
     editor.key(Qt.Key.Key_Return)
     assert editor.session.selected.is_editing
     assert all(in_sight(editor, POINT_BAR))

@@ -27,8 +27,6 @@ from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import AN_OBJECT, meant
 from .clip_commands import ClipCommands
-from .offset_commands import OffsetCommands
-from .path_commands import PathCommands
 from .simplify_commands import SimplifyCommands
 
 
@@ -174,8 +172,6 @@ class ShapeCommands:
 
 COMMAND_SETS = (
     ShapeCommands,
-    OffsetCommands,
-    PathCommands,
     SimplifyCommands,
     ClipCommands,
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from ...actions.declaration import action
-from ...actions.sections import CURVE_PATHS
+from ...actions.sections import CURVE_SHAPES
 from ...document.several_curves import changeable
 from ...document.words import count_of, number
 from ...view_model.shapes.regions import named_operands
@@ -24,7 +24,7 @@ class SimplifyCommands:
     @action(
         "simplify",
         "Simplify",
-        CURVE_PATHS,
+        CURVE_SHAPES,
         "",
         "fewer-points",
         full_name="Simplify Paths",

@@ -14,8 +14,8 @@ import msgspec
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.regions.miters import are_pointed, miter_tips
 from curvecore.scaling import scale_by_power
+from curvecore.vectors import cross
 
 from ...document.style import LineCap, LineJoin, Style
 from .plane import to_the_left, unit_tangents
@@ -150,6 +150,11 @@ def _sides(points: FloatArray, directions: FloatArray, half: float) -> Iterator[
 def _miters(
     points: FloatArray, before: FloatArray, after: FloatArray, half: float, limit: float
 ) -> FloatArray:
-    """Return the tips of the joints that are not too sharp for one."""
-    is_pointed = are_pointed(before, after, limit)
-    return miter_tips(points[is_pointed], before[is_pointed], after[is_pointed], half)
+    """Return the tips of miters at joints (m, 2) between directions, unit vectors, that are not too sharp."""
+    is_pointed = (1.0 + (before * after).sum(axis=1)) * limit * limit >= 2.0
+    points, before, after = points[is_pointed], before[is_pointed], after[is_pointed]
+    cosine, aside = (before * after).sum(axis=1), before + after
+    outwards = np.sign(cross(before, after))[:, None] * np.stack((aside[:, 1], -aside[:, 0]), axis=1)
+    # The tip is 1 / cos(φ/2) as far away as the sides, φ being the turn.
+    tips: FloatArray = points + half * outwards / (1.0 + cosine)[:, None]
+    return tips

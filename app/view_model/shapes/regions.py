@@ -1,140 +1,29 @@
-"""Boolean operations on shapes: a record for each, and what becomes of the document.
-
-Shapes are taken with the insides that their fill rules say, whether they are filled or not; open curves are
-closed by straight lines. A group is one operand, all of its shapes united; where it is all that is chosen,
-what is in it are the operands. What comes out are cubic Hermite curves in the place of the hindmost, with
-its style. Pieces that are not cut keep their handles.
-"""
+"""The shapes among curves: what of the document an action on them works on, and what comes in their place."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
-from functools import partial
-from itertools import chain, islice
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from collections.abc import Collection, Mapping, Sequence
 
 import msgspec
 import numpy as np
 from msgspec.structs import replace
 
 import curvecore
-from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
 from ...document.contents import refuse_contents
 from ...document.curve_tree import Node, NodeKind
 from ...document.edits import EditError
-from ...document.model import Curve, Document, Parametrization, ParametrizationKind
+from ...document.model import Curve, Document
 from ...document.shape_edits import objects
 from ...document.shapes import shape_of, shapes, tidy_shapes
-from ...document.style import FillRule, Style
 from ...document.words import names_of
-from ...families import HERMITE
-from ...tasks.progress import Report, part, silent
 from ..curve.curve_view import CurveView
-from .cubics import RELATIVE_TOLERANCE, points_of_cubics
-
-if TYPE_CHECKING:
-    from curvecore import Region, WindingRule
-
-Computed = TypeVar("Computed")
-
-Combine: TypeAlias = "Callable[[Sequence[Region], Callable[[float], object]], Sequence[Region]]"
-"""Returns what becomes of regions, the hindmost first; tells a share that is done."""
-
-
-class PathOperation(msgspec.Struct, frozen=True, kw_only=True):
-    """A boolean operation on shapes.
-
-    Attributes
-    ----------
-    name
-        The name of its action.
-    title
-        What people call it.
-    key
-        The keys of that, comma separated.
-    drawing_key
-        The same in drawings, where it differs.
-    icon
-        A file of resources/icons, without suffix.
-    tip
-        What becomes of the shapes.
-    keywords
-        Other words by which the palette finds it.
-    least
-        How many shapes it takes at least.
-    combine
-        What it does with the insides of shapes and groups.
-    """
-
-    name: str
-    title: str
-    key: str
-    drawing_key: str | None = None
-    icon: str
-    tip: str
-    keywords: str = ""
-    least: int = 2
-    combine: Combine
-
-
-# Keys are Inkscape's where they are free, and those of Figma. In a sketch Ctrl++ and Ctrl+- zoom.
-PATH_OPERATIONS = (
-    PathOperation(
-        name="pathUnion",
-        title="Union",
-        key="Alt+Shift+U",
-        drawing_key="Ctrl++, Ctrl+=, Alt+Shift+U",
-        icon="path-union",
-        tip="Make one outline around all chosen shapes; of a single one without its own crossings",
-        keywords="boolean add unite merge weld remove overlap path",
-        least=1,
-        combine=lambda regions, told: [curvecore.union(regions, progress=told)],
-    ),
-    PathOperation(
-        name="pathDifference",
-        title="Difference",
-        key="Alt+Shift+S",
-        drawing_key="Ctrl+-, Alt+Shift+S",
-        icon="path-difference",
-        tip="Take the shapes in front away from the hindmost one",
-        keywords="boolean subtract minus front punch cut out path",
-        combine=lambda regions, told: [curvecore.difference(regions[0], regions[1:], progress=told)],
-    ),
-    PathOperation(
-        name="pathIntersection",
-        title="Intersection",
-        key="Ctrl+*, Alt+Shift+I",
-        icon="path-intersection",
-        tip="Keep what lies in all chosen shapes",
-        keywords="boolean intersect common overlap path",
-        combine=lambda regions, told: [curvecore.intersection(regions, progress=told)],
-    ),
-    PathOperation(
-        name="pathExclusion",
-        title="Exclusion",
-        key="Ctrl+^, Alt+Shift+E",
-        icon="path-exclusion",
-        tip="Keep what lies in an odd number of the chosen shapes: of two, in one but not in both",
-        keywords="boolean xor exclude symmetric difference path",
-        combine=lambda regions, told: [curvecore.exclusion(regions, progress=told)],
-    ),
-    PathOperation(
-        name="pathDivision",
-        title="Division",
-        key="Ctrl+/, Alt+Shift+V",
-        icon="path-division",
-        tip="Cut the hindmost shape into parts along the outlines of those in front",
-        keywords="boolean divide split slice knife path",
-        combine=lambda regions, told: curvecore.division(regions[0], regions[1:], progress=told),
-    ),
-)
-"""The operations, in the order of the menu."""
+from .cubics import RELATIVE_TOLERANCE
 
 
 class Combined(msgspec.Struct, frozen=True):
-    """A document in which shapes were combined.
+    """A document in which others came in the place of shapes.
 
     Attributes
     ----------
@@ -170,68 +59,6 @@ def operands(document: Document, curves: Collection[int]) -> list[Node]:
 def named_operands(document: Document, curves: Collection[int]) -> str:
     """Return the names of the groups and shapes among some curves, the hindmost first."""
     return names_of([node.name for node in operands(document, curves)])
-
-
-def combined_by(
-    operation: PathOperation,
-    document: Document,
-    views: Sequence[CurveView],
-    curves: Collection[int],
-    report: Report = silent,
-) -> Combined:
-    """Return the document with the shapes of some curves combined; `views` are those of all curves.
-
-    Raises
-    ------
-    EditError
-        If there are too few, if one has no outline, or if nothing would be left.
-    """
-    chosen = operands(document, curves)
-    if len(chosen) < operation.least:
-        raise EditError(f"Choose two shapes or more for {operation.title.lower()}.")
-    parts = [chosen_shapes(document, node.places) for node in chosen]
-    regions, deviation = regions_of(document, views, list(chain.from_iterable(parts)))
-    found = computed(partial(_combined, operation, regions, list(map(len, parts)), report))
-    left = [region for region in found if region.contours]
-    if not left:
-        what = names_of([f"“{node.name}”" for node in chosen])
-        raise EditError(f"Nothing would be left: {operation.title.lower()} of {what} is empty.")
-    names, first = Names(chosen[0].name, taken_names(document)), chosen[0].places.start
-    # It takes the place of the group that it is made of.
-    model = replace(document.curves[first], groups=chosen[0].around.groups)
-    speck = RELATIVE_TOLERANCE * size_of(
-        [views[place] for own in parts for places in own for place in places]
-    )
-    new = [curve for region in left for curve in curves_of(region, model, names.next(), speck)]
-    made = {places: new if places.start == first else [] for own in parts for places in own}
-    return Combined(*replaced(document, made), len(left), deviation)
-
-
-def _combined(
-    operation: PathOperation, regions: Sequence[Region], counts: Sequence[int], report: Report
-) -> Sequence[Region]:
-    """Return operands combined, each of so many of the regions."""
-    united, told, rest = part(report, 0.1, 0.3), part(report, 0.3, 0.9), iter(regions)
-    each = [
-        _united(list(islice(rest, count)), part(united, k / len(counts), (k + 1) / len(counts)))
-        for k, count in enumerate(counts)
-    ]
-    return operation.combine(each, lambda share: told(share, operation.title))
-
-
-def computed(compute: Callable[[], Computed]) -> Computed:
-    """Return what is computed; raise `EditError` where roundings hide how outlines lie."""
-    try:
-        return compute()
-    except CurveError as problem:
-        raise EditError(f"This could not be computed: {problem}.") from problem
-
-
-def _united(regions: Sequence[Region], report: Report) -> Region:
-    """Return the insides of all shapes of a group as one; that of a single shape as it is."""
-    if len(regions) == 1:
-        return regions[0]
-    return curvecore.union(regions, progress=lambda share: report(share, "Union"))
 
 
 def replaced(document: Document, made: Mapping[range, Sequence[Curve]]) -> tuple[Document, frozenset[int]]:
@@ -272,26 +99,6 @@ class Names:
         return name
 
 
-def regions_of(
-    document: Document, views: Sequence[CurveView], chosen: Sequence[range]
-) -> tuple[list[Region], float]:
-    """Return the insides of shapes, and how far they are from them at most."""
-    regions: list[Region] = []
-    deviation = 0.0
-    size = size_of([views[place] for places in chosen for place in places])
-    for places in chosen:
-        contours, off = outlines_of([views[place] for place in places], size)
-        rule = _winding_rule(document.curves[places.start].style)
-        regions.append(curvecore.Region(contours, rule))
-        deviation = max(deviation, off)
-    return regions, deviation
-
-
-def _winding_rule(style: Style) -> WindingRule:
-    rules = curvecore.WindingRule
-    return rules.EVEN_ODD if style.fill_rule is FillRule.EVENODD else rules.NONZERO
-
-
 def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[FloatArray], float]:
     """Return curves as cubic pieces, and how far these are from them at most.
 
@@ -319,27 +126,3 @@ def size_of(views: Sequence[CurveView]) -> float:
     """Return the longer side of the box around the points of curves; 1 where there are none."""
     points = [view.points for view in views if len(view.points)]
     return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0
-
-
-def curves_of(region: Region, model: Curve, name: str, speck: float) -> list[Curve]:
-    """Return the contours of a region as closed curves that look like another one, and are one shape.
-
-    Points are no nearer together than a `speck`, within which nobody sees them apart.
-    """
-    region = region.without_specks(speck)
-    several = len(region.contours) > 1
-    return [
-        Curve(
-            f"{name} ({number})" if several else name,
-            HERMITE,
-            Parametrization(ParametrizationKind.MANUAL),
-            points_of_cubics(contour[(contour != contour[:, :1]).any(axis=(1, 2))], closed=True).points,
-            closed=True,
-            style=model.style,
-            shape=name if several else "",
-            groups=model.groups,
-            group_looks=model.group_looks,
-            visible=model.visible,
-        )
-        for number, contour in enumerate(region.contours, start=1)
-    ]

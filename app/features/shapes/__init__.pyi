@@ -1,3 +1,0 @@
-# Modules that are imported when they are first used.
-from . import distances as distances
-from . import field as field
