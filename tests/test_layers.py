@@ -103,7 +103,7 @@ def test_the_window_starts_without_what_is_rarely_used():
     names = set(done.stdout.split())
     assert not late & names
     # No readers, writers or dialogs.
-    light = {"drawing", "errors", "formats", "table", "table.clipboard"}
+    light = {"errors", "formats", "table", "table.clipboard"}
     of_exchange = (name for name in names if name.startswith("app.exchange."))
     assert {name.removeprefix("app.exchange.") for name in of_exchange} == light
     of_dialogs = {

@@ -117,7 +117,6 @@ EDIT_LAYERS = EDIT.section("Layers", is_separated=False)
 EDIT_LAYER_MOVES = EDIT.section(
     "Layers", also=[CHOSEN_MENU(22), CURVE_MENU(46), CURVE_LIST_MENU(61)], called="Layer"
 )
-EDIT_PAGE = EDIT.section("Page", is_separated=False)
 EDIT_DELETE = EDIT.section(is_separated=False)
 EDIT_CLIPBOARD = EDIT.section()
 EDIT_CLONES = EDIT.section("Clones", is_separated=False)

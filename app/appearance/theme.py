@@ -42,8 +42,6 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
         Grid lines, opaque: ink at 8 and 16 % over paper.
     curve, ghost, handle : QColor
         The curve, the curve as it was before a change, the lines to the handles.
-    desk : QColor
-        What lies around a page.
     accent : QColor
         Selection, focus and the checked state.
     accent_text : QColor
@@ -64,16 +62,10 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     curve: QColor
     ghost: QColor
     handle: QColor
-    desk: QColor
     accent: QColor
     accent_text: QColor
     warning: QColor
     is_as_printed: bool = False
-
-    @property
-    def has_dark_desk(self) -> bool:
-        """Whether what prints dark on this paper is hardly seen beside it."""
-        return self.is_as_printed and self.desk.lightnessF() < self.paper.lightnessF() / 2
 
 
 def mix(over: QColor, under: QColor, share: float) -> QColor:
@@ -99,7 +91,6 @@ def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
         curve=foreground,
         ghost=mix(foreground, background, 0.32),
         handle=mix(foreground, background, 0.62),
-        desk=mix(foreground, background, 0.14),
         accent=QColor(ACCENT[name]),
         accent_text=QColor(ACCENT[name]),
         warning=QColor(warning),
@@ -112,19 +103,6 @@ PRINTED: Final = msgspec.structs.replace(
     LIGHT, paper=QColor("#ffffff"), ghost=LIGHT.handle, is_as_printed=True
 )
 """The paper of a picture that is printed, whatever the theme."""
-
-_BETWEEN: Final = QColor("#8c9096")
-PRINTED_IN_DARK: Final = msgspec.structs.replace(
-    PRINTED,
-    desk=QColor("#3a4047"),
-    accent=QColor("#4c89f2"),
-    handle=_BETWEEN,
-    ghost=_BETWEEN,
-    warning=QColor("#d97b21"),
-)
-"""The same paper on a dark desk. Marks lie on both: they are as much darker than the one as lighter than the
-other, so that one colour is seen everywhere, and nothing is drawn twice for it. Words have paper around them.
-The desk is as light as that allows, for lines in ink may lie on it."""
 
 
 def theme_of(palette: QPalette) -> Theme:

@@ -8,8 +8,7 @@
   ``sections``: which of them are in a picture while others move.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.  ``other_points_layer``: selected points of those that are edited with the active one.
-- ``grid_layer``, ``unit_layer``, ``guides_layer``, ``page_layer``: grid, unit, guides and page.
-  ``desk_outline``: what is dark beside the page, on a dark desk.
+- ``grid_layer``, ``unit_layer``, ``guides_layer``: grid, unit and guides.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
   ``group_sheets``: groups that are seen through.
 - ``content_ink``: texts and pictures in their frames.

@@ -130,7 +130,7 @@ class CurveLayer(Layer):
         """Return the curve as it is drawn, None without one."""
         if self._view is None or not self._view.has_curve:
             return None
-        return line_of(self._view, shown, self._looks.outline_of(self._view))
+        return line_of(self._view, shown, self._view.source.line_style)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw ghost and curve."""

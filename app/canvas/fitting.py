@@ -53,11 +53,6 @@ def with_margin(box: PlaneBox) -> PlaneBox:
     return PlaneBox(box.low - margin, box.high + margin)
 
 
-def _around(boxes: Sequence[PlaneBox]) -> PlaneBox:
-    lows, highs = zip(*boxes, strict=True)
-    return PlaneBox(np.minimum.reduce(lows), np.maximum.reduce(highs))
-
-
 def all_inside(shown: PixelMap, points: FloatArray) -> bool:
     """Whether points (n, 2) of the plane lie in sight."""
     pixels = shown.points(points)
@@ -85,7 +80,6 @@ class Framing:
         self._camera, self._drawing = camera, drawing
         self.covered_top: Callable[[], float] = lambda: 0.0
         self._fitted: Sequence[Curve] | None = None
-        self._fits_page = False
         camera.moved.connect(self._forget_fit)
 
     @property
@@ -118,31 +112,16 @@ class Framing:
 
         Where there are no points the picture to trace is shown.
         """
-        self._fits_page = False
-        self.fit_again()
-
-    def fit_opened(self) -> None:
-        """Show a document that was opened: its page, and all that lies on it and beside it."""
-        self._fits_page = True
-        self.fit_again()
-
-    def fit_again(self) -> None:
-        """Show what was fitted into the view last."""
         drawing = self._drawing
         views = [view for view in drawing.views if view.source.visible or view is drawing.view]
         if drawing.view is not None and not any(view is drawing.view for view in views):
             views.append(drawing.view)
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
         image = drawing.image.corners
-        page = drawing.page.page if self._fits_page else None
-        boxes = [] if (around_curves := box_of(views)) is None else [around_curves]
-        if page is not None:
-            corners = (page.x, page.y), (page.x + page.width, page.y + page.height)
-            boxes.append(with_margin(PlaneBox(*np.array(corners))))
-        if boxes:
-            self._show(_around(boxes))
-        else:
-            self._show(with_margin(PlaneBox(*image)) if image is not None else None)
+        box = box_of(views)
+        if box is None and image is not None:
+            box = with_margin(PlaneBox(*image))
+        self._show(box)
         self._fitted = self._curves
 
     def fit_views(self, views: Sequence[CurveView]) -> None:

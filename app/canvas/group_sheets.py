@@ -224,7 +224,7 @@ class _Way(msgspec.Struct, frozen=True, eq=False):
         for shape in (shape for part in parts for shape in _shapes(part)):
             if is_content(shape[0].source):
                 return area
-            style = self.looks.style_of(shape[0])
+            style = shape[0].source.style
             width = self.usual / self.shown.sx if style.width is None else style.width
             (left, low), (right, high) = _box(shape, style, width).tolist()
             corner, other = self.shown.point(left, high), self.shown.point(right, low)

@@ -11,14 +11,12 @@ from PySide6.QtGui import QPainter
 from ..appearance.colours import curve_colour, fill_colour
 from ..appearance.theme import Theme
 from ..document.contents import is_content
-from ..document.page import Page
 from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
 from ..plotting.wide_line import RoundLine
 from ..view_model.curve.curve_view import CurveView, Polyline
 from .content_ink import paint_content
-from .desk_outline import outline_on_desk
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
@@ -45,30 +43,15 @@ class Looks(msgspec.Struct, frozen=True):
     ----------
     is_thin
         Whether all of them are thin lines.
-    usual_width
-        Width in the plane, on a page, of a line that has none of its own; 0 without a page, where such a line
-        is equally wide at every zoom.
-    page
-        What lies beside it on a dark desk has an outline there; None for none.
     """
 
     is_thin: bool = False
-    usual_width: float = 0.0
-    page: Page | None = None
-
-    def style_of(self, view: CurveView) -> Style:
-        """Return the style of a curve with the width that its line prints with."""
-        return view.source.style.with_usual_width(self.usual_width)
-
-    def outline_of(self, view: CurveView) -> Style:
-        """Return the same of its line: around a text or a picture there is none."""
-        return view.source.line_style.with_usual_width(self.usual_width)
 
     def is_line(self, view: CurveView) -> bool:
         """Whether a curve is a line of the same width at every zoom: it has no looks but a colour."""
         if self.is_thin:
             return True
-        if self.usual_width or view.source.group_looks:
+        if view.source.group_looks:
             return False
         return _is_plain(view.source.style) and not is_content(view.source)
 
@@ -118,18 +101,15 @@ def paint_shape(
 ) -> None:
     """Paint a shape as it prints; `usual` is the width of lines without one, in pixels.
 
-    Whoever paints many keeps a `line`. Beside a page that lies on a dark desk what is dark has an outline.
+    Whoever paints many keeps a `line`.
     """
-    style = looks.style_of(shape[0])
+    style = shape[0].source.style
     width = usual if style.width is None else style.width * shown.sx
     if is_content(shape[0].source):
         paint_content(painter, shape[0].source, style, shown, theme, width)
         return
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
-    parts = parts_of(shape, style, shown)
-    if looks.page is not None and theme.has_dark_desk:
-        outline_on_desk(painter, parts, style, ink, shown, theme, looks.page)
-    paint_printed(painter, parts, style, ink, shown, line)
+    paint_printed(painter, parts_of(shape, style, shown), style, ink, shown, line)
 
 
 def parts_of(shape: Iterable[CurveView], style: Style, shown: PixelMap) -> list[Part]:

@@ -32,7 +32,6 @@ from .image_layer import ImageLayer
 from .label_place import Surroundings, number_box, segments_near
 from .marks_layer import MarksLayer
 from .other_points_layer import OtherPointsLayer
-from .page_layer import PageLayer
 from .pen_layer import PenLayer
 from .point_layer import PointLayer
 from .unit_layer import UnitLayer
@@ -57,8 +56,8 @@ class CanvasScene:
         Whether the active curve is edited: otherwise it is drawn and hit as the others are.
     image
         The picture to trace.
-    grid, units, page
-        The grid behind the drawing; the unit at the axes; the page.
+    grid, units
+        The grid behind the drawing; the unit at the axes.
     curves
         All curves, in the order in which they print.
     others, selected
@@ -83,7 +82,6 @@ class CanvasScene:
         self._scrub: float | None = None
         self.image = ImageLayer(plot)
         self.grid = GridLayer(plot)
-        self.page = PageLayer(plot, self.grid)
         self.units = UnitLayer(plot)
         self.curves = DrawnCurves(plot)
         self.others, self.selected, self.curve = (

@@ -34,7 +34,7 @@ class SteadyView:
         size = self._canvas.window().size()
         is_new, self._window_size = size != self._window_size, size
         if is_new and self._framing.is_as_fitted:
-            self._framing.fit_again()
+            self._framing.fit()
         else:
             moved = self._corner_now() - self._corner
             self._camera.keep(self._seen, (moved.x(), moved.y()))

@@ -251,12 +251,11 @@ class Reference(NamedEnum):
     LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
     SMALLEST = "smallest", "The smallest", "Align chosen curves to the smallest of them"
     DRAWING = "drawing", "The drawing", "Align chosen curves to the box around all curves"
-    PAGE = "page", "The page", "Align chosen curves to the page of the document"
 
     @property
     def is_around(self) -> bool:
         """Whether it is there without the chosen curves, so that one of them can be aligned to it."""
-        return self in (Reference.DRAWING, Reference.PAGE)
+        return self is Reference.DRAWING
 
 
 class Spacing(NamedEnum):

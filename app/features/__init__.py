@@ -45,7 +45,6 @@ FEATURES = (
     "help",
     "reference_image",
     "document_settings",
-    "page",
     "recovery",
     "file_on_disk",
 )

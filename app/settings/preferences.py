@@ -182,10 +182,7 @@ class Preferences:
     """Whether the axes of the canvas are rulers."""
 
     as_printed = SwitchOfAction("view/as_printed", default=False)
-    """Whether the canvas shows white paper and the very colours that were chosen where there is no page."""
-
-    page_as_printed = SwitchOfAction("view/page_as_printed", default=True)
-    """Whether it does so where the document has a page."""
+    """Whether the canvas shows white paper and the very colours that were chosen."""
 
     recent_colours = SavedText("style/recent_colours")
     """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""

@@ -6,8 +6,7 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from ..appearance.theme import LIGHT, PRINTED, PRINTED_IN_DARK, Theme, ThemeMode
-from ..document.model import Document
+from ..appearance.theme import PRINTED, Theme, ThemeMode
 from ..document.paper import DocumentKind
 from ..document.transforms import Reference
 from ..settings.arrangement import Arrangement
@@ -63,8 +62,8 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the axes of the canvas are rulers; whether guides are shown.
     thin_lines
         Whether curves are thin lines without fills.
-    as_printed, page_as_printed
-        Whether paper and colours are as they print, of a document without a page and of one that has it.
+    as_printed
+        Whether paper and colours are as they print.
     presentation
         Whether everything but canvas and basis functions is hidden.
     scale
@@ -103,7 +102,6 @@ class WindowState(msgspec.Struct, frozen=True):
     guides_shown: bool = True
     thin_lines: bool = False
     as_printed: bool = False
-    page_as_printed: bool = True
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False
@@ -159,15 +157,9 @@ class WindowState(msgspec.Struct, frozen=True):
             return Snapping(self.page_snap_on, self.page_snap_kinds)
         return Snapping(self.snap_on, self.snap_kinds)
 
-    def prints(self, document: Document) -> bool:
-        """Whether paper and colours of this document are shown as they print."""
-        return self.as_printed if document.page is None else self.page_as_printed
-
-    def paper(self, document: Document, theme: Theme) -> Theme:
-        """Return the theme that this document's paper and paints are shown in, within a window of `theme`."""
-        if not self.prints(document):
-            return theme
-        return PRINTED if document.page is None or theme is LIGHT else PRINTED_IN_DARK
+    def paper(self, theme: Theme) -> Theme:
+        """Return the theme that paper and paints of the document are shown in, within a window of `theme`."""
+        return PRINTED if self.as_printed else theme
 
     @property
     def strokes(self) -> Strokes:

@@ -18,9 +18,7 @@ from .snapping import (
     Snapper,
     Snapping,
     Targets,
-    centre_of_page,
     lines_of_guides,
-    lines_of_page,
 )
 from .transform_box import Grip
 
@@ -75,14 +73,13 @@ class Snappers:
                 carried = tuple(minus(at, held) for at in nine_places(bounds).values())
             return with_boxes(targets, views, moving, strokes, carried)
 
-        return self._make(collect, middles=group.is_whole)
+        return self._make(collect)
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
         """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
         views, active = self._host.views, self._host.active_index
         return self._make(
-            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_places(bounds)),
-            middles=True,
+            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_places(bounds))
         )
 
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
@@ -97,38 +94,21 @@ class Snappers:
             is_boxed = group.is_whole and SnapKind.BOXES in self._kinds
             return with_boxes(targets, views, moving, strokes) if is_boxed else targets
 
-        return self._make(collect, middles=group.is_whole)
+        return self._make(collect)
 
     def for_guide(self) -> Snapper:
-        """Return the snapper of a guide: points that it meets, the page and the grid."""
+        """Return the snapper of a guide: points that it meets, and the grid."""
         host = self._host
-        return self._make(
-            lambda: targets_of_side(host.views, host.active_index, {}, self._kinds), guides=(), middles=True
-        )
+        return self._make(lambda: targets_of_side(host.views, host.active_index, {}, self._kinds), guides=())
 
-    def _make(
-        self,
-        collect: Callable[[], Targets],
-        guides: Sequence[Guide] | None = None,
-        *,
-        middles: bool = False,
-    ) -> Snapper:
-        """Return a snapper; what is aligned snaps to the `middles` of the page, a point but to its centre.
-
-        A line across the whole page would draw points that are traced to it.
-        """
-        # Guides and page as they are at the press.
+    def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
+        """Return a snapper to what `collect` returns and to guides, by default those of the document."""
+        # Guides as they are at the press.
         document = self._host.document
-        page, guides = document.page, document.guides if guides is None else guides
+        guides = document.guides if guides is None else guides
         readings = readings_of(document)
-        drawn = (*lines_of_guides(guides, readings), *lines_of_page(page, middles=middles))
-
-        def with_centre() -> Targets:
-            if page is None or middles or SnapKind.PAGE not in self._kinds:
-                return collect()
-            return collect().with_places({"page centre": centre_of_page(page)})
-
-        self.now = Snapper(self._settings, self._grid, readings, with_centre, drawn)
+        drawn = tuple(lines_of_guides(guides, readings))
+        self.now = Snapper(self._settings, self._grid, readings, collect, drawn)
         return self.now
 
     @property

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..document.guide_edits import place_words
-from ..document.model import Guide, Page, Vector
+from ..document.model import Guide, Vector
 from ..document.readings import Readings
 from ..document.transforms import decimal_sum
 from ..document.words import NamedEnum
@@ -28,7 +28,6 @@ class SnapKind(NamedEnum):
 
     GRID = "grid", "The grid"
     GUIDES = "guides", "Guides"
-    PAGE = "page", "The page"
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
     MIDDLES = "middles", "Midpoints and centres"
@@ -51,8 +50,8 @@ class Snap(msgspec.Struct, frozen=True):
     position
         The exact place.
     label
-        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "guide x = 20", "page
-        left", "level with point 2".
+        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "guide x = 20",
+        "level with point 2".
     guides
         The points that the place is level with or straight above; a line is drawn from each.
     axes
@@ -108,7 +107,7 @@ class _Line(msgspec.Struct, frozen=True):
 
 
 class DrawnLine(msgspec.Struct, frozen=True):
-    """A level or upright line of the drawing: a guide, an edge or a middle of the page.
+    """A level or upright line of the drawing: a guide.
 
     Attributes
     ----------
@@ -131,23 +130,6 @@ def lines_of_guides(guides: Sequence[Guide], readings: Readings) -> Iterator[Dra
     for guide in guides:
         label = f"guide {place_words(guide, readings)}"
         yield DrawnLine(SnapKind.GUIDES, guide.axis.coordinate, guide.position, label)
-
-
-def lines_of_page(page: Page | None, *, middles: bool) -> Iterator[DrawnLine]:
-    """Yield the edges of a page, and its `middles`: where two meet are its corners and its centre."""
-    if page is None:
-        return
-    of_axes = ((page.x, page.width, ("left", "right")), (page.y, page.height, ("bottom", "top")))
-    for axis, (start, size, (first, last)) in enumerate(of_axes):
-        yield DrawnLine(SnapKind.PAGE, axis, start, f"page {first}")
-        if middles:
-            yield DrawnLine(SnapKind.PAGE, axis, decimal_sum(start, size / 2), "page middle")
-        yield DrawnLine(SnapKind.PAGE, axis, decimal_sum(start, size), f"page {last}")
-
-
-def centre_of_page(page: Page) -> Vector:
-    """Return the centre of a page."""
-    return (decimal_sum(page.x, page.width / 2), decimal_sum(page.y, page.height / 2))
 
 
 class Edges(msgspec.Struct, frozen=True, eq=False):
@@ -283,7 +265,7 @@ class Snapper:
         return min(found, key=lambda each: each[0])[1] if found else None
 
     def _drawn_near(self, targets: Targets, value: float, reach: float, axis: int) -> list[_Line]:
-        """Return guides, lines of the page and edges of objects that are near along one axis."""
+        """Return guides and edges of objects that are near along one axis."""
         kinds = self._settings().kinds
         drawn = [
             _Line(line.value, line.label)

@@ -102,7 +102,7 @@ class MainWindow(Guarded, QMainWindow):
         self._render_theme()
         self._rendering = Rendering(self.context, self.commands)
         self.actions_by_name.attach(self.splitter)
-        self.central.fit_opened()
+        self.central.fit()
         # Not what is usual: a lesson may be open, which has chosen what is shown.
         when_first_shown(self, self.central.fit_again)
 
@@ -165,7 +165,7 @@ class MainWindow(Guarded, QMainWindow):
         session, files = self.session, self.context.files
         self.store.changed.connect(self._show_state)
         session.interrupted.connect(self.status_line.reset)
-        session.opened.connect(self.central.fit_opened)
+        session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
         self.canvas.pointed_at.connect(self.status_line.readouts.show_place)
         self.menus.fill_with_files(self.preferences, files.open_beside, files.open_example)

@@ -121,11 +121,6 @@ class CentralArea:
         self.canvas.framing.fit()
         self.fit_panes(whole=False)
 
-    def fit_opened(self) -> None:
-        """Show a document that was opened: its page and all curves, and what the panes usually show."""
-        self.canvas.framing.fit_opened()
-        self.fit_panes(whole=False)
-
     def fit_panes(self, *, whole: bool) -> None:
         """Show in the panes what they usually show, or the whole, however far it reaches."""
         self._fits_whole = whole
@@ -134,7 +129,7 @@ class CentralArea:
 
     def fit_again(self) -> None:
         """Fit everything as it was fitted last: the window has another size."""
-        self.canvas.framing.fit_again()
+        self.canvas.framing.fit()
         self.fit_panes(whole=self._fits_whole)
 
     def make_room(self, pane: CentralPane, height: int) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from app.document.model import Document, Page, make_curve
+from app.document.model import Document, make_curve
 from app.families import HERMITE
 
 WAVE = ((0.0, 0.0), (1.0, 1.5), (2.5, -0.5), (3.0, 1.0))
@@ -112,19 +112,6 @@ def test_the_largest_is_another_one_than_that_edited(four):
     four.trigger("alignToEachOther")
 
 
-def test_the_page_is_aligned_to_where_there_is_one(four):
-    four.trigger("alignToPage")
-    document = four.session.document
-    four.trigger("alignRight")
-    assert four.session.document is document
-    assert four.window.status_line.text == "The document has no page to align to."
-    four.session.change("Page", lambda document: replace(document, page=Page(-20.0, -20.0, 60.0, 50.0)))
-    four.trigger("alignRight")
-    # Lines that say no width are measured as they print: 0.3 % of the longer side of the page.
-    assert boxes(four)[:, 1, 0] == pytest.approx(4 * [40.0 - 0.09], abs=CLOSE)
-    four.trigger("alignToEachOther")
-
-
 def test_one_curve_is_aligned_to_the_drawing(four):
     four.session.selected.choose({1})
     assert not four.action("alignCentre").isEnabled()
@@ -202,22 +189,20 @@ def test_a_group_is_aligned_as_one(four):
 
 
 def test_a_group_that_is_alone_is_aligned_as_one(four):
-    """To the page and the drawing; to each other, and spaced, it is one thing, and nothing is offered."""
+    """To the drawing; to each other, and spaced, it is one thing, and nothing is offered."""
     with_groups(four, "ABC")
-    page = Page(-30.0, -20.0, 60.0, 50.0)
-    four.session.change("Page", lambda document: replace(document, page=page))
     four.session.selected.choose([])
     four.click(tuple(four.session.views[0].curve.evaluate(0.4).tolist()))
     assert four.session.selected.chosen == {0, 1, 2}
     for action in ("alignCentre", "distributeHorizontally", "distributeGapsVertically"):
         assert not four.action(action).isEnabled()
     assert "(a group is one)" in four.action("alignCentre").toolTip()
-    four.trigger("alignToPage")
+    four.trigger("alignToDrawing")
     before = boxes(four)
     four.trigger("openTransform")
     QTest.mouseClick(four.window.findChild(QToolButton, "alignCentreButton"), Qt.MouseButton.LeftButton)
     after = boxes(four)
-    assert whole(after[:3])[:, 0].mean() == pytest.approx(0.0, abs=2 * CLOSE)
+    assert whole(after[:3])[:, 0].mean() == pytest.approx(whole(before)[:, 0].mean(), abs=2 * CLOSE)
     assert after[:3] - before[:3] == pytest.approx(np.array(3 * [after[0] - before[0]]), abs=2 * CLOSE)
     assert after[3] == pytest.approx(before[3])
     four.trigger("alignToEachOther")
@@ -300,19 +285,4 @@ def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):
     four.trigger("alignToFirst")
     four.trigger("alignBottom")
     assert boxes(four)[[2, 3], 0, 1] == pytest.approx(2 * [before[2, 0, 1]], abs=CLOSE)
-    four.trigger("alignToEachOther")
-
-
-def test_a_curve_that_is_edited_is_aligned_to_the_page(four):
-    """What was just drawn could not be aligned before it was chosen as a whole."""
-    document = replace(four.session.document, page=Page(-3, -4, 20, 16))
-    four.session.commit(document, "Begin", active=2)
-    four.session.selected.activate(2)
-    assert not four.action("alignLeft").isEnabled()
-    four.trigger("alignToPage")
-    four.trigger("alignLeft")
-    # With half the width of a line that says none: 0.3 % of the longer side of the page.
-    assert printed_bounds(four, 2)[0][0] == pytest.approx(-3 + 0.03, abs=CLOSE)
-    assert four.session.selected.is_editing
-    assert undo_text(four) == "Align C left"
     four.trigger("alignToEachOther")

@@ -7,11 +7,10 @@ from functools import cache
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QImage
 
 from app.appearance.theme import LIGHT
-from app.document.model import Document, Page, make_curve
+from app.document.model import Document, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange import png_file
 from app.exchange.drawing.drawing import drawing_of
@@ -104,23 +103,3 @@ def test_canvas_and_picture_agree(editor, style, active):
     assert not far.any(), (plane[far], ours[far], theirs[far])
     assert is_compared.sum() > 500
     assert (ours[is_compared] != LIGHT.paper.getRgb()).any(axis=1).sum() > 10
-
-
-@pytest.mark.parametrize("choice", [None, LIGHT_PAPER])
-def test_the_paper_of_a_page_is_white_in_a_picture_as_it_is_on_the_canvas(editor, choice):
-    """It was #fafafa, and a pale line another one, so that it was seen on that."""
-    pale = make_curve([(1, 2), (3, 2)], family=HERMITE)
-    pale = replace(pale, style=Style(stroke="#f0e442", width=1.0))
-    document = Document((pale,), page=Page(0.0, 0.0, 4.0, 4.0))
-    editor.session.commit(document, "Begin")
-    editor.session.selected.choose([])
-    editor.settle()
-    canvas = editor.window.canvas
-    seen = canvas.viewport().grab().toImage()
-    picture = QImage.fromData(png_file(document, Options(width=400, style=choice)).data)
-    for place, colour in (((0.5, 0.5), "#ffffff"), ((2.0, 2.0), "#f0e442")):
-        pixel = QPoint(round(place[0] * 100), round(400 - place[1] * 100))
-        assert QColor(seen.pixel(canvas.to_pixel(*place))).name() == colour
-        assert QColor(picture.pixel(pixel)).name() == colour
-    without = QImage.fromData(png_file(replace(document, page=None), Options(width=400, style=choice)).data)
-    assert QColor(without.pixel(1, 1)).name() == "#fafafa"

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QWidget
 
-from app.document.model import Document, Page, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
 from app.families import FAMILIES, LAGRANGE
@@ -36,10 +35,6 @@ def retype(editor, line, text):
 
 def unit_line(panel):
     return panel.findChild(QComboBox, "documentUnit").lineEdit()
-
-
-def place(editor):
-    return editor.window.findChild(QWidget, "placeReadout").text()
 
 
 def test_the_unit_is_a_step_of_the_history_and_the_numbers_stay(editor, panel):
@@ -117,25 +112,6 @@ def test_new_documents_begin_as_this_one_if_one_says_so(editor, panel):
     editor.session.new()
     document = editor.session.document
     assert (document.unit, document.grid_spacing, document.curves[0].style) == ("mm", 0.5, style)
-
-
-def test_a_sheet_of_paper_says_the_unit_and_new_documents_have_the_page(editor, panel):
-    """Without a unit there were pixels alone, and the page of new documents was forgotten."""
-    usual = panel.findChild(QComboBox, "pageUsual")
-    while usual.currentText() != "A5":
-        QTest.keyClick(usual, Qt.Key.Key_Down)
-    page = Page(0.0, 0.0, 148.0, 210.0)
-    # The upper left corner of what is drawn on stays: there was one of 16 × 16 px first.
-    assert (editor.session.document.unit, editor.session.document.page) == ("mm", replace(page, y=-194.0))
-    assert usual.currentText() == "A5"
-    editor.trigger("fitPage")
-    assert editor.status == "All of the page is in sight."
-    QTest.mouseClick(panel.findChild(QPushButton, "useForNew"), Qt.MouseButton.LeftButton)
-    assert "a page of 148 × 210 mm" in panel.findChild(QLabel, "newDocuments").text()
-    editor.session.new()
-    assert (editor.session.document.unit, editor.session.document.page) == ("mm", page)
-    editor.window.preferences.new_page = None
-    editor.window.preferences.unit_name = ""
 
 
 def test_the_first_sketch_has_the_unit_of_new_documents(qtbot, tmp_path):

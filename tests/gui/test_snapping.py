@@ -7,9 +7,7 @@ import math
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.form_edits import with_form_drawn
@@ -512,82 +510,3 @@ def test_the_box_of_what_is_dragged_finds_boxes_that_stay(boxes):
     boxes.move(near(boxes, (1.0, 0.5)))
     assert boxes.window.canvas.marks.snap is None
     boxes.escape()
-
-
-@pytest.fixture
-def paper(editor):
-    """A new drawing with the magnet on."""
-    editor.trigger("newDrawing")
-    editor.trigger("toggleSnap")
-    return editor
-
-
-def off_grid(editor, x, y):
-    """A place a few pixels beside a crossing of the grid, which begins at the top of the page, and that."""
-    step, page = editor.window.canvas.tools.grid(), editor.session.document.page
-    at = (grid_value(x, step), page.y + page.height - grid_value(page.y + page.height - y, step))
-    return near(editor, at), at
-
-
-def places(editor):
-    return [point.position for point in editor.curve.points]
-
-
-def test_on_a_page_shapes_and_the_pen_snap_to_the_grid_that_is_seen(paper):
-    """The grid was no target on pages: a corner dragged to (62, 201) stayed at 62.03, 201.4."""
-    (start, at), (end, to) = off_grid(paper, 40, 200), off_grid(paper, 120, 90)
-    paper.trigger("rectangleTool")
-    paper.drag(start, end)
-    assert {*places(paper)} == {at, (to[0], at[1]), to, (at[0], to[1])}
-    paper.trigger("addTool")
-    (one, here), (two, there) = off_grid(paper, 20, 30), off_grid(paper, 70, 60)
-    paper.click(one)
-    paper.click(two)
-    assert places(paper) == [here, there]
-
-
-def test_on_a_page_nothing_snaps_to_a_grid_that_is_hidden(paper):
-    paper.trigger("toggleGrid")
-    (start, at), (end, _) = off_grid(paper, 40, 200), off_grid(paper, 120, 90)
-    paper.trigger("rectangleTool")
-    paper.drag(start, end)
-    assert at not in places(paper)
-    paper.trigger("toggleGrid")
-
-
-def test_a_guide_and_an_object_that_is_moved_snap_to_the_grid_of_a_page(paper):
-    paper.trigger("rectangleTool")
-    paper.drag((31.3, 211.7), (83.9, 150.2))
-    paper.trigger("selectTool")
-    held = places(paper)[0]
-    end, at = off_grid(paper, 60, 240)
-    paper.drag(held, end)
-    assert at in places(paper)
-    canvas, (end, at) = paper.window.canvas, off_grid(paper, 130, 100)
-    ruler = QPoint(canvas.to_pixel(*end).x(), int(canvas.camera.origin.y()) - 10)
-    paper.drag_pixels(canvas, ruler, canvas.to_pixel(*end))
-    assert [guide.position for guide in paper.session.document.guides] == [at[1]]
-
-
-def test_what_snaps_is_chosen_beside_the_magnet_and_remembered_for_drawings(paper):
-    button = paper.window.toolbar.widgetForAction(paper.action("toggleSnap"))
-    menu = button.menu()
-    texts = [each.text() for each in menu.actions()]
-    assert texts == [kind.label for kind in SnapKind]
-    assert button.popupMode() is QToolButton.ToolButtonPopupMode.MenuButtonPopup
-    menu.popup(button.mapToGlobal(button.rect().bottomLeft()))
-    paper.settle()
-    entry = menu.actions()[texts.index("The grid")]
-    assert entry.isChecked()
-    in_sketches = paper.window.preferences.snap_kinds
-    QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(entry).center())
-    paper.settle()
-    assert menu.isVisible()
-    assert not entry.isChecked()
-    assert paper.status == "Points snap to this no longer: the grid."
-    assert SnapKind.GRID not in paper.window.preferences.page_snap_kinds
-    assert paper.window.preferences.snap_kinds == in_sketches
-    QTest.keyClick(menu, Qt.Key.Key_Escape)
-    assert not menu.isVisible()
-    paper.trigger("snapToGrid")
-    assert SnapKind.GRID in paper.window.preferences.page_snap_kinds

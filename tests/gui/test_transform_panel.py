@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -13,12 +12,9 @@ from PySide6.QtCore import QRegularExpression, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QScrollArea, QToolButton
 
-from app.document.model import Document, Page, make_curve
-from app.document.several_curves import alone
+from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
-from app.exchange.options import Options
-from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 
 Key, LEFT = Qt.Key, Qt.MouseButton.LeftButton
@@ -496,18 +492,6 @@ def test_the_keyboard_chooses_a_place_by_tab_and_arrows(leaf):
     assert leaf.window.canvas.marks.pivot == pytest.approx((low[0], (low[1] + high[1]) / 2), abs=CLOSE)
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Down)
     assert leaf.window.canvas.marks.pivot == pytest.approx(low, abs=CLOSE)
-
-
-def test_lines_of_the_usual_width_are_measured_as_the_page_prints_them(leaf, tmp_path):
-    """70 mm with strokes went out as 70.24 mm: lines without a width counted as none."""
-    leaf.session.change("Page", lambda document: replace(document, page=Page(0.0, 0.0, 210.0, 148.0)))
-    leaf.session.selected.choose({1})
-    leaf.settle()
-    enter(leaf, "Width", "70")
-    assert size(leaf, 1)[0] == pytest.approx(70.0 - 0.63, abs=CLOSE)
-    document = alone(leaf.session.document, {1})
-    picture = ElementTree.fromstring(svg_of(document, Options(unit="mm")).data)
-    assert float(picture.get("width").removesuffix("mm")) == pytest.approx(70.0, abs=1e-6)
 
 
 def test_the_lock_binds_the_grips_at_the_corners(leaf):

@@ -67,7 +67,6 @@ REMEMBERED = {
     "with_estimates",
     "theme_mode",
     "as_printed",
-    "page_as_printed",
     "sketches",
     "drawings",
 }

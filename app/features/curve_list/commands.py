@@ -83,13 +83,13 @@ class CurveListCommands:
         return self.panel
 
     def set_theme(self, theme: Theme) -> None:
-        """Show the styles as on the paper of `theme`, or of the page."""
+        """Show the styles as on the paper of `theme`."""
         self._theme = theme
         self.show_document()
 
     def show_document(self, *_: object) -> None:
         """Show the styles as on the paper of the document."""
-        self.panel.view.show_paper(self._context.store.state.paper(self._session.document, self._theme))
+        self.panel.view.show_paper(self._context.store.state.paper(self._theme))
 
     def _open_menu(self, place: QPoint, node: Node | None) -> None:
         is_layer = node is not None and node.kind is NodeKind.LAYER

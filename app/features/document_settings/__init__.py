@@ -1,7 +1,7 @@
-"""Settings of a document as a whole: its unit, its grid and its page, and those that a new one begins with.
+"""Settings of a document as a whole: its unit and its grid, and those that a new one begins with.
 
 - ``commands``: the panel in the window, and what is drawn in the unit and on the grid of the document.
-- ``panel``: the form.  ``page_fields``: its fields of the page.
+- ``panel``: the form.
 """
 
 import lazy_loader as lazy

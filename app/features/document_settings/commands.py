@@ -1,4 +1,4 @@
-"""Unit, grid and page of the document, on the canvas and in a form; what new documents begin with."""
+"""Unit and grid of the document, on the canvas and in a form; what new documents begin with."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.sections import EDIT_PAGE, FILE_SAVE
+from ...actions.sections import FILE_SAVE
 from ...document.readings import Readings, readings_of
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -38,7 +38,6 @@ class DocumentSettingsCommands:
         self._panel = document_settings.panel.DocumentPanel(parent)
         self._edits = FormEdits(self._session, self._panel)
         self._panel.made_usual.connect(self._make_usual)
-        self._panel.page_made.connect(self._show_page)
         self._render_panel()
         return self._panel
 
@@ -69,52 +68,27 @@ class DocumentSettingsCommands:
                 self._session.document,
                 unit=preferences.unit_name,
                 grid_spacing=preferences.grid_spacing,
-                page=preferences.new_page,
             )
             self._panel.render_document(self._session.document, document, preferences.new_style)
 
     def _make_usual(self) -> None:
         document, preferences = self._session.document, self._preferences
         preferences.unit_name, preferences.grid_spacing = document.unit, document.grid_spacing
-        page = document.page
-        preferences.new_page = page and replace(page, x=0.0, y=0.0)
-        if page is not None:
-            preferences.y_down = not document.y_up
         preferences.new_style = self._session.active_curve.style
-        self._session.say(
-            "New documents begin with this unit, grid and page, and with the style of this curve."
-        )
+        self._session.say("New documents begin with this unit and grid, and with the style of this curve.")
         self._render_panel()
-
-    def _show_page(self) -> None:
-        """Show all of the page, and nothing besides."""
-        if self._session.document.page is not None:
-            self._context.actions["fitPage"].trigger()
 
     @action(
         "documentSettings",
         "Document…",
         FILE_SAVE,
         "Ctrl+Shift+D",
-        full_name="Document: Unit, Grid and Page…",
-        keywords="properties unit millimetres inches grid spacing new page setup",
+        full_name="Document: Unit and Grid…",
+        keywords="properties unit millimetres inches grid spacing new setup",
     )
     def _show(self) -> None:
-        """Show unit, grid and page of this document, and what new ones begin with."""
+        """Show unit and grid of this document, and what new ones begin with."""
         self._dock.bring_up()
-
-    @action(
-        "pageSize",
-        "Page Size…",
-        EDIT_PAGE,
-        icon="page-size",
-        keywords="artboard canvas width height A4 Letter icon landscape portrait paper format",
-    )
-    def _type_page_size(self) -> None:
-        """Type width and height of the page, or choose a usual size."""
-        self._dock.bring_up()
-        assert self._panel is not None
-        self._panel.page.begin_typing()
 
 
 COMMAND_SETS = (DocumentSettingsCommands,)

@@ -44,7 +44,7 @@ class DocumentCommands:
         files = self._context.files
         if files.elsewhere("newDrawing") is None and files.new_drawing():
             self._context.actions["addTool"].trigger()
-            self._context.actions["fitPage"].trigger()
+            self._context.actions["fitView"].trigger()
 
     @action("newSketch", "New Sketch", FILE_OPEN, icon="new", keywords="course plane without page")
     def _new_sketch(self) -> None:

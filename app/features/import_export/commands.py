@@ -293,7 +293,7 @@ class ImportCommands:
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         central = self._context.central
         if is_all:
-            central.fit_opened()
+            central.fit()
         elif not central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)

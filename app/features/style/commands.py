@@ -97,9 +97,9 @@ class StyleCommands:
         panel, session, state = self._panel, self._session, self._context.store.state
         if panel is None or not panel.isVisibleTo(self._context.window):
             return
-        shown, paper = self._subject.now(), state.paper(session.document, self._theme)
+        shown, paper = self._subject.now(), state.paper(self._theme)
         curves, styles = shown.curves, shown.styles
-        note = HOW_TO_CHOOSE if not curves else note_on(styles, state, session.document, self._theme)
+        note = HOW_TO_CHOOSE if not curves else note_on(styles, state, self._theme)
         panel.show_paper(paper)
         panel.show_recent(self._colours.recent, self._colours.in_document)
         unit = session.document.unit

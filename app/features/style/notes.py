@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...appearance.theme import Theme
-from ...document.model import Document
 from ...document.style import Style
 from ...state.window_state import WindowState
 from ...view_model.look.palette import adjustment_of
@@ -15,13 +14,13 @@ NO_PAINTS = "A picture has neither fill nor stroke."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 
 
-def note_on(styles: Sequence[Style], state: WindowState, document: Document, theme: Theme) -> str:
+def note_on(styles: Sequence[Style], state: WindowState, theme: Theme) -> str:
     """Return how the canvas shows styles on the paper of a theme, where it is not as they print."""
     if not styles:
         return NO_PAINTS
     if state.thin_lines:
         return "Thin Lines is on (in View, Display Mode): widths, dashes and fills are not shown."
-    if state.prints(document):
+    if state.as_printed:
         return ""
     lines = (each.stroke for each in styles if each.has_stroke and each.stroke_gradient is None)
     moved = next(filter(None, (adjustment_of(theme.paper.name(), stroke) for stroke in lines)), "")

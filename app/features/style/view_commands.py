@@ -24,7 +24,7 @@ class StyleViewCommands:
         self._show_paper()
 
     def show_document(self) -> None:
-        """Show paper as documents with a page, or without, have it, and lines as wide as they print there."""
+        """Show paper and lines as the window has them."""
         self._show_paper()
         self._show_looks()
 
@@ -34,12 +34,10 @@ class StyleViewCommands:
         self._show_paper()
 
     def _show_looks(self) -> None:
-        page = self._session.document.page
-        width = page.usual_width if page is not None else 0.0
-        self._canvas.drawing.curves.set_looks(Looks(self._store.state.thin_lines, width, page))
+        self._canvas.drawing.curves.set_looks(Looks(self._store.state.thin_lines))
 
     def _show_paper(self) -> None:
-        wanted, layers = self._store.state.paper(self._session.document, self._theme), self._canvas.layers
+        wanted, layers = self._store.state.paper(self._theme), self._canvas.layers
         if layers.theme is not wanted:
             self._canvas.set_paper(wanted)
 
@@ -60,11 +58,9 @@ class StyleViewCommands:
         "paperAsPrinted",
         "Paper as Printed",
         VIEW_MODE,
-        checked=lambda now: now.state.prints(now.session.document),
+        checked=lambda now: now.state.as_printed,
         keywords="white light dark exact colours proof page",
     )
     def _switch_paper(self) -> None:
-        """Show white paper and the very colours that were chosen; where there is a page that is usual."""
-        state, document = self._store.state, self._session.document
-        field = "as_printed" if document.page is None else "page_as_printed"
-        self._store.change(**{field: not state.prints(document)})
+        """Show white paper and the very colours that were chosen."""
+        self._store.change(as_printed=not self._store.state.as_printed)

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
-from msgspec.structs import replace
-
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
 from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
@@ -107,14 +105,12 @@ class SelectionCommands:
         self.show_document()
 
     def show_document(self) -> None:
-        """Show the box, and measure strokes as those of the document print."""
+        """Show the box, and measure strokes as the person wants it."""
         settings, state = self._context.central.canvas.tools.settings, self._context.store.state
-        page = self._session.document.page
-        strokes = replace(state.strokes, side=max(page.width, page.height) if page is not None else 0.0)
         now = {
             "shows_box": state.transform_box,
             "keeps_proportions": state.keep_proportions,
-            "strokes": strokes,
+            "strokes": state.strokes,
         }
         if any(getattr(settings, name) != value for name, value in now.items()):
             self._context.central.canvas.change_tool_settings(**now)

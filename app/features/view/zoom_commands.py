@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from ...actions.declaration import Action, action, action_for_each, also
-from ...actions.needs import PAGE, Need
+from ...actions.needs import Need
 from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_STEPS, VIEW_ZOOM_TO
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...document.selection import NONE_CHOSEN
@@ -92,50 +92,6 @@ class ZoomCommands:
         """Show all visible curves; without points the reference image."""
         self._past.begin_move()
         self._context.central.fit()
-
-    @action(
-        "fitPage",
-        "Fit Page",
-        VIEW_ZOOM,
-        "Ctrl+4",
-        "fit-page",
-        needs=PAGE,
-        keywords="zoom to page artboard",
-        drawing_key="Ctrl+4, 5",
-    )
-    @also(ZOOM_MENU(22))
-    def _fit_page(self) -> None:
-        """Show the whole page, as large as there is room for."""
-        page = self._context.session.document.page
-        assert page is not None
-        self._past.begin_move()
-        corners = ((page.x, page.y), (page.x + page.width, page.y + page.height))
-        self._canvas.framing.fit_points(np.array(corners))
-        self._context.session.say("All of the page is in sight.")
-
-    @action(
-        "fitPageWidth",
-        "Fit Page Width",
-        VIEW_ZOOM,
-        "Ctrl+6",
-        "fit-page-width",
-        needs=PAGE,
-        keywords="zoom to page width artboard",
-        drawing_key="Ctrl+6, 6",
-    )
-    @also(ZOOM_MENU(23))
-    def _fit_page_width(self) -> None:
-        """Show the page as wide as there is room for, and of its height the middle."""
-        page = self._context.session.document.page
-        assert page is not None
-        self._past.begin_move()
-        shown = self._canvas.pixel_map
-        middle = page.y + page.height / 2
-        half = page.width * shown.height / shown.width / 2
-        height = min(half, page.height / 2)
-        corners = ((page.x, middle - height), (page.x + page.width, middle + height))
-        self._canvas.framing.fit_points(np.array(corners))
-        self._context.session.say("All of the width of the page is in sight.")
 
     @action(
         "fitSelection",

@@ -55,9 +55,7 @@ def align_curves(
     items = _items(document, views, chosen, strokes)
     if not items:
         raise EditError("What is chosen has no points to align.")
-    if reference is Reference.PAGE:
-        bounds = _page_of(document)
-    elif reference is Reference.DRAWING:
+    if reference is Reference.DRAWING:
         everything = _items(document, views, range(len(document.curves)), strokes)
         bounds = _joined([item.bounds for item in everything])
     else:
@@ -115,13 +113,6 @@ def _items(
     groups = [whole_curves(document, node.places) for node in objects(document, curves)]
     found = zip(groups, bounds_of_each(views, groups, strokes), strict=True)
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
-
-
-def _page_of(document: Document) -> Bounds:
-    page = document.page
-    if page is None:
-        raise EditError("The document has no page to align to.")
-    return Bounds((page.x, page.y), (page.x + page.width, page.y + page.height))
 
 
 def _joined(boxes: Sequence[Bounds]) -> Bounds:

@@ -16,7 +16,7 @@ from curvecore.arrays import FloatArray
 from ...document.clip import Clip
 from ...document.model import Vector
 from ...document.point_group import PointGroup
-from ...document.style import USUAL_WIDTH, Style
+from ...document.style import Style
 from ..curve.curve_view import CurveView
 from ..geometry.clips import seen_box
 from ..geometry.stroked import Line, farthest_reach, half_width, is_round, line_of, polygonal, stroke_box
@@ -81,21 +81,13 @@ class Strokes(msgspec.Struct, frozen=True):
         Whether bounds are those of curves as they print, with their strokes.
     scaled
         Whether strokes get wider, or thinner, with the curves that they are of.
-    side
-        Longer side of the page, to which lines whose styles say no width are in proportion; 0 without one,
-        where they count as no wider than their curves.
     clipped
         Whether bounds are those of what clips leave.
     """
 
     measured: bool = True
     scaled: bool = True
-    side: float = 0.0
     clipped: bool = True
-
-    def printed(self, style: Style) -> Style:
-        """Return a style with the width that its line has on the page."""
-        return style.with_usual_width(USUAL_WIDTH * self.side)
 
 
 BARE: Final = Strokes(measured=False, scaled=False)
@@ -151,7 +143,7 @@ def _boxes(views: Sequence[CurveView], clips: Clips, strokes: Strokes, *, as_dra
         find_boxes(views)
     boxes = [view.drawn_box if as_drawn else box_found(view) for view in views]
     if strokes.measured:
-        boxes += _stroke_boxes(views, boxes, strokes, as_drawn=as_drawn)
+        boxes += _stroke_boxes(views, boxes, as_drawn=as_drawn)
     if not clips or not boxes:
         return boxes
     corners = np.concatenate(boxes)
@@ -161,7 +153,7 @@ def _boxes(views: Sequence[CurveView], clips: Clips, strokes: Strokes, *, as_dra
 
 def _is_seen(view: CurveView, clips: Clips, strokes: Strokes) -> bool:
     """Whether clips may leave something of a curve."""
-    reach = farthest_reach(strokes.printed(view.source.line_style)) if strokes.measured else 0.0
+    reach = farthest_reach(view.source.line_style) if strokes.measured else 0.0
     low, high = view.drawn_box
     return seen_box(np.array([low - reach, high + reach]), clips) is not None
 
@@ -190,10 +182,8 @@ def _reaching_out(views: Sequence[CurveView], strokes: Strokes) -> list[CurveVie
         return list(views)
     corners, off = np.array([box[0] for _, box in known]), np.array([box[1] for _, box in known])
     drawn = [view for view, _ in known]
-    low, high = _grown(corners, _least_reach(drawn, strokes) if strokes.measured else 0.0 * off)
-    far_low, far_high = _grown(
-        corners, 2.0 * off + (_farthest_reach(drawn, strokes) if strokes.measured else 0.0)
-    )
+    low, high = _grown(corners, _least_reach(drawn) if strokes.measured else 0.0 * off)
+    far_low, far_high = _grown(corners, 2.0 * off + (_farthest_reach(drawn) if strokes.measured else 0.0))
     reaches = (far_low <= low.min(axis=0)).any(axis=1) | (far_high >= high.max(axis=0)).any(axis=1)
     inside = {id(view) for (view, _), is_far in zip(known, reaches, strict=True) if not is_far}
     return [view for view in views if id(view) not in inside]
@@ -205,43 +195,43 @@ def _grown(boxes: FloatArray, by: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _stroke_boxes(
-    views: Sequence[CurveView], lines: Sequence[FloatArray], strokes: Strokes, *, as_drawn: bool
+    views: Sequence[CurveView], lines: Sequence[FloatArray], *, as_drawn: bool
 ) -> list[FloatArray]:
     """Return the boxes of those strokes, by the boxes of their lines, that may reach beyond all others."""
-    places = np.flatnonzero(_reaches(views, strokes, half_width)).tolist()
+    places = np.flatnonzero(_reaches(views, half_width)).tolist()
     if not places:
         return []
     stroked, corners = [views[at] for at in places], np.array([lines[at] for at in places])
     # Boxes that strokes fill at least, as one without corners and ends does, and those that none leaves.
-    low, high = _grown(corners, _least_reach(stroked, strokes))
-    far_low, far_high = _grown(corners, _farthest_reach(stroked, strokes))
+    low, high = _grown(corners, _least_reach(stroked))
+    far_low, far_high = _grown(corners, _farthest_reach(stroked))
     sticks_out = (far_low < low.min(axis=0)).any(axis=1) | (far_high > high.max(axis=0)).any(axis=1)
     return [
         np.concatenate([low, high]),
-        *(_stroke_box(stroked[at], strokes, as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
+        *(_stroke_box(stroked[at], as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
     ]
 
 
-def _least_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
-    return _reaches(views, strokes, lambda style: half_width(style) if is_round(style) else 0.0)
+def _least_reach(views: Sequence[CurveView]) -> FloatArray:
+    return _reaches(views, lambda style: half_width(style) if is_round(style) else 0.0)
 
 
-def _farthest_reach(views: Sequence[CurveView], strokes: Strokes) -> FloatArray:
-    return _reaches(views, strokes, farthest_reach)
+def _farthest_reach(views: Sequence[CurveView]) -> FloatArray:
+    return _reaches(views, farthest_reach)
 
 
-def _reaches(views: Sequence[CurveView], strokes: Strokes, reach: Callable[[Style], float]) -> FloatArray:
+def _reaches(views: Sequence[CurveView], reach: Callable[[Style], float]) -> FloatArray:
     """Return how far the strokes of curves reach; many share a style."""
     styles = [view.source.line_style for view in views]
     # Found by identity, with no call of Python's own for each.
     keys = [*map(id, styles)]
     found = dict(zip(keys, styles, strict=True))
-    reaches = {key: reach(strokes.printed(style)) for key, style in found.items()}
+    reaches = {key: reach(style) for key, style in found.items()}
     return np.array([*map(reaches.__getitem__, keys)])
 
 
-def _stroke_box(view: CurveView, strokes: Strokes, *, as_drawn: bool) -> FloatArray:
-    style = strokes.printed(view.source.line_style)
+def _stroke_box(view: CurveView, *, as_drawn: bool) -> FloatArray:
+    style = view.source.line_style
     if as_drawn:
         line = polygonal(view.polyline, is_closed=view.source.is_closed)
         return view.polyline if line is None else stroke_box(line, style)
