@@ -119,7 +119,6 @@ EDIT_LAYER_MOVES = EDIT.section(
 )
 EDIT_DELETE = EDIT.section(is_separated=False)
 EDIT_CLIPBOARD = EDIT.section()
-EDIT_CLONES = EDIT.section("Clones", is_separated=False)
 EDIT_COPY_AS = EDIT.section("Copy and Paste Special", is_separated=False)
 EDIT_DERIVATIVES = EDIT.section("Copy and Paste Special")
 EDIT_STYLE = EDIT.section("Copy and Paste Special")

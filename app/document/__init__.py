@@ -30,8 +30,7 @@
 - ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.  ``readings``: how their coordinates are told.
-- ``clone``, ``clones``: curves that run as others do, mapped.  ``clone_maps``, ``clone_styles``: how they
-  are, and look.  ``clone_links``: those that come into a document together.
+- ``clone``, ``clone_links``: what texts know the curves by along which they lie.
 - ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``box_form``: those in a box.
   ``form_edits``: curves made of such.
 - ``along_path``, ``along_edits``: courses that texts lie along.

@@ -162,9 +162,6 @@ def refuse_locked(before: Document, after: Document) -> None:
     for place, curve in enumerate(before.curves):
         if not curve.locked or (same_places and after.curves[place] is curve):
             continue
-        if same_places and curve.clone is not None and after.curves[place].clone == curve.clone:
-            # It follows its original.
-            continue
         only_looks = same_places and without_looks(after.curves[place]) == without_looks(curve)
         # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
         if not only_looks and not any(other is curve for other in after.curves):
@@ -194,5 +191,4 @@ def without_looks(curve: Curve) -> Curve:
         locked=False,
         text=None,
         identity="",
-        clone=None,
     )

@@ -10,7 +10,7 @@ from typing import Annotated
 from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
-from .clone import Clone, Identity
+from .clone import Identity
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
@@ -218,9 +218,7 @@ class Curve(Value, frozen=True, dict=True):
         What it was drawn as: a rectangle, an ellipse; see ``view_model.formed`` for what it is of that now.
         Or what it is the frame of: a text, a picture; see ``contents``.
     identity
-        What its clones know it by; empty for one that never had any.
-    clone
-        What it is a clone of, and the map from there.
+        What texts along it know it by; empty for one that never had any.
     """
 
     name: str
@@ -241,7 +239,6 @@ class Curve(Value, frozen=True, dict=True):
     text: Text | None = None
     form: AnyForm | None = None
     identity: Identity = ""
-    clone: Clone | None = None
     group_looks: GroupLooks = ()
 
     def with_family(self, family: Family) -> Curve:

@@ -206,7 +206,7 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
 
     Each stays in the group of its original, in front of the last that is copied there. Copies of whole shapes
     and groups are shapes and groups of their own; those of a part of a shape are in front of it, and not in
-    it. A clone that is copied with its original follows the copy.
+    it.
     """
     copied = dict[Container, tuple[int, list[int]]]()
     for node in whole_nodes(document.curves, curves, document.layers):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from ..document.along_edits import with_course_shifted
-from ..document.clone_maps import clone_shifted
 from ..document.edits import EditError
 from ..document.model import Document, Guide, Page, Vector
 from ..document.several_curves import stepped, whole_curves
@@ -24,9 +23,7 @@ def shifted(document: Document, by: Vector) -> Document:
     except EditError:
         return document
     curves = tuple(
-        replace(
-            with_course_shifted(new, by), locked=old.locked, clone=new.clone and clone_shifted(new.clone, by)
-        )
+        replace(with_course_shifted(new, by), locked=old.locked)
         for new, old in zip(moved.curves, document.curves, strict=True)
     )
     page, image = (

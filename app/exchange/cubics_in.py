@@ -13,8 +13,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document.clone import Clone
-from ..document.clone_links import linked_up
 from ..document.content import Lettering, Picture
 from ..document.form_edits import framed
 from ..document.forms import AnyForm
@@ -86,7 +84,7 @@ class Imported:
     def only(self, taken: Sequence[bool]) -> Imported:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
         curves = tuple(compress(self.document.curves, taken))
-        document = linked_up(msgspec.structs.replace(self.document, curves=curves))
+        document = msgspec.structs.replace(self.document, curves=curves)
         return replace(self, document=tidy_shapes(document))
 
     def called(self, names: Sequence[str]) -> Imported:
@@ -152,7 +150,7 @@ class ImportedPath:
         As in `Curve`.
     letters
         Of what kind its points are meant to be; see ``node_types``.
-    identity, clone
+    identity
         As in `Curve`.
     """
 
@@ -165,7 +163,6 @@ class ImportedPath:
     text: Text | None = None
     letters: str = ""
     identity: str = ""
-    clone: Clone | None = None
 
 
 @dataclass(frozen=True)
@@ -217,7 +214,7 @@ def imported(
     if not curves:
         sentences = (*(each.sentence for each in missed), *remarks)
         raise ExchangeError(" ".join(["There is no curve in the file.", *sentences]))
-    return Imported(tidy_shapes(linked_up(Document(tuple(curves)))), deviation, remarks, missed)
+    return Imported(tidy_shapes(Document(tuple(curves))), deviation, remarks, missed)
 
 
 def lines(points: FloatArray) -> FloatArray:
@@ -235,9 +232,9 @@ def _through(path: PointsAlone) -> Curve:
 def _made(
     path: ImportedPath | PointsAlone, parametrization: Parametrization, points: tuple[Point, ...]
 ) -> Curve:
-    look, form, identity, clone = path.look, None, "", None
+    look, form, identity = path.look, None, ""
     if isinstance(path, ImportedPath):
-        form, identity, clone = path.form, path.identity, path.clone
+        form, identity = path.form, path.identity
     return Curve(
         path.name,
         FAMILY,
@@ -253,7 +250,6 @@ def _made(
         form=form,
         text=path.text if isinstance(path, ImportedPath) else None,
         identity=identity,
-        clone=clone,
     )
 
 

@@ -25,7 +25,6 @@ FEATURES = (
     "points",
     "transform",
     "clipboard",
-    "clones",
     "basis",
     "plots",
     "teaching",

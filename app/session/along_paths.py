@@ -1,13 +1,12 @@
-"""Texts follow the curves that they lie along, and clones their originals, at the door of every change."""
+"""Texts follow the curves that they lie along, at the door of every change."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from msgspec.structs import replace
 
-from ..document import clones
 from ..document.along_edits import along_of, path_of, place_of, with_along
 from ..document.along_path import Along, Ground, after, inverse_of, place_by
 from ..document.content import Lettering
@@ -21,25 +20,6 @@ from ..view_model.shapes.courses import course_at
 _NEAR = 1e-7
 """Share of the size of a course by which it may be off one that it is: roundings."""
 
-_Follow = Callable[[Document, Document, Document], Document]
-
-
-def followed(document: Document, before: Document, shown: Document) -> Document:
-    """Return the document whose clones and texts follow, during a gesture; see `clones.followed`."""
-    return _with_texts(clones.followed, document, before, shown)
-
-
-def settled(document: Document, before: Document, shown: Document) -> Document:
-    """Return the same for a step of the history; see `clones.settled`."""
-    return _with_texts(clones.settled, document, before, shown)
-
-
-def _with_texts(follow: _Follow, document: Document, before: Document, shown: Document) -> Document:
-    linked = follow(document, before, shown)
-    moved = along_paths(linked, before)
-    # There may be clones of texts.
-    return linked if moved is linked else follow(moved, before, shown)
-
 
 def along_paths(document: Document, before: Document) -> Document:
     """Return the document whose texts lie along their curves as these run now.
@@ -50,8 +30,7 @@ def along_paths(document: Document, before: Document) -> Document:
     curves, old = list(document.curves), {each.name: each for each in before.curves} if places else {}
     for place in places:
         curve = curves[place]
-        if curve.clone is None:
-            curves[place] = _following(document, before, curve, old.get(curve.name))
+        curves[place] = _following(document, before, curve, old.get(curve.name))
     is_same = all(new is was for new, was in zip(curves, document.curves, strict=True))
     return document if is_same else replace(document, curves=tuple(curves))
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Collection, Hashable, Sequence
-from functools import partial
 from pathlib import Path
 
 from msgspec.structs import replace
 from PySide6.QtGui import QUndoStack
 
-from ..document.clones import words_about_unlinked
 from ..document.contents import as_model, is_content, repainted
 from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
@@ -21,7 +19,7 @@ from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve.curve_view import CurveView
-from .along_paths import followed, settled
+from .along_paths import along_paths
 from .box import SelectionBox
 from .change import Change, raiser_of, why_not_kept, why_safe
 from .edited_clips import EditedClips
@@ -204,7 +202,7 @@ class Session(SessionSignals):
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        document = tidy_shapes(self._with_clones(document, followed), self._shown)
+        document = tidy_shapes(self._following_ones(document), self._shown)
         if document is self._shown:
             return True
         if reason := why_safe(self._committed, document):
@@ -225,7 +223,7 @@ class Session(SessionSignals):
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a curve is safe from that, or no file could hold it."""
-        document = tidy_shapes(self._with_clones(document, settled), self._shown)
+        document = tidy_shapes(self._following_ones(document), self._shown)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
@@ -238,16 +236,12 @@ class Session(SessionSignals):
         after = State(document, self.active_index if active is None else active, self.files.beginning)
         self.history.push(before, after, text, run)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
-        if told := words_about_unlinked(before.document, document):
-            self.telling.then(partial(self.say_besides, told))
         return Change(is_done=True)
 
-    def _with_clones(
-        self, document: Document, follow: Callable[[Document, Document, Document], Document]
-    ) -> Document:
-        """Return a document with plain values whose clones follow, and whose texts look as styles say."""
+    def _following_ones(self, document: Document) -> Document:
+        """Return a document with plain values whose texts follow, and look as styles say."""
         painted = repainted(plain(document, self._shown), self._committed)
-        return follow(self.clips.followed(painted, self._committed), self._committed, self._shown)
+        return along_paths(self.clips.followed(painted, self._committed), self._committed)
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QMetaObject, QObject, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Signal
 
 from .messages import Message, MessageKind
 from .telling import Telling
@@ -73,28 +73,10 @@ class SessionSignals(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.telling = Telling()
-        self._besides = ""
-        self.interrupted.connect(self._forget_besides)
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
-        if self._besides not in text:
-            text = f"{text} {self._besides}".lstrip()
         self.message.emit(Message(MessageKind.INFORMATION, text))
-
-    def say_besides(self, text: str) -> None:
-        """Show what a step did to other curves; and again behind what is said of the step itself.
-
-        Who makes a step says so in the same event, and would take the place of this.
-        """
-        self._besides = ""
-        self.say(text)
-        self._besides = text
-        QMetaObject.invokeMethod(self, "_forget_besides", Qt.ConnectionType.QueuedConnection)
-
-    @Slot()
-    def _forget_besides(self) -> None:
-        self._besides = ""
 
     def refuse(self, text: str) -> None:
         """Say that something was not done, and why: marked, so that it is not taken for a hint."""

@@ -109,6 +109,7 @@ DROPPED: list[Dropped] = [
     *(Dropped(Place.GUIDE, field) for field in ("lean", "across", "locked")),
     Dropped(Place.DOCUMENT, "kept_texts", "text", is_loss=_begins_text),
     Dropped(Place.DOCUMENT, "kept_pictures", "picture", is_loss=lambda _picture: True),
+    Dropped(Place.CURVE, "clone", "clone link"),
     Dropped(Place.STYLE, "start_marker", "arrowhead", is_loss=_is_set),
     Dropped(Place.STYLE, "end_marker", "arrowhead", is_loss=_is_set),
     Dropped(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.clones import words_of_clones
 from ..document.contents import is_content, refusal_of
 from ..document.paper import DocumentKind, kind_of, object_word
 from ..document.point_group import PointGroup, points_of
@@ -76,8 +75,7 @@ class CurvePicker:
             return Hint(f"{_words_within(context, hit)} · Drag: select with a rubber band", grab=True)
         click = _words_of_click(context, hit, is_chosen=is_chosen)
         drag = hints.to_move(group.quoted, context.pointer)
-        clone = words_of_clones(host.document, [curve for curve, _ in group.parts])
-        return Hint(f"{drag}{clone} · {click}", cursor=Cursor.MOVE)
+        return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
     def idle_hint(self, context: ToolContext) -> Hint | None:
         """Return the hint beside what can be pressed, where there is more to say than of points to select.
@@ -89,8 +87,7 @@ class CurvePicker:
             return Hint(locked)
         if group is not None and group.is_whole:
             after = "only the one edited" if host.selected.is_editing else "none"
-            clone = words_of_clones(host.document, host.selected.chosen)
-            return Hint(f"{chosen_curves(host)}{clone} · G moves, S scales, R turns · Click here: {after}")
+            return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns · Click here: {after}")
         if host.selected.is_editing:
             return None
         things = object_word(host.document, many=True)

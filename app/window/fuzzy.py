@@ -12,7 +12,7 @@ _LEAST_SCATTERED = 8.0
 _ALSO_CALLED: Final = {
     "fill": ("colour",), "stroke": ("colour",), "color": ("colour",), "paint": ("colour",),
     "mirror": ("flip",), "reflect": ("flip",), "invert": ("reverse",),
-    "remove": ("delete",), "erase": ("delete",), "clone": ("duplicate",), "resize": ("scale",),
+    "remove": ("delete",), "erase": ("delete",), "resize": ("scale",),
     "turn": ("rotate",), "settings": ("preferences",), "options": ("preferences",), "hotkeys": ("shortcuts",),
     "print": ("export",), "night": ("dark",), "fullscreen": ("presentation",), "animate": ("play",),
 }  # fmt: skip

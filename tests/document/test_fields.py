@@ -10,7 +10,6 @@ from msgspec.structs import replace
 
 from app.document.along_path import Along
 from app.document.clip import Clip, ring_of
-from app.document.clone import Clone
 from app.document.content import Lettering, Picture, RunPaint, TextLine, TextRun
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
@@ -61,7 +60,6 @@ def full(form, curve=OPEN):
         ),
         text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
         form=form,
-        clone=Clone("leaf", 0.5, 0.5, 0.5, 0.5, 1.0, 2.0),
         groups=("Group 1",),
         group_looks=(GroupLook("Group 1", 0.5),),
     )
@@ -171,7 +169,6 @@ def test_every_length_goes_with_the_unit():
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {"text.letter_spacing", "text.line_spacing", "group_looks.opacity"}
     of_curves |= {f"style.{name}" for name in of_styles}
-    of_curves |= {f"clone.{name}" for name in ("xx", "xy", "yx", "yy")}
     # In units of the text, or of the picture, whose frame goes with the unit.
     of_paint = {f"paint.{name}" for name in ("fill_opacity", "stroke_opacity", "width")}
     of_runs = {"size", "weight", "spacing", "right", "down", *of_paint}

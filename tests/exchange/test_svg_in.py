@@ -171,7 +171,7 @@ def test_use_and_what_is_not_drawn():
     assert [(c.points[0].x, -c.points[0].y) for c in found] == [(5, 0), (0, 2), (0, 0)]
 
 
-def test_clones_have_names_of_their_own():
+def test_copies_by_use_have_names_of_their_own():
     """As Inkscape calls them: by label or id, or else after what they show."""
     body = (
         '<path id="a" d="M0 0L1 0"/><g id="b"><path id="c" d="M0 0L1 1"/><path id="d" d="M0 0L2 1"/></g>'
@@ -180,8 +180,8 @@ def test_clones_have_names_of_their_own():
     )
     found = [(*curve.groups, curve.name) for curve in curves(body)]
     assert found == [
-        ("a",), ("b", "c"), ("b", "d"), ("Clone of a",), ("use1",), ("use2",), ("Twin",),
-        ("Clone of b", "c"), ("Clone of b", "d"), ("use3", "c"), ("use3", "d"),
+        ("a",), ("b", "c"), ("b", "d"), ("a copy",), ("use1",), ("use2",), ("Twin",),
+        ("b copy", "c"), ("b copy", "d"), ("use3", "c"), ("use3", "d"),
     ]  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from app.exchange.corner import from_lower_left
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.qt.contents import letters_of, measured
-from app.session.along_paths import settled
+from app.session.along_paths import along_paths
 from app.storage.format import decode, encode
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -49,7 +49,7 @@ def places(document, place=TEXT):
 
 def changed(document, edit):
     """The document after a step of the history."""
-    return settled(edit(document), document, document)
+    return along_paths(edit(document), document)
 
 
 def shifted(document, curves=(CURVE,), by=(7.0, -3.0)):
@@ -114,7 +114,7 @@ def test_without_its_path_it_is_straight_and_alone_elsewhere_as_it_was():
     assert along_of(gone.curves[0]) is None
     assert np.ptp(places(gone, 0)[:, 1]) < 0.1
     alone = replace(document, curves=document.curves[TEXT:])
-    there = settled(alone, replace(alone, curves=()), alone)
+    there = along_paths(alone, replace(alone, curves=()))
     assert along_of(there.curves[0]).of == ""
     assert places(there, 0) == pytest.approx(places(document))
 

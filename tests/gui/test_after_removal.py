@@ -67,7 +67,7 @@ def test_undo_of_all_points_gone_brings_them_back_selected_and_of_a_whole_curve_
     assert state(four) == ("ABCD", False, "B", "")
 
 
-@pytest.mark.parametrize("name", ["duplicateSelection", "duplicateCurve", "clone", "newCurve", "newLayer"])
+@pytest.mark.parametrize("name", ["duplicateSelection", "duplicateCurve", "newCurve", "newLayer"])
 def test_undo_of_what_was_added_leaves_chosen_what_was_before(four, name):
     """Nothing was chosen, and the next key said so."""
     four.session.selected.choose([1, 2])
@@ -75,15 +75,6 @@ def test_undo_of_what_was_added_leaves_chosen_what_was_before(four, name):
     assert state(four)[2] != "BC"
     four.trigger("undo")
     assert state(four) == ("ABCD", False, "BC", "")
-
-
-def test_undo_of_a_deletion_chooses_what_was_deleted_and_not_its_clone(four):
-    four.session.selected.choose([1])
-    four.trigger("clone")
-    four.session.selected.choose([1])
-    four.key(DELETE)
-    four.trigger("undo")
-    assert [four.session.document.curves[place].name for place in four.session.selected.chosen] == ["B"]
 
 
 def test_what_was_chosen_since_stays_so_when_copies_go(four):

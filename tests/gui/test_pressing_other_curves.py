@@ -277,7 +277,7 @@ def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
     found = entries(three.open_menu(on_curve(three, 1)))
     assert all(found.values())
     assert {"insertPointHere", "splitHere", "ungroupCurves", "breakApart"}.isdisjoint(found)
-    wanted = ["cutPoints", "copyPoints", "pastePoints", "duplicateCurve", "clone", "deleteCurve"]
+    wanted = ["cutPoints", "copyPoints", "pastePoints", "duplicateCurve", "deleteCurve"]
     wanted += ["groupCurves", "setClip", "copyStyle", "curveVisible", "curveLocked"]
     assert [name for name in found if name in wanted] == wanted
     menus = {plain(each.text()): each.menu() for each in three.menu().actions() if each.menu()}

@@ -2,7 +2,6 @@
 
 - ``drawing``: a document as cubic Bézier curves in a frame, the source of every picture.
   ``outlines``: one curve as such.  ``frames``: what a picture shows.
-  ``cloned``: what of it is the image of something else in it.
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
 - ``trim``: the frame at true size, without a margin.  ``extents``: of what is painted.
 - ``image``: it as PNG and PDF.  ``painting``: how it is painted; ``annotation_painting``: what goes with it;

@@ -317,7 +317,6 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.text,
         letters_of(curve, path.control_points),
         curve.identity,
-        curve.clone,
         content_of(curve),
         curve.group_looks,
     )

@@ -11,7 +11,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.clone import Clone
 from ...document.content import Content
 from ...document.group_look import GroupLooks
 from ...document.model import Vector
@@ -45,7 +44,7 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     letters
         Of what kind each point is; see ``node_types``. None where pieces do not end at points.
-    identity, clone
+    identity
         As in `Curve`.
     content
         The text or the picture that it is the frame of.
@@ -67,7 +66,6 @@ class Outline(msgspec.Struct, frozen=True):
     text: Text | None = None
     letters: str = ""
     identity: str = ""
-    clone: Clone | None = None
     content: Content | None = None
     group_looks: GroupLooks = ()
 

@@ -5,11 +5,9 @@
   ``numbers``: styles and numbers as text.
   ``defined_elements``: what those that are referred to have in common.
   ``form_elements``: rectangles and ellipses as such.  ``inkscape_forms``: stars, as Inkscape notes them.
-  ``use_elements``: clones as such.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``elements``: those that others refer to.
   ``names``, ``groups``: what they are called.
-  ``clones``: what a `use` is a clone of.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``shown``: what is shown in frames.  ``texts``, ``pictures``: of either kind.
   ``flowed``: texts that wrap in a frame.  ``line_roles``: lines that Inkscape edits as lines.

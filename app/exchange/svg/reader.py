@@ -25,7 +25,6 @@ from ..node_types import parted
 from . import own_data
 from .cascade import Cascade
 from .clips import Clips
-from .clones import linked
 from .elements import Elements
 from .flaw import Flaw
 from .gradients import Ground
@@ -54,6 +53,7 @@ from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
 from .shown import CONTENTS, NO_CURVES, Shown
 from .state import Anchor, Group, State, Window
+from .text_paths import linked
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
 MAX_PATHS = 10_000
@@ -137,10 +137,10 @@ class SvgReader:
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
 
-    def all_paths(self, key: str = "") -> Settled:
+    def all_paths(self, key: str) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others.
 
-        The identities of what clones follow begin with `key`.
+        The identities of what texts lie along begin with `key`.
         """
         drawn = self.drawn()
         seen = [each for each in drawn if is_seen(each)]
@@ -148,7 +148,11 @@ class SvgReader:
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._missing.note(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        return settled(linked(seen or [with_line(each) for each in drawn], key), self.layers)
+        found = seen or [with_line(each) for each in drawn]
+        paths = linked(found, [each.path for each in found], key)
+        return settled(
+            [replace(each, path=path) for each, path in zip(found, paths, strict=True)], self.layers
+        )
 
     @property
     def missed(self) -> tuple[Missed, ...]:
@@ -230,7 +234,7 @@ class SvgReader:
         self, element: ET.Element, tag: str, state: State, depth: int, anchor: Anchor | None
     ) -> Iterator[Drawn]:
         is_around_copied = self._is_in_groups and tag == "g" and depth == 1
-        name, state = state.clone or name_of(element), replace(state, clone="")
+        name, state = state.copied or name_of(element), replace(state, copied="")
         share = state.properties.share
         if not is_around_copied and (tag == "g" or (depth > 0 and (name or share < 1))):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
@@ -277,9 +281,9 @@ class SvgReader:
             return
         if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):
             raise self._missing.broken(element, f"it uses itself by way of “{reference[:40]}”.")
-        # Of several within each other the outermost is what a person sees as the clone.
-        name = state.clone or name_of(element) or f"Clone of {name_of(target)}"
-        state = replace(state, inside=(*state.inside, element), clone=name)
+        # Of several within each other the outermost is what a person sees as the copy.
+        name = state.copied or name_of(element) or f"{name_of(target)} copy"
+        state = replace(state, inside=(*state.inside, element), copied=name)
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (0.0, 0.0))
             entered = self._entered(target, self._cascade.of(target), state)
@@ -307,7 +311,7 @@ class SvgReader:
         if not drawn:
             return
         self._shapes.append(element)
-        name = state.clone or name_of(element) or named_by_place(tag, self._missing.number_of(element))
+        name = state.copied or name_of(element) or named_by_place(tag, self._missing.number_of(element))
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         controls = [each.controls for each in drawn]
@@ -347,7 +351,7 @@ class SvgReader:
             replace(state, properties=found.properties, matrix=found.matrix),
         )
         look = self._look(element, inner, scale, [found.frame], keeps_width=not found.is_painted)
-        path = found.path(state.clone or label_of(element), look)
+        path = found.path(state.copied or label_of(element), look)
         yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, 0))
 
     def _count(self) -> None:

@@ -107,8 +107,8 @@ class State:
         Whether Inkscape keeps it from being touched.
     anchor
         The outermost `use` around it.
-    clone
-        What the element is called that a `use` shows; empty for any other.
+    copied
+        What the element is called that a `use` copies; empty for any other.
     """
 
     matrix: FloatArray
@@ -120,4 +120,4 @@ class State:
     clips: tuple[Clip, ...] = ()
     is_locked: bool = False
     anchor: Anchor | None = None
-    clone: str = ""
+    copied: str = ""

@@ -28,7 +28,6 @@ from .gradient_elements import GradientElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
-from .use_elements import use_attributes, used
 
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
@@ -40,8 +39,6 @@ class Tree:
 
     Attributes
     ----------
-    uses
-        The shapes that are shown by others.
     lines
         What was written so far.
     clips
@@ -67,8 +64,6 @@ class Tree:
         looks = (look for shape in shapes for look in shape[0].group_looks)
         self._opacities = {look.name: look.opacity for look in looks}
         self._opacities |= {each.name: each.opacity for each in self._empty if each.opacity < 1}
-        unseen = (place for place, shape in enumerate(shapes) if self._is_unseen(shape[0]))
-        self.uses = used(shapes, drawing.usual_width, unseen)
         self._open: tuple[str, ...] = ()
         self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
@@ -83,7 +78,7 @@ class Tree:
     @property
     def has_links(self) -> bool:
         """Whether anything is referred to by XLink."""
-        return bool(self.uses) or any(map(_has_link, self._shapes))
+        return any(map(_has_link, self._shapes))
 
     @property
     def definitions(self) -> list[str]:
@@ -93,7 +88,7 @@ class Tree:
         return ["  <defs>", *found, "  </defs>"] if found else []
 
     def add(self, place: int) -> None:
-        """Write the outlines of a shape as one path, or as what shows another one."""
+        """Write the outlines of a shape as one path, or what it is the frame of."""
         first = self._shapes[place][0]
         self._go_into(first.groups)
         # What a layer says goes for all in it.
@@ -101,10 +96,7 @@ class Tree:
         around = [self._layers[name] for name in self._layers_of(first)]
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
         called, more = self._called(place), f"{unseen}{locked}"
-        if place in self.uses:
-            original, by = self.uses[place]
-            self._write(f"<use{called}{use_attributes(self._id_of(original), by)}{more}/>")
-        elif first.content is not None:
+        if first.content is not None:
             self._write(self._content(first, called, more))
         else:
             self._write(self._drawn(self._shapes[place], called, f"{more}/>"))
@@ -147,7 +139,7 @@ class Tree:
     def _carrier(self, identity: str) -> str:
         """Return the id of the path that shows a curve; empty where none does."""
         place = next((at for at, each in enumerate(self._shapes) if each[0].identity == identity), None)
-        return self._id_of(place) if place is not None and place not in self.uses else ""
+        return self._id_of(place) if place is not None else ""
 
     def close(self) -> None:
         """Close all groups."""
@@ -207,7 +199,7 @@ class Tree:
 
     def _called(self, place: int) -> str:
         first, name, own = self._shapes[place][0], _name_of(self._shapes[place]), self._id_of(place)
-        if first.content is None or place in self.uses:
+        if first.content is None:
             return _named(name, own)
         # It is called what it shows, and not by its id.
         return _named("" if name == shortened(first.content.title) else name, own, is_id_no_name=True)

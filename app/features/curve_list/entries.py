@@ -21,7 +21,6 @@ class Row(NamedTuple):
     visible: bool
     locked: bool
     facts: str
-    is_clone: bool = False
     icon: str = ""
 
 
@@ -139,9 +138,7 @@ def row_of_curve(curve: Curve) -> Row:
         facts = f"{family}, {count_of(len(curve.points), 'point')}"
         if curve.is_closed:
             facts += ", closed"
-    if is_clone := curve.clone is not None:
-        facts += ", clone"
-    return Row(curve.name, curve.style, curve.visible, curve.locked, facts, is_clone, drawn)
+    return Row(curve.name, curve.style, curve.visible, curve.locked, facts, drawn)
 
 
 def state_of(row: Row, entry: Entry) -> str:

@@ -47,10 +47,6 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         name = spot_rect(rect, Spot.NAME)
         if model.marks.has_chosen_within(entry):
             name.setRight(name.right() - ICON)
-        if row.is_clone:
-            place = QRect(name.right() - ICON, name.top(), ICON, name.height())
-            self._paint_switch(painter, place, "link", True)
-            name.setRight(place.left())
         elided = painter.fontMetrics().elidedText(row.name, Qt.TextElideMode.ElideRight, name.width())
         painter.drawText(name, int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft), elided)
         lock, eye = "lock" if row.locked else "unlock", "eye" if row.visible else "eye-off"

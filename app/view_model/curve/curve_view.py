@@ -50,7 +50,7 @@ LINE = tuple(
     if name
     not in (
         *("name", "style", "shape", "groups", "group_looks", "visible", "locked", "other_settings", "text"),
-        *("identity", "clone"),
+        "identity",
     )
 )
 """Fields of a curve that decide where it runs."""

@@ -94,7 +94,7 @@ def simplified(
 
 def _can_be_simpler(view: CurveView) -> bool:
     curve = view.source
-    return view.is_current and curve.form is None and curve.clone is None and len(curve.points) > 2
+    return view.is_current and curve.form is None and len(curve.points) > 2
 
 
 def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, float]:
