@@ -48,8 +48,8 @@ class Count(NamedTuple):
     calls: int
 
 
-def calls_by_function(work: Callable[[], object]) -> Counter[Function]:
-    """Return how often `work` calls each function of the program."""
+def codes_called(work: Callable[[], object]) -> Counter[CodeType]:
+    """Return how often `work` calls each function that is written in Python."""
     codes: Counter[CodeType] = Counter()
 
     def note(frame: FrameType, event: str, _argument: object) -> None:
@@ -62,8 +62,13 @@ def calls_by_function(work: Callable[[], object]) -> Counter[Function]:
         work()
     finally:
         sys.setprofile(before)
+    return codes
+
+
+def calls_by_function(work: Callable[[], object]) -> Counter[Function]:
+    """Return how often `work` calls each function of the program."""
     calls: Counter[Function] = Counter()
-    for code, number in codes.items():
+    for code, number in codes_called(work).items():
         if code.co_filename.startswith(_PACKAGES) and not code.co_filename.startswith(_DRIVER):
             file = str(Path(code.co_filename).relative_to(_ROOT))
             calls[Function(file, code.co_qualname, code.co_firstlineno)] += number

@@ -3,8 +3,8 @@
 - ``declaration``: the decorators `action` and `action_for_each`, and what they say of an action.
 - ``sections``: the menus, and the sections in which actions stand.
 - ``strips``: where else they stand: toolbar, context menus, buttons.
-- ``needs``: what must be there before an action can be used, in words and as a predicate.
-- ``situation``: what actions are enabled, checked and named by.
+- ``state``: the facts that actions are enabled, checked and named by.
+- ``needs``: what must be there before an action can be used, in words and as a predicate of these facts.
 - ``keymap``: which keys do what.
   ``mnemonics``: the letters of menus.  ``clipboard_watch``: the clipboard.
 - ``key_gate``: keys that can be refused while their buttons act.

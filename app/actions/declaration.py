@@ -26,10 +26,11 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 import msgspec
 from msgspec.structs import replace
 
+from ..session import Session
 from ..state.window_state import WindowState
 from .needs import NOTHING, Need
 from .sections import Section
-from .situation import Situation
+from .state import ActionState
 from .strips import Place, Strip
 
 _DECLARED, _AT_PLACE = "declared_actions", "place_action"
@@ -40,8 +41,8 @@ _Record = TypeVar("_Record")
 _Fields = ParamSpec("_Fields")
 
 
-class Sight(msgspec.Struct, frozen=True):
-    """Words and state of an action in the situation of the moment.
+class Opened(msgspec.Struct, frozen=True):
+    """Words and state of an action in a menu that opens.
 
     Attributes
     ----------
@@ -95,8 +96,8 @@ class Action(msgspec.Struct, frozen=True):
         Name of the group of which one is on; empty for a switch of its own.
     title
         Its text where that changes.
-    on_sight
-        What is found out only when somebody looks at the action in a menu or in the palette.
+    when_opened
+        What is found out of the session only when the menu of the action opens.
     short
         What a button says of it beside its icon where there is little room; else it has its icon alone.
     during_gesture
@@ -114,33 +115,25 @@ class Action(msgspec.Struct, frozen=True):
     full_name: str = ""
     needs: Need = NOTHING
     key_needs: Need = NOTHING
-    key_asks: Callable[[Situation], str] | None = None
-    checked: Callable[[Situation], bool] | None = None
+    key_asks: Callable[[ActionState], str] | None = None
+    checked: Callable[[ActionState], bool] | None = None
     group: str = ""
-    title: Callable[[Situation], str] | None = None
+    title: Callable[[ActionState], str] | None = None
     short: str = ""
     during_gesture: bool = False
     keywords: str = ""
-    on_sight: Callable[[Situation], Sight] | None = None
+    when_opened: Callable[[Session], Opened] | None = None
     field: str = ""
     drawing_key: str | None = None
     choices: Strip | None = None
 
-    def missing(self, is_met: Callable[[Need], bool]) -> Need | None:
+    def missing(self, state: ActionState) -> Need | None:
         """Return the first of its needs that is not met, those of its section before its own."""
-        if not is_met(self.section.needs):
-            return self.section.needs
-        return None if is_met(self.needs) else self.needs
+        return next((needs for needs in (self.section.needs, self.needs) if not needs.is_met(state)), None)
 
-    def is_on(self, now: Situation, is_met: Callable[[Need], bool] | None = None) -> bool:
-        """Whether what it switches is on: of nothing, nothing is.
-
-        `is_met` tells whether a need is met now, where that is remembered.
-        """
-        if self.checked is None:
-            return False
-        needs = self.section.needs
-        return (needs.is_met(now) if is_met is None else is_met(needs)) and self.checked(now)
+    def is_on(self, state: ActionState) -> bool:
+        """Whether what it switches is on: of nothing, nothing is."""
+        return self.checked is not None and self.section.needs.is_met(state) and self.checked(state)
 
     @property
     def interrupts(self) -> bool:
@@ -203,7 +196,7 @@ def _switch_of(make: Callable[_Fields, Action]) -> Callable[Concatenate[str, _Fi
     def declare(field: str, /, *fields: _Fields.args, **more: _Fields.kwargs) -> Decorator:
         assert hasattr(WindowState, field), field
         described = replace(
-            make(*fields, **more), field=field, checked=lambda now: bool(getattr(now.state, field))
+            make(*fields, **more), field=field, checked=lambda state: bool(getattr(state.window, field))
         )
         return Decorator(lambda: [(described, ())])
 

@@ -10,23 +10,23 @@ from PySide6.QtGui import QAction
 from ..document.selection import Choice
 from ..qt.overrides import Guarded
 from .needs import Need
-from .situation import Situation
+from .state import ActionFacts, ActionState
 
-_Ask = Callable[[Situation], str]
+_Ask = Callable[[ActionState], str]
 """What a key would do that may not be meant, as a sentence; empty where there is nothing to ask."""
 
 
 class KeyGate(Guarded, QObject):
     """Lets the keys of actions pass, or says why not, or what they would do before they do it."""
 
-    def __init__(self, now: Situation) -> None:
+    def __init__(self, facts: ActionFacts) -> None:
         super().__init__()
-        self._now = now
+        self._facts, self._session = facts, facts.session
         self._guarded: dict[str, tuple[Need, _Ask | None]] = {}
         # The action that was asked about last, and what was selected.
         self._asked: tuple[str, Choice] | None = None
-        now.session.message.connect(self._forget)
-        now.session.history_changed.connect(self._forget)
+        facts.session.message.connect(self._forget)
+        facts.session.history_changed.connect(self._forget)
 
     def guard(self, action: QAction, needs: Need, asks: _Ask | None = None) -> None:
         """Let the keys of `action` pass only where `needs` is met, and where it `asks`, the second time."""
@@ -43,15 +43,15 @@ class KeyGate(Guarded, QObject):
         """Take a key that is refused."""
         if event.type() is not QEvent.Type.Shortcut:
             return False
-        now, name = self._now, watched.objectName()
+        state, name, session = self._facts.read(), watched.objectName(), self._session
         needs, asks = self._guarded[name]
-        if not needs.is_met(now):
-            now.session.refuse(needs.reason(now))
+        if not needs.is_met(state):
+            session.refuse(needs.reason(state))
             return True
-        about = name, now.session.selected.choice
-        if asks is None or self._asked == about or not (question := asks(now)):
+        about = name, session.selected.choice
+        if asks is None or self._asked == about or not (question := asks(state)):
             self._forget()
             return False
-        now.session.refuse(question)
+        session.refuse(question)
         self._asked = about
         return True

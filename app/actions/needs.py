@@ -7,7 +7,7 @@ from collections.abc import Callable
 import msgspec
 
 from ..document.selection import NONE_CHOSEN
-from .situation import Situation
+from .state import ActionState
 
 
 class Need(msgspec.Struct, frozen=True):
@@ -26,40 +26,37 @@ class Need(msgspec.Struct, frozen=True):
     """
 
     words: str
-    is_met: Callable[[Situation], bool]
-    why: Callable[[Situation], str] | None = None
+    is_met: Callable[[ActionState], bool]
+    why: Callable[[ActionState], str] | None = None
     is_so: bool = False
 
-    def reason(self, now: Situation) -> str:
+    def reason(self, state: ActionState) -> str:
         """Return what is said where it is missing; empty for the usual sentence."""
-        return self.why(now) if self.why is not None else ""
+        return self.why(state) if self.why is not None else ""
 
 
-NOTHING = Need("", lambda _now: True)
-SOME_CURVE = Need("a curve", lambda now: not now.is_blank)
+NOTHING = Need("", lambda _state: True)
+SOME_CURVE = Need("a curve", lambda state: not state.is_blank)
 CHOSEN = Need(
-    "a curve that is chosen or edited",
-    lambda now: now.session.selected.means_curve,
-    why=lambda _now: NONE_CHOSEN,
+    "a curve that is chosen or edited", lambda state: state.means_curve, why=lambda _state: NONE_CHOSEN
 )
-
 HIGHLIGHTED = Need(
     "a curve or a point",
-    lambda now: now.has_highlight,
-    why=lambda now: "" if now.is_blank else NONE_CHOSEN,
+    lambda state: state.has_highlight,
+    why=lambda state: "" if state.is_blank else NONE_CHOSEN,
 )
-HERMITE_CURVE = Need("a Hermite curve", lambda now: now.has_derivatives)
+HERMITE_CURVE = Need("a Hermite curve", lambda state: state.has_derivatives)
 HERMITE_POINTS = Need(
     "selected points of a Hermite curve",
-    lambda now: bool(now.selection) and now.has_derivatives and now.view.is_current,
+    lambda state: state.selected_count > 0 and state.has_derivatives and state.is_current,
 )
-CURVE_THROUGH_TWO = Need("a curve through two points or more", lambda now: now.view.is_current)
-CURVE_DRAWN = Need(CURVE_THROUGH_TWO.words, lambda now: now.view.curve is not None)
+CURVE_THROUGH_TWO = Need("a curve through two points or more", lambda state: state.is_current)
+CURVE_DRAWN = Need(CURVE_THROUGH_TWO.words, lambda state: state.has_curve)
 UNLOCKED_CURVE = Need(
     "a curve through two points or more that is not locked",
-    lambda now: now.view.is_current and not now.view.source.locked,
+    lambda state: state.is_current and not state.is_locked,
 )
 SOME_LAYER = Need("a layer that new curves come into", lambda now: bool(now.session.selected.layer))
 PAGE = Need("a page", lambda now: now.session.document.page is not None)
-TWO_POINTS = Need("two points or more", lambda now: len(now.view.points) > 1)
-SECOND_CURVE = Need("a second curve", lambda now: len(now.session.document.curves) > 1)
+TWO_POINTS = Need("two points or more", lambda state: state.point_count > 1)
+SECOND_CURVE = Need("a second curve", lambda state: state.curve_count > 1)

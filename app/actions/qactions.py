@@ -13,7 +13,7 @@ from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..document.paper import kind_of
 from ..view_model.curve.curve_view import CurveView
-from .declaration import Action, Declared, Sight, all_declared
+from .declaration import Action, Declared, all_declared
 from .key_gate import KeyGate
 from .keymap import (
     Binding,
@@ -28,40 +28,10 @@ from .keymap import (
 )
 from .needs import NOTHING, Need
 from .sections import MENUS, Menu, Section
-from .situation import Situation
+from .state import ActionFacts, ActionState
 from .strips import BARS, Bar, Place, Strip
 
 _Run = Callable[[Action, Callable[[], object], bool], object]
-
-
-_USABLE = True, ""
-
-
-class _Alike:
-    """Actions that need the same: they can be used, or cannot for one reason, together.
-
-    Parameters
-    ----------
-    first
-        The declaration of any of them.
-    """
-
-    def __init__(self, first: Action) -> None:
-        self._first = first
-        self._told: tuple[bool, str] | None = None
-        self.actions: list[QAction] = []
-
-    def render(self, now: Situation, is_met: Callable[[Need], bool]) -> None:
-        """Enable or disable them, where that is news."""
-        missing = self._first.missing(is_met)
-        told = _USABLE if missing is None else (False, missing.reason(now))
-        is_so = missing is not None and missing.is_so
-        if told != self._told:
-            self._told = told
-            for action in self.actions:
-                say_reason(action, told[1], is_so=is_so)
-                action.setEnabled(told[0])
-                action.setToolTip(tool_tip(action))
 
 
 class Actions(QObject):
@@ -78,12 +48,12 @@ class Actions(QObject):
     redeclared = Signal()
     switched = Signal()
 
-    def __init__(self, window: QWidget, command_sets: Sequence[type], now: Situation) -> None:
+    def __init__(self, window: QWidget, command_sets: Sequence[type], facts: ActionFacts) -> None:
         super().__init__()
         self.keymap = Keymap(window)
         self._window = self._hearer = window
-        self._now = now
-        self._gate = KeyGate(now)
+        self._facts = facts
+        self._gate = KeyGate(facts)
         self._command_sets = command_sets
         self._bound: dict[type, tuple[object, _Run]] = {}
         self._theme: Theme | None = None
@@ -94,8 +64,8 @@ class Actions(QObject):
         self._sort_out()
         self._on = set[str]()
         self._bars: tuple[Bar, ...] = ()
-        self._seen: dict[str, Sight] = {}
-        self._seen_of: CurveView | None = None
+        self._opened = set[str]()
+        self._opened_of: CurveView | None = None
 
     def _make(self, each: Action) -> QAction:
         action = QAction(each.text, self._window)
@@ -124,14 +94,12 @@ class Actions(QObject):
         declared = [(each, self._actions[name]) for name, each in self._declared.items()]
         self._switches = [(each, action) for each, action in declared if each.checked is not None]
         self._titled = [(each.title, action) for each, action in declared if each.title is not None]
-        self._alike = self._find_alike()
-
-    def _find_alike(self) -> list[_Alike]:
-        found: dict[tuple[int, int], _Alike] = {}
-        for name, each in self._declared.items():
-            needs = id(each.section.needs), id(each.needs)
-            found.setdefault(needs, _Alike(each)).actions.append(self._actions[name])
-        return list(found.values())
+        # Those with the same needs are enabled together, and asked about once.
+        self._alike: dict[tuple[Need, Need], list[QAction]] = {}
+        for each, action in declared:
+            self._alike.setdefault((each.section.needs, each.needs), []).append(action)
+        self._missing: dict[tuple[Need, Need], tuple[str, bool] | None] = {}
+        self._rendered: ActionState | None = None
 
     def bind(self, commands: object, run: _Run) -> None:
         """Let the actions that a command set declares be carried out by it, each through `run`."""
@@ -168,7 +136,7 @@ class Actions(QObject):
 
     def _give_up(self, name: str) -> None:
         action = self._actions.pop(name)
-        self._seen.pop(name, None)
+        self._opened.discard(name)
         self.keymap.remove(name)
         # Gone from all menus at once, and found by nobody until it is deleted.
         action.setVisible(False)
@@ -251,74 +219,92 @@ class Actions(QObject):
 
     def is_on(self, name: str) -> bool:
         """Whether what an action switches is on; False of what is no switch, or is there no more."""
-        declared = self._declared.get(name)
-        return declared is not None and declared.is_on(self._now)
+        return name in self._on
 
     def is_shown(self, bar: Bar) -> bool:
         """Whether a bar of the toolbar is the one to work with now."""
-        return bar.is_shown(self._now)
+        return bar.is_shown(self._state)
 
     def follow(self) -> None:
         """Render, when all is told of which there is news."""
-        self._now.session.telling.then(self.render)
+        self._facts.session.telling.then(self.render)
 
     def render(self) -> None:
-        """Enable, check and name all actions as the situation has it."""
-        now = self._now
-        self.keymap.use(kind_of(now.session.document))
-        is_met = _remembering(now)
-        for alike in self._alike:
-            alike.render(now, is_met)
-        self._check(is_met)
+        """Enable, check and name all actions, where the facts that decide about them have changed."""
+        state, session = self._facts.read(), self._facts.session
+        if state == self._rendered and (not self._opened or session.active_view is self._opened_of):
+            return
+        self._rendered = state
+        self.keymap.use(kind_of(session.document))
+        self._take_back_opened()
+        for needs, actions in self._alike.items():
+            missing = next(
+                ((need.reason(state), need.is_so) for need in needs if not need.is_met(state)), None
+            )
+            if needs not in self._missing or self._missing[needs] != missing:
+                self._missing[needs] = missing
+                for action in actions:
+                    _enable(action, *(missing or (None,)))
+        self._check(state)
         for title, action in self._titled:
-            action.setText(title(now))
-        if now.view is not self._seen_of:
-            for name in self._seen:
-                self._show(name, Sight(self._declared[name].text, self._declared[name].tip))
-            self._seen.clear()
-        for name, sight in self._seen.items():
-            self._show(name, sight)
+            action.setText(title(state))
+
+    @property
+    def _state(self) -> ActionState:
+        """The facts that actions are rendered for."""
+        if self._rendered is None:
+            self.render()
+        assert self._rendered is not None
+        return self._rendered
 
     def take_back_click(self, name: str) -> None:
         """Let a switch that was clicked, and those that went off with it, show what is on."""
         # It may be there no more: its record went with what it did.
         declared = self._declared.get(name)
         if declared is not None and declared.checked is not None:
-            self._check(_remembering(self._now))
+            self._check(self._facts.read())
 
-    def _check(self, is_met: Callable[[Need], bool]) -> None:
-        now, on = self._now, set[str]()
+    def _check(self, state: ActionState) -> None:
+        on = set[str]()
         for each, action in self._switches:
-            is_on = each.is_on(now, is_met)
+            is_on = each.is_on(state)
             action.setChecked(is_on)
             if is_on:
                 on.add(each.name)
-        bars = tuple(bar for bar in BARS if bar.is_shown(now))
+        bars = tuple(bar for bar in BARS if bar.is_shown(state))
         if (on, bars) != (self._on, self._bars):
             self._on, self._bars = on, bars
             self.switched.emit()
 
-    def look(self) -> None:
-        """Find out about the actions that tell more when somebody looks at them: a menu or the palette opens.
+    def open_section(self, section: Section) -> None:
+        """Say of the actions of a section what is asked when their menu opens.
 
-        It holds while the active curve stays what it is.
+        It holds until actions are rendered for other facts or another curve.
         """
-        self._seen_of = self._now.view
+        session = self._facts.session
+        self._opened_of = session.active_view
         for name, each in self._declared.items():
-            if each.on_sight is None or name in self._seen:
+            if (
+                each.section is not section
+                or each.when_opened is None
+                or each.missing(self._state) is not None
+            ):
                 continue
-            if each.missing(lambda need: need.is_met(self._now)) is None:
-                self._seen[name] = each.on_sight(self._now)
-                self._show(name, self._seen[name])
+            opened, action = each.when_opened(session), self._actions[name]
+            self._opened.add(name)
+            action.setText(opened.text)
+            action.setStatusTip(opened.tip)
+            _enable(action, opened.why_not or None)
 
-    def _show(self, name: str, sight: Sight) -> None:
-        action = self._actions[name]
-        action.setText(sight.text)
-        action.setStatusTip(sight.tip)
-        missing = self._declared[name].missing(lambda need: need.is_met(self._now))
-        action.setEnabled(missing is None and not sight.why_not)
-        say_reason(action, missing.reason(self._now) if missing is not None else sight.why_not)
-        action.setToolTip(tool_tip(action))
+    def _take_back_opened(self) -> None:
+        """Say of actions again what they are declared with."""
+        for name in self._opened:
+            action, each = self._actions[name], self._declared[name]
+            action.setText(each.text)
+            action.setStatusTip(each.tip)
+        if self._opened:
+            self._missing.clear()
+        self._opened.clear()
 
     def set_theme(self, theme: Theme) -> None:
         """Tint the icons for `theme`."""
@@ -328,18 +314,11 @@ class Actions(QObject):
                 self._actions[name].setIcon(icon(each.icon, theme))
 
 
-def _remembering(now: Situation) -> Callable[[Need], bool]:
-    """Return what tells whether a need is met now, each asked once."""
-    met: dict[int, bool] = {}
-
-    def is_met(need: Need) -> bool:
-        try:
-            return met[id(need)]
-        except KeyError:
-            found = met[id(need)] = need.is_met(now)
-            return found
-
-    return is_met
+def _enable(action: QAction, why_not: str | None, is_so: bool = False) -> None:
+    """Let an action be used, or not for a reason, which is empty for the usual sentence; None lets it."""
+    say_reason(action, why_not or "", is_so=is_so)
+    action.setEnabled(why_not is None)
+    action.setToolTip(tool_tip(action))
 
 
 @cache

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import msgspec
 
 from ..document.paper import DocumentKind
-from .situation import Situation
+from .state import ActionState
 
 
 class Place(msgspec.Struct, frozen=True):
@@ -42,27 +42,27 @@ class Bar(Strip, frozen=True):
         Whether it is the one to work with now.
     """
 
-    is_shown: Callable[[Situation], bool]
+    is_shown: Callable[[ActionState], bool]
 
 
-def _is_drawing(now: Situation) -> bool:
-    return now.state.kind is DocumentKind.DRAWING
+def _is_drawing(state: ActionState) -> bool:
+    return state.window.kind is DocumentKind.DRAWING
 
 
-def _are_points_meant(now: Situation) -> bool:
+def _are_points_meant(state: ActionState) -> bool:
     """Whether a curve is edited; of several, whether points of them are selected."""
-    return now.session.selected.is_editing and (bool(now.selection) or not now.chosen)
+    return state.is_editing and (state.active_selected_count > 0 or not state.session.selected.chosen)
 
 
 TOOLBAR = Strip("toolbar")
-FAMILY_BAR = Bar("families and parameters in the toolbar, for sketches", lambda now: not _is_drawing(now))
+FAMILY_BAR = Bar("families and parameters in the toolbar, for sketches", lambda state: not _is_drawing(state))
 OBJECT_BAR = Bar(
     "commands for whole curves in the toolbar, for drawings",
-    lambda now: _is_drawing(now) and not _are_points_meant(now),
+    lambda state: _is_drawing(state) and not _are_points_meant(state),
 )
 POINT_BAR = Bar(
     "commands for points in the toolbar, for drawings",
-    lambda now: _is_drawing(now) and _are_points_meant(now),
+    lambda state: _is_drawing(state) and _are_points_meant(state),
 )
 BARS = (FAMILY_BAR, OBJECT_BAR, POINT_BAR)
 SHAPES_MENU = Strip("menu of further tools in the toolbar")

@@ -84,6 +84,8 @@ class WindowState(msgspec.Struct, frozen=True):
         How the document stands to its file, and whether what that holds is shown as a ghost.
     is_working
         Whether something is being read, written or computed beside the window.
+    offers_family, runs_family_file
+        Whether there is a file of families just written or used, and whether one is running.
     in_flight
         Whether undo takes back a gesture, or what came of it and is computed, though no step was made yet.
     image_problem
@@ -126,6 +128,8 @@ class WindowState(msgspec.Struct, frozen=True):
     compares_with_file: bool = False
     file: FileSituation = FileSituation()
     is_working: bool = False
+    offers_family: bool = False
+    runs_family_file: bool = False
     in_flight: bool = False
     image_problem: str = ""
 

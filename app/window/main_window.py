@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 from ..actions.clipboard_watch import ClipboardWatch
 from ..actions.keymap import is_so_already, why_not
 from ..actions.qactions import Actions
-from ..actions.situation import Situation
+from ..actions.state import ActionFacts
 from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector
@@ -114,8 +114,8 @@ class MainWindow(Guarded, QMainWindow):
         self.store.change(kind=kind_of(session.document))
         self.analysis = Analysis(self.store, self)
         clipboard = ClipboardWatch(self)
-        now = Situation(session, self.store, clipboard)
-        self.actions_by_name = Actions(self, self._command_sets, now)
+        facts = ActionFacts(session, self.store, clipboard)
+        self.actions_by_name = Actions(self, self._command_sets, facts)
         for changed in (
             self.store.changed,
             session.history_changed,

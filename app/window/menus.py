@@ -49,7 +49,7 @@ class Menus:
         # A tooltip tells why an entry cannot be used.
         for section in (CURVE_TANGENTS, CURVE_CONVERT):
             self._submenu(section).setToolTipsVisible(True)
-        self._submenu(CURVE_CONVERT).aboutToShow.connect(actions.look)
+        self._submenu(CURVE_CONVERT).aboutToShow.connect(lambda: actions.open_section(CURVE_CONVERT))
         actions.redeclared.connect(self._follow_actions)
 
     def _submenu(self, section: Section) -> QMenu:

@@ -164,7 +164,7 @@ class KeptEditor:
         files = window.context.files
         window.commands.drops.open_window, files.open_window, files.show_elsewhere = self._elsewhere
         # What a menu or the palette has found out of the curve of the sketch, which comes again.
-        window.actions_by_name._seen_of = None
+        window.actions_by_name._opened_of = None
         # Where a menu was opened; it goes with the next movement over the canvas.
         window.canvas._asked_at = None
         for plot in window.central.plots:

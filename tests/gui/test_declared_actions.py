@@ -38,7 +38,7 @@ class CountingCommands:
         "Ctrl+Alt+F7",
         "measure",
         full_name="Count Points Aloud",
-        needs=Need("one selected point", lambda now: len(now.selection) == 1),
+        needs=Need("one selected point", lambda state: state.selected_count == 1),
     )
     def _count(self):
         """Count the selected points aloud."""

@@ -161,7 +161,7 @@ class BasisCommands:
         "Type t…",
         CURVE_PARAMETERS,
         full_name="Type a Parameter t…",
-        needs=Need("one selected point", lambda now: now.view.is_current and now.group.count == 1),
+        needs=Need("one selected point", lambda state: state.is_current and state.selected_count == 1),
     )
     @also(RAIL_MENU(10))
     def _type_parameter(self) -> None:

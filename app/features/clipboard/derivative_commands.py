@@ -38,7 +38,7 @@ class DerivativeCommands:
         drawing_key="",
         needs=Need(
             "one selected point of a Hermite curve",
-            lambda now: HERMITE_POINTS.is_met(now) and now.group.count == 1,
+            lambda state: HERMITE_POINTS.is_met(state) and state.selected_count == 1,
         ),
     )
     @also(POINT_MENU(32))
@@ -72,7 +72,7 @@ class DerivativeCommands:
         "Ctrl+Alt+Shift+V",
         needs=Need(
             "copied derivatives, and selected points of a Hermite curve",
-            lambda now: now.has_derivatives and bool(now.selection) and now.has_copied_derivatives,
+            lambda state: state.has_copied_derivatives,
         ),
     )
     @also(POINT_MENU(33))

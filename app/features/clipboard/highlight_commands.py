@@ -73,7 +73,7 @@ class HighlightCommands:
         "Delete, Leaving the Handles",
         EDIT_DELETE,
         "Ctrl+Del",
-        needs=Need("selected points", lambda now: bool(now.group.parts)),
+        needs=Need("selected points", lambda state: state.selected_count > 0),
         keywords="nodes without keeping the shape",
     )
     def _delete_plainly(self) -> None:

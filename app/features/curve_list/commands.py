@@ -16,7 +16,7 @@ from ...actions.sections import (
     EDIT_LAYERS,
     EDIT_SELECT,
 )
-from ...actions.situation import Situation
+from ...actions.state import ActionState
 from ...actions.strips import (
     CANVAS_MENU,
     CHOSEN_MENU,
@@ -211,7 +211,7 @@ class CurveListCommands:
         "Ctrl+H",
         "eye",
         full_name="Curve Visible",
-        checked=lambda now: now.view.source.visible,
+        checked=lambda state: state.is_visible,
     )
     @also(CURVE_MENU(21), CHOSEN_MENU(50), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
@@ -226,7 +226,7 @@ class CurveListCommands:
         "lock",
         full_name="Curve Locked",
         drawing_key="Alt+L",
-        checked=lambda now: now.view.source.locked,
+        checked=lambda state: state.is_locked,
     )
     @also(CURVE_MENU(22), CHOSEN_MENU(51), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
@@ -276,7 +276,7 @@ class CurveListCommands:
         EDIT_SELECT,
         "Ctrl+Shift+A",
         needs=SOME_CURVE,
-        title=lambda now: f"Select All {now.things}",
+        title=lambda state: f"Select All {state.things}",
     )
     @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
     def _choose_all(self) -> None:
@@ -298,8 +298,8 @@ class CurveListCommands:
         "onlyThisCurve",
         "Only This Curve",
         EDIT_SELECT,
-        needs=Need("several chosen curves", lambda now: len(now.selected) > 1),
-        title=lambda now: f"Only This {now.thing}",
+        needs=Need("several chosen curves", lambda state: state.selected_curve_count > 1),
+        title=lambda state: f"Only This {state.thing}",
     )
     @also(CURVE_LIST_MENU(25))
     def _choose_one(self) -> None:
@@ -307,7 +307,7 @@ class CurveListCommands:
         self._session.selected.set_curves((self._session.active_index,))
 
 
-def _curves(now: Situation) -> str:
+def _curves(now: ActionState) -> str:
     """Return what the highlight is, as a title: "3 Curves", "Star"; of a shape one alone is a contour."""
     document, selected = now.session.document, now.session.selected
     meant = selected.highlight(whole_curves=True).curves or selected.whole

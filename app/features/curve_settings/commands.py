@@ -35,10 +35,8 @@ def _rule_action(each: tuple[Derivative, EstimateRule]) -> Action:
         CURVE_ESTIMATES,
         tip=rule.tip,
         keywords=f"estimate {of.name} rule tangents",
-        needs=Need(f"a curve with {of.plural}", lambda now: now.view.source.family.derivatives >= of.order),
-        checked=lambda now: (
-            now.view.source.family.derivatives >= of.order and getattr(now.view.source, of.rule_field) is rule
-        ),
+        needs=Need(f"a curve with {of.plural}", lambda state: state.family.derivatives >= of.order),
+        checked=lambda state: state.family.derivatives >= of.order and state.rules[of.order - 1] is rule,
         group=f"{of.name}Rule",
     )
 
@@ -58,7 +56,7 @@ def _setting_action(each: tuple[Family, FamilySetting]) -> Action:
         tip=setting.tip or setting.label,
         full_name=f"{capwords(family.title)}: {capwords(setting.title)}…",
         keywords=f"{setting.name.replace('_', ' ')} set setting",
-        needs=Need(family.a_curve, lambda now: now.view.source.family == family),
+        needs=Need(family.a_curve, lambda state: state.family == family),
     )
 
 

@@ -10,7 +10,7 @@ from ...actions.declaration import PlaceAction, action, also
 from ...actions.keymap import keys_text
 from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_NEW, CURVE_POINTS, CURVE_SHAPE
-from ...actions.situation import Situation
+from ...actions.state import ActionState
 from ...actions.strips import (
     CANVAS_MENU,
     CURVE_LIST_BUTTONS,
@@ -38,12 +38,12 @@ from .order_commands import OrderCommands
 from .segment_commands import SegmentCommands
 
 
-def _closing(now: Situation) -> str:
+def _closing(now: ActionState) -> str:
     """Return what the key would do to a curve that is chosen as a whole in a drawing for paper, else nothing.
 
     Nobody draws it then, and a slip of the finger takes a side from a rectangle.
     """
-    session, source = now.session, now.view.source
+    session, source = now.session, now.session.active_curve
     if session.selected.is_editing or now.is_blank or not is_for_paper(session.document):
         return ""
     what = whole_curves(session.document, session.selected.chosen or (session.active_index,)).quoted
@@ -206,7 +206,7 @@ class CurveCommands:
         "Ctrl+R",
         "reverse",
         full_name="Reverse Curve",
-        needs=Need(TWO_POINTS.words, lambda now: len(now.view.source.points) > 1),
+        needs=Need(TWO_POINTS.words, lambda state: state.point_count > 1),
     )
     @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15), POINT_BAR(41))
     def _reverse(self) -> None:
@@ -241,7 +241,7 @@ class CurveCommands:
         "closed",
         full_name="Closed Curve",
         key_asks=_closing,
-        checked=lambda now: now.view.source.is_closed,
+        checked=lambda state: state.is_closed,
     )
     @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16), POINT_BAR(40))
     def _toggle_closed(self) -> None:

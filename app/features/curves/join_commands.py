@@ -9,7 +9,6 @@ import numpy as np
 from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
 from ...actions.sections import CURVE_POINTS, CURVE_SHAPE
-from ...actions.situation import Situation
 from ...actions.strips import (
     CHOSEN_MENU,
     CURVE_LIST_BUTTONS,
@@ -37,12 +36,6 @@ from ...view_model.points.appending import with_closed
 from ...workbench.context import WindowContext
 
 
-def _is_joinable(now: Situation) -> bool:
-    return now.view.is_current and (
-        SECOND_CURVE.is_met(now) or link_of(now.session.views, now.group) is not None
-    )
-
-
 class JoinCommands:
     """Actions that make one curve of several."""
 
@@ -56,7 +49,10 @@ class JoinCommands:
         "Ctrl+J, Alt+J",
         "join",
         full_name="Join Ends of Curves",
-        needs=Need("two selected ends, or a second curve", _is_joinable),
+        needs=Need(
+            "two selected ends, or a second curve",
+            lambda state: state.is_current and (SECOND_CURVE.is_met(state) or state.has_two_ends),
+        ),
         keywords="connect nodes combine close path weld start",
     )
     @also(
@@ -87,9 +83,7 @@ class JoinCommands:
         "Shift+J",
         "merge",
         full_name="Merge Ends into One Point",
-        needs=Need(
-            "two selected ends of open curves", lambda now: link_of(now.session.views, now.group) is not None
-        ),
+        needs=Need("two selected ends of open curves", lambda state: state.has_two_ends),
         keywords="join nodes weld close path middle",
     )
     @also(POINT_MENU(23), POINT_BAR(13))

@@ -7,12 +7,10 @@ from collections.abc import Callable, Collection, Sequence
 from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
 from ...actions.sections import CURVE_ORDER, CURVE_WALK
-from ...actions.situation import Situation
 from ...actions.strips import OBJECT_BAR
 from ...document.model import Document
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import at_end, stepped
-from ...document.shapes import shape_of
 from ...workbench.context import WindowContext
 
 Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
@@ -20,14 +18,14 @@ Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
 
 _CURVE_IN_FRONT = Need(
     "a curve in front of this one",
-    lambda now: _has_curve_beside(now, 1),
-    why=lambda _now: "Nothing is in front of it: it is at the top already.",
+    lambda state: state.has_curve_in_front,
+    why=lambda _state: "Nothing is in front of it: it is at the top already.",
     is_so=True,
 )
 _CURVE_BEHIND = Need(
     "a curve behind this one",
-    lambda now: _has_curve_beside(now, -1),
-    why=lambda _now: "Nothing is behind it: it is at the bottom already.",
+    lambda state: state.has_curve_behind,
+    why=lambda _state: "Nothing is behind it: it is at the bottom already.",
     is_so=True,
 )
 
@@ -110,7 +108,7 @@ class OrderCommands:
         CURVE_WALK,
         "Ctrl+PgDown",
         needs=SECOND_CURVE,
-        title=lambda now: f"Next {now.thing}",
+        title=lambda state: f"Next {state.thing}",
     )
     def _go_on(self) -> None:
         """Edit the next curve down the list."""
@@ -122,7 +120,7 @@ class OrderCommands:
         CURVE_WALK,
         "Ctrl+PgUp",
         needs=SECOND_CURVE,
-        title=lambda now: f"Previous {now.thing}",
+        title=lambda state: f"Previous {state.thing}",
     )
     def _go_back(self) -> None:
         """Edit the next curve up the list."""
@@ -133,13 +131,3 @@ class OrderCommands:
         session = self._session
         session.selected.activate((session.active_index + step) % len(session.document.curves))
         session.say(f"Editing “{session.active_curve.seen_name}”.")
-
-
-def _has_curve_beside(now: Situation, step: int) -> bool:
-    """Whether what is selected can move a step to the front (1) or back (−1); of several, some can."""
-    curves, places = now.session.document.curves, shape_of(now.session.document, now.session.active_index)
-    if not now.selected <= set(places):
-        return len(now.selected) < len(curves)
-    beside = places.stop if step > 0 else places.start - 1
-    groups = curves[places.start].groups
-    return 0 <= beside < len(curves) and curves[beside].groups[: len(groups)] == groups

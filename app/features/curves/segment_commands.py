@@ -33,8 +33,8 @@ class SegmentCommands:
         "delete-segment",
         needs=Need(
             HERMITE_CURVE.words,
-            lambda now: UNLOCKED_CURVE.is_met(now) and not why_not_straight(now.view.source.family),
-            why=lambda now: why_not_straight(now.view.source.family),
+            lambda state: UNLOCKED_CURVE.is_met(state) and not why_not_straight(state.family),
+            why=lambda state: why_not_straight(state.family),
         ),
         keywords="open break cut out remove between nodes path",
     )

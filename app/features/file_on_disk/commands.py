@@ -229,7 +229,7 @@ class DiskCommands(QObject):
         full_name="Reload File",
         needs=Need(
             "a file that can be read",
-            lambda now: now.state.file.change in (FileChange.SAME, FileChange.CHANGED),
+            lambda state: state.window.file.change in (FileChange.SAME, FileChange.CHANGED),
         ),
     )
     def _reload(self) -> None:
@@ -251,7 +251,8 @@ class DiskCommands(QObject):
         FILE_DISK,
         full_name="Keep Mine, not the File",
         needs=Need(
-            _CHANGED_OUTSIDE, lambda now: now.state.file.change in (FileChange.CHANGED, FileChange.UNREADABLE)
+            _CHANGED_OUTSIDE,
+            lambda state: state.window.file.change in (FileChange.CHANGED, FileChange.UNREADABLE),
         ),
     )
     def _keep_mine(self) -> None:
@@ -268,8 +269,8 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="eye",
         full_name="Compare with File as Ghost",
-        needs=Need(_CHANGED_OUTSIDE, lambda now: now.state.file.change is FileChange.CHANGED),
-        checked=lambda now: now.state.compares_with_file,
+        needs=Need(_CHANGED_OUTSIDE, lambda state: state.window.file.change is FileChange.CHANGED),
+        checked=lambda state: state.window.compares_with_file,
     )
     def _compare(self) -> None:
         """Show what the file holds now, dashed behind the drawing."""
@@ -299,7 +300,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="save",
         full_name="Overwrite File",
-        needs=Need("", lambda now: now.state.file.may_overwrite),
+        needs=Need("", lambda state: state.window.file.may_overwrite),
     )
     def _overwrite(self) -> None:
         """Replace the changed file by what is here."""
@@ -311,7 +312,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="unlock",
         full_name="Take Over the Document",
-        needs=Need("a document that is open read-only", lambda now: now.state.file.is_read_only),
+        needs=Need("a document that is open read-only", lambda state: state.window.file.is_read_only),
     )
     def _take_over(self) -> None:
         """Make a document yours that is open elsewhere."""
@@ -332,7 +333,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="unlock",
         full_name="Edit the Document Anyway",
-        needs=Need("", lambda now: now.state.file.is_asked),
+        needs=Need("", lambda state: state.window.file.is_asked),
     )
     def _edit_anyway(self) -> None:
         """Take the document over although somebody may be editing it."""

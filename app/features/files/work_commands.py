@@ -27,7 +27,9 @@ class WorkCommands:
         FILE_WORK,
         "Ctrl+.",
         "stop",
-        needs=Need("something that is being read, written or computed", lambda now: now.state.is_working),
+        needs=Need(
+            "something that is being read, written or computed", lambda state: state.window.is_working
+        ),
     )
     def _cancel(self) -> None:
         """Stop reading, writing or computing; nothing changes."""

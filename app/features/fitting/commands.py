@@ -65,7 +65,7 @@ class PencilCommands:
             EDIT_PENCIL,
             tip=f"The pencil's curves are at most {count_of(round(detail.pixels), 'pixel')} from the line",
             full_name=f"Pencil: {detail.label}",
-            checked=lambda now: now.state.pencil is detail,
+            checked=lambda state: state.window.pencil is detail,
             group="pencil",
         ),
     )

@@ -14,7 +14,7 @@ from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 from .. import guides
 
-_SOME_GUIDE = Need("a guide", lambda now: bool(now.session.document.guides))
+_SOME_GUIDE = Need("a guide", lambda state: state.has_guides)
 _BESIDE = 6
 """Pixels between the field and the guide, or the ruler."""
 

@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import EDIT_HISTORY, FILE_BACK
-from ...actions.situation import Situation
 from ...actions.strips import TOOLBAR
 from ...qt.labels import menu_text
 from ...workbench.context import WindowContext
@@ -17,10 +16,6 @@ from .panel import HistoryPanel
 
 def _titled(verb: str, step: str) -> str:
     return f"{verb}: {menu_text(step)}" if step else verb
-
-
-def _can_undo(now: Situation) -> bool:
-    return now.session.undo_stack.canUndo() or now.session.is_previewing or now.state.in_flight
 
 
 class HistoryCommands:
@@ -40,6 +35,13 @@ class HistoryCommands:
         canvas.gesture_began.connect(lambda: self._follow_gesture(is_held=True))
         canvas.gesture_ended.connect(self._follow_gesture)
         canvas.errands_changed.connect(self._follow_gesture)
+        self._session.history_changed.connect(self._name_steps)
+
+    def _name_steps(self) -> None:
+        """Call Undo and Redo by the steps that they are for."""
+        actions, stack = self._context.actions, self._session.undo_stack
+        actions["undo"].setText(_titled("Undo", stack.undoText()))
+        actions["redo"].setText(_titled("Redo", stack.redoText()))
 
     def _follow_gesture(self, *, is_held: bool = False) -> None:
         """Let undo be used for what is in flight, where there is no step that it could be used for."""
@@ -73,8 +75,7 @@ class HistoryCommands:
         EDIT_HISTORY,
         "Ctrl+Z",
         "undo",
-        needs=Need("a step to take back", _can_undo),
-        title=lambda now: _titled("Undo", now.session.undo_stack.undoText()),
+        needs=Need("a step to take back", lambda state: state.can_undo),
         during_gesture=True,
     )
     @also(TOOLBAR(20))
@@ -100,7 +101,7 @@ class HistoryCommands:
         full_name="Go Back to What Was Before the Lesson",
         needs=Need(
             "work that was left for a lesson or an example",
-            lambda now: now.session.files.beginning.before is not None,
+            lambda state: state.can_go_back,
         ),
     )
     def _go_back(self) -> None:
@@ -117,8 +118,7 @@ class HistoryCommands:
         EDIT_HISTORY,
         "Ctrl+Shift+Z, Ctrl+Y",
         "redo",
-        needs=Need("a step that was taken back", lambda now: now.session.undo_stack.canRedo()),
-        title=lambda now: _titled("Redo", now.session.undo_stack.redoText()),
+        needs=Need("a step that was taken back", lambda state: state.can_redo),
     )
     @also(TOOLBAR(21))
     def _redo(self) -> None:

@@ -24,7 +24,7 @@ from ...workbench.context import WindowContext
 _WIDTH = 1600
 
 _ANY_CURVE = Need(
-    "a curve through two points or more", lambda now: now.view.curve is not None or len(now.session.views) > 1
+    "a curve through two points or more", lambda state: state.has_curve or state.curve_count > 1
 )
 
 

@@ -101,7 +101,7 @@ class LaboratoryCommands(Guarded, QObject):
         ANALYSIS_EXPLAIN,
         "Ctrl+Alt+L",
         "laboratory",
-        checked=lambda now: now.state.analysis.laboratory.on,
+        checked=lambda state: state.window.analysis.laboratory.on,
     )
     def _toggle(self) -> None:
         """Compute the curve with few digits, by several methods, and see which of them fail."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...actions.declaration import action, also
 from ...actions.needs import SOME_LAYER, Need
 from ...actions.sections import EDIT_LAYER_MOVES, EDIT_LAYERS, EDIT_SELECT
-from ...actions.situation import Situation
+from ...actions.state import ActionState
 from ...actions.strips import CURVE_LIST_MENU, LAYER_MENU
 from ...document.layers import layer_of, layers_beside, moved_to_layer, neighbour_of, new_layer, stepped_layer
 from ...document.selection import free_curves
@@ -21,13 +21,13 @@ _LAYER_ABOVE = Need("a chosen curve, and a layer above it", lambda now: _can_mov
 _LAYER_BELOW = Need("a chosen curve, and a layer below it", lambda now: _can_move(now, -1))
 
 
-def _has_layer_beside(now: Situation, step: int) -> bool:
+def _has_layer_beside(now: ActionState, step: int) -> bool:
     layer = now.session.selected.layer
     beside = layers_beside(now.session.document, layer) if layer else []
     return bool(beside) and beside[-1 if step > 0 else 0] != layer
 
 
-def _can_move(now: Situation, step: int) -> bool:
+def _can_move(now: ActionState, step: int) -> bool:
     return bool(neighbour_of(now.session.document, now.session.selected.marked, step))
 
 

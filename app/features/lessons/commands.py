@@ -98,7 +98,7 @@ class LessonCommands:
     def _lessons(self) -> list[Lesson]:
         return [lessons.lesson.load_lesson(name) for name in lessons.lesson.lesson_names()]
 
-    @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
+    @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda state: state.window.lessons)
     def _toggle(self) -> None:
         """Learn why a curve goes where it goes, in eleven lessons."""
         self._dock.setVisible(not self._context.store.state.lessons)

@@ -54,7 +54,7 @@ def _chosen_of(each: _Choice, prefix: str, section: Section, group: str, field: 
         icon=each.icon,
         tip=each.tip,
         full_name=each.full_name,
-        checked=lambda now: getattr(now.state.motion, field) is each.value,
+        checked=lambda state: getattr(state.window.motion, field) is each.value,
         group=group,
     )
 
@@ -92,8 +92,8 @@ class MotionCommands:
         "K",
         "play",
         full_name="Play Motion",
-        needs=Need(CURVE_THROUGH_TWO.words, lambda now: now.view.is_current or now.state.motion_shown),
-        checked=lambda now: now.state.motion_plays,
+        needs=Need(CURVE_THROUGH_TWO.words, lambda state: state.is_current or state.window.motion_shown),
+        checked=lambda state: state.window.motion_plays,
     )
     @also(TOOLBAR(64))
     def _play(self) -> None:
@@ -106,7 +106,7 @@ class MotionCommands:
         MOTION_RUN,
         icon="stop",
         full_name="Stop Motion",
-        needs=Need("a motion that is shown", lambda now: now.state.motion_shown),
+        needs=Need("a motion that is shown", lambda state: state.window.motion_shown),
     )
     def _stop(self) -> None:
         """End the motion (Escape)."""
@@ -141,7 +141,7 @@ class MotionCommands:
             tip=f"Let {family.a_curve} through these points run side by side",
             full_name=f"Compare Motion with {family.label}",
             needs=CURVE_THROUGH_TWO,
-            checked=lambda now: family in now.state.motion.compared,
+            checked=lambda state: family in state.window.motion.compared,
         ),
     )
     def _compare_with(self, family: Family) -> None:
@@ -154,7 +154,7 @@ class MotionCommands:
         icon="compare",
         full_name="Compare Motion, All Families",
         needs=CURVE_THROUGH_TWO,
-        checked=lambda now: frozenset(timed_families()) <= now.state.motion.compared,
+        checked=lambda state: frozenset(timed_families()) <= state.window.motion.compared,
     )
     def _compare(self) -> None:
         """Let curves of all families that go through these points run side by side."""

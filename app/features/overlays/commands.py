@@ -149,7 +149,7 @@ class OverlayCommands:
             each.icon,
             each.tip,
             each.full_name,
-            checked=lambda now: each in now.state.analysis.overlays,
+            checked=lambda state: each in state.window.analysis.overlays,
         ),
     )
     def _switch(self, overlay: Overlay) -> None:
@@ -169,7 +169,7 @@ class OverlayCommands:
             GHOSTS_FAMILY if ghost.is_of_family else GHOSTS_RULE,
             tip=ghost.tip,
             full_name=f"Ghost: {capwords(ghost.title)}",
-            checked=lambda now: ghost in now.state.analysis.ghosts,
+            checked=lambda state: ghost in state.window.analysis.ghosts,
         ),
     )
     def _switch_ghost(self, ghost: Ghost) -> None:
@@ -181,7 +181,7 @@ class OverlayCommands:
         "All Families",
         GHOSTS_FAMILY,
         full_name="Ghosts of All Families",
-        checked=lambda now: _ghosts_of_families() <= now.state.analysis.ghosts,
+        checked=lambda state: _ghosts_of_families() <= state.window.analysis.ghosts,
     )
     def _switch_all_families(self) -> None:
         """Draw the same points as a curve of every family, too, each with its Lebesgue constant."""

@@ -85,7 +85,7 @@ class OwnFamilyCommands(QObject):
         FILE_FAMILY_MORE,
         icon="play",
         full_name="Use the New Family",
-        needs=Need("a family file just written or used", lambda _now: family_files().offered is not None),
+        needs=Need("a family file just written or used", lambda state: state.window.offers_family),
     )
     def _use_offered(self) -> None:
         """Run the template just written, or draw the curve by the family that a file has just brought."""
@@ -101,7 +101,7 @@ class OwnFamilyCommands(QObject):
         FILE_FAMILY_MORE,
         icon="stop",
         full_name="Stop the Family File",
-        needs=Need("a family file that is running", lambda _now: bool(family_files().running)),
+        needs=Need("a family file that is running", lambda state: state.window.runs_family_file),
     )
     def _stop(self) -> None:
         """Stop the file of families that is running; nothing changes."""
@@ -162,7 +162,8 @@ class OwnFamilyCommands(QObject):
         if self._shows_late:
             # The canvas has another size with it: what is dragged would move under the hand.
             return
-        self._context.actions.render()
+        files, store = self._files, self._context.store
+        store.change(offers_family=files.offered is not None, runs_family_file=bool(files.running))
         text, offered, warns = self._sentence()
         if not text or text == self._dismissed:
             if self._bar is not None:

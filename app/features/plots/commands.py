@@ -104,7 +104,7 @@ class PlotCommands:
             plot.icon,
             plot.tip,
             f"Plot {plot.text}",
-            checked=lambda now: plot in now.state.analysis.plots,
+            checked=lambda state: plot in state.window.analysis.plots,
         ),
     )
     def _switch(self, plot: Plot) -> None:

@@ -50,7 +50,7 @@ class PointTableCommands:
         "Type x and y…",
         CURVE_POINTS,
         full_name="Type x and y of the Point…",
-        needs=Need("a selected point", lambda now: bool(now.session.selection)),
+        needs=Need("a selected point", lambda state: state.selected_count > 0),
         keywords="exact coordinates position place numbers node",
     )
     @also(POINT_MENU(18))

@@ -9,41 +9,21 @@ from ...actions.sections import (
     CURVE_VELOCITIES,
     EDIT_SELECT,
 )
-from ...actions.situation import Situation
+from ...actions.state import ActionState
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import edits
 from ...document.contents import is_content, refusal_of
 from ...document.point_group import some_points
-from ...document.selection import NONE_FREE, all_points, free_curves, with_points
-from ...view_model.curve.jets import is_explicit
+from ...document.selection import NONE_FREE, all_points, free_curves
 from ...workbench.context import WindowContext
 
 
-def _has_explicit(now: Situation) -> bool:
-    """Whether a selected point has a derivative that was set by hand."""
-    curves = now.session.document.curves
-    return any(
-        is_explicit(curves[curve].points[index], order, ahead=ahead)
-        for curve, indices in now.group.parts
-        for index in indices
-        for order in (1, 2)
-        for ahead in (False, True)
-    )
-
-
-def _can_be_edited(now: Situation) -> bool:
-    """Whether anything that is chosen, or else the active curve, has points to edit."""
-    session = now.session
-    places = session.selected.chosen or {session.active_index}
-    return session.selected.is_editing or bool(with_points(session.document.curves, places))
-
-
-def _why_not_edited(now: Situation) -> str:
+def _why_not_edited(now: ActionState) -> str:
     curve = now.session.active_curve
     return refusal_of(curve) if is_content(curve) else ""
 
 
-_WITH_POINTS = Need("a curve with points", _can_be_edited, why=_why_not_edited)
+_WITH_POINTS = Need("a curve with points", lambda state: state.can_edit, why=_why_not_edited)
 
 
 class PointCommands:
@@ -105,7 +85,7 @@ class PointCommands:
         "Edit Curve",
         CURVE_EDITING,
         icon="spline-pointer",
-        checked=lambda now: now.session.selected.is_editing,
+        checked=lambda state: state.is_editing,
         needs=_WITH_POINTS,
         keywords="points nodes whole curves leave objects",
     )
@@ -123,7 +103,7 @@ class PointCommands:
         "Reset Derivatives to Estimated",
         CURVE_VELOCITIES,
         icon="reset",
-        needs=Need("selected points with a derivative that was set", _has_explicit),
+        needs=Need("selected points with a derivative that was set", lambda state: state.has_explicit),
     )
     def _reset_derivatives(self) -> None:
         """Let the rules estimate the derivatives of the selected points again."""

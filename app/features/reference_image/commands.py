@@ -33,7 +33,7 @@ _MISSING = "The reference image is not shown. {}"
 _SHARE = 0.8
 """Part of the canvas that a new picture fills."""
 
-_AN_IMAGE = Need("a reference image", lambda now: now.session.document.image is not None)
+_AN_IMAGE = Need("a reference image", lambda state: state.is_image_locked is not None)
 
 
 class ImageCommands:
@@ -184,7 +184,7 @@ class ImageCommands:
         "Move Image",
         FILE_IMAGE,
         icon="move",
-        needs=Need("a reference image that is not locked", lambda now: _can_move(now.session.document.image)),
+        needs=Need("a reference image that is not locked", lambda state: state.is_image_locked is False),
     )
     @also(IMAGE_BUTTONS(10))
     def _toggle_moving(self) -> None:
@@ -230,10 +230,6 @@ class ImageCommands:
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.moves_image != before.moves_image:
             self._context.central.canvas.lay_tool_above(MOVE_IMAGE if after.moves_image else None)
-
-
-def _can_move(image: ReferenceImage | None) -> bool:
-    return image is not None and not image.locked
 
 
 COMMAND_SETS = (ImageCommands,)

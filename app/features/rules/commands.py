@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 
 from ... import view_model
-from ...actions.declaration import Action, Sight, action, action_for_each, also, also_for_each, widget_at
+from ...actions.declaration import Action, Opened, action, action_for_each, also, also_for_each, widget_at
 from ...actions.keymap import keys_text
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
-from ...actions.situation import Situation
+from ...actions.state import ActionState
 from ...actions.strips import CURVE_MENU, FAMILIES_MENU, FAMILY_BAR, RAIL_MENU, Place
 from ...document import edits
 from ...document.curve_edits import replace_curve
@@ -22,6 +22,7 @@ from ...document.paper import is_for_paper
 from ...document.several_curves import counted, name_of, named
 from ...document.words import number
 from ...families import FAMILIES, Family
+from ...session import Session
 from ...storage.resources import has_resource
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.toolbar_widget import ToolbarWidget
@@ -59,17 +60,17 @@ def _place_of(family: Family) -> Place:
 def _edited(family: Family) -> Need:
     """Return what the digit of a family needs: pressed by habit, it would rewrite what was drawn."""
 
-    def why(now: Situation) -> str:
-        name = now.view.source.name
+    def why(now: ActionState) -> str:
+        name = now.session.active_curve.name
         then = f"then the same key makes it {family.title}"
         rest = "The toolbar changes all that are chosen."
         rest = _ZOOM_KEYS if is_for_paper(now.session.document) else rest
         return f"Enter edits “{name}”; {then}. {rest}"
 
-    return Need("an edited curve", lambda now: now.session.selected.is_editing or now.is_blank, why=why)
+    return Need("an edited curve", lambda state: state.is_editing or state.is_blank, why=why)
 
 
-def _reshaped(now: Situation, family: Family) -> str:
+def _reshaped(now: ActionState, family: Family) -> str:
     """Return what the digit of a family would make of a drawing for paper, empty where the shape stays.
 
     There the digits are pressed for a zoom, as in other programs; a course is about the families.
@@ -132,7 +133,7 @@ class RuleCommands:
             family.tip,
             short=family.short,
             keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
-            checked=lambda now: now.view.source.family == family,
+            checked=lambda state: state.family == family,
             group="family",
             drawing_key="",
             key_needs=_edited(family),
@@ -186,10 +187,10 @@ class RuleCommands:
             f"Convert to {family.label}, Keeping the Shape",
             CURVE_CONVERT,
             tip=f"Write the same curve as {family.a_curve}, where it is one: the shape stays",
-            on_sight=lambda now: _outlook(now, family),
+            when_opened=lambda session: _outlook(session, family),
             needs=Need(
                 "a curve of another family that is not locked",
-                lambda now: UNLOCKED_CURVE.is_met(now) and now.view.source.family != family,
+                lambda state: UNLOCKED_CURVE.is_met(state) and state.family != family,
             ),
         ),
     )
@@ -231,7 +232,8 @@ class RuleCommands:
         CURVE_PARAMETERS,
         icon="lock",
         needs=Need(
-            "parameters that a rule gives", lambda now: now.view.is_current and not now.view.source.is_manual
+            "parameters that a rule gives",
+            lambda state: state.is_current and state.parametrization is not ParametrizationKind.MANUAL,
         ),
     )
     @also(CURVE_MENU(14), RAIL_MENU(21))
@@ -251,7 +253,7 @@ class RuleCommands:
         icon="spline",
         needs=Need(
             "parameters that are not uniform",
-            lambda now: now.view.source.parametrization.kind is not ParametrizationKind.UNIFORM,
+            lambda state: state.parametrization is not ParametrizationKind.UNIFORM,
         ),
     )
     def _use_uniform(self) -> None:
@@ -265,15 +267,15 @@ class RuleCommands:
         return edits.set_alpha(document, index, alpha)
 
 
-def _outlook(now: Situation, family: Family) -> Sight:
+def _outlook(session: Session, family: Family) -> Opened:
     """Return what a conversion does to the curve of the moment."""
-    found = view_model.fitting.convert.outlook(now.view, family)
+    found = view_model.fitting.convert.outlook(session.active_view, family)
     text, tip = f"Convert to {family.label}, ", f"Write the same curve as {family.a_curve}: the shape stays"
     if not found.within:
-        return Sight(f"{text}Keeping the Shape", tip, found.refusal)
+        return Opened(f"{text}Keeping the Shape", tip, found.refusal)
     within = number(found.within, 1)
     follow = f"Follow the curve, which does not consist of polynomials, with {family.a_curve}"
-    return Sight(f"{text}Within {within}", f"{follow}: it changes by {within} at most")
+    return Opened(f"{text}Within {within}", f"{follow}: it changes by {within} at most")
 
 
 def _alpha_step(position: int) -> str:

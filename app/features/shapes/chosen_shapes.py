@@ -9,7 +9,7 @@ from ...document.selection import with_points
 from ...document.shapes import is_of_several, whole_shapes
 from ...session import Session
 
-AN_OBJECT: Final = Need("a curve", lambda now: bool(meant(now.session)) and not now.is_blank)
+AN_OBJECT: Final = Need("a curve", lambda state: state.has_selected_curve and not state.is_blank)
 
 A_SHAPE: Final = Need(
     "a shape",

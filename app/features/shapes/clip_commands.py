@@ -9,7 +9,7 @@ from curvecore.arrays import FloatArray
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_CLIPS
-from ...actions.situation import Situation
+from ...actions.state import ActionState
 from ...actions.strips import CHOSEN_MENU
 from ...document.content import Lettering
 from ...document.contents import corners_of
@@ -22,7 +22,7 @@ from .clip_editing import ClipEditing
 from .shape_work import ShapeWork
 
 
-def _is_clipped(now: Situation) -> bool:
+def _is_clipped(now: ActionState) -> bool:
     curves = now.session.document.curves
     return any(curves[place].style.clips for place in meant(now.session))
 

@@ -7,40 +7,24 @@ from collections.abc import Collection
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_GROUPS, CURVE_SHAPES
-from ...actions.situation import Situation
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
 from ...document.curve_edits import remove_curve
 from ...document.curve_tree import counted_nodes
 from ...document.several_curves import active_after_removal, named
 from ...document.shape_edits import (
     Gathered,
-    are_in_groups,
     broken_apart,
     combined,
     grouped,
     groups_meant,
     ungrouped,
 )
-from ...document.shapes import shape_of
 from ...document.words import count_of
 from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import AN_OBJECT, meant
 from .clip_commands import ClipCommands
 from .simplify_commands import SimplifyCommands
-
-
-def _is_several(now: Situation) -> bool:
-    document, curves = now.session.document, meant(now.session)
-    return len(curves) > 1 and set(shape_of(document, min(curves))) != curves
-
-
-def _are_in_shapes(now: Situation) -> bool:
-    return any(now.session.document.curves[place].shape for place in meant(now.session))
-
-
-def _are_in_groups(now: Situation) -> bool:
-    return are_in_groups(now.session.document, meant(now.session))
 
 
 class ShapeCommands:
@@ -58,7 +42,7 @@ class ShapeCommands:
         "Ctrl+K, Ctrl+Alt+K",
         "combine",
         full_name="Combine Curves",
-        needs=Need("two chosen curves or more", _is_several),
+        needs=Need("two chosen curves or more", lambda state: state.can_combine),
         keywords="compound path, hole, make shape, counter",
     )
     @also(CURVE_MENU(40), CURVE_LIST_MENU(50))
@@ -80,7 +64,7 @@ class ShapeCommands:
         "Ctrl+Shift+K",
         "break-apart",
         full_name="Break Shape Apart",
-        needs=Need("a shape of several curves", _are_in_shapes),
+        needs=Need("a shape of several curves", lambda state: state.is_any_in_shape),
         keywords="release compound path, uncombine",
     )
     @also(CURVE_MENU(41), CURVE_LIST_MENU(51))
@@ -98,7 +82,7 @@ class ShapeCommands:
         CURVE_SHAPES,
         icon="delete",
         full_name="Delete This Curve of the Shape",
-        needs=Need("a shape of several curves", lambda now: bool(now.view.source.shape)),
+        needs=Need("a shape of several curves", lambda state: state.is_in_shape),
         keywords="remove hole, contour, subpath",
     )
     @also(CURVE_LIST_MENU(52))
@@ -139,7 +123,7 @@ class ShapeCommands:
         "Ctrl+Shift+G",
         "ungroup",
         full_name="Ungroup Curves",
-        needs=Need("a curve in a group", _are_in_groups),
+        needs=Need("a curve in a group", lambda state: state.is_any_in_group),
     )
     @also(CURVE_MENU(43), CHOSEN_MENU(31), CURVE_LIST_MENU(54), OBJECT_BAR(21))
     def _ungroup(self) -> None:

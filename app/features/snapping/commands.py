@@ -38,7 +38,7 @@ class SnapCommands:
         VIEW_SNAP,
         "%",
         "magnet",
-        checked=lambda now: now.state.snapping.on,
+        checked=lambda state: state.window.snapping.on,
         choices=SNAP_MENU,
     )
     @also(TOOLBAR(62), CANVAS_MENU(32))
@@ -63,7 +63,7 @@ class SnapCommands:
             VIEW_SNAP_TO,
             tip=f"What snaps is drawn to this: {kind.label.lower()}",
             full_name=f"Snap To: {kind.label}",
-            checked=lambda now: kind in now.state.snapping.kinds,
+            checked=lambda state: kind in state.window.snapping.kinds,
             keywords="magnet",
         ),
     )

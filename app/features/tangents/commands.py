@@ -7,7 +7,6 @@ from collections.abc import Callable, Collection, Sequence
 from ...actions.declaration import Action, PlaceAction, action, action_for_each, also, also_for_each
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
-from ...actions.situation import Situation
 from ...actions.strips import POINT_BAR, POINT_BUTTONS, POINT_MENU
 from ...document.curve_edits import replace_curve
 from ...document.edits import AlreadySoError, EditError
@@ -19,7 +18,7 @@ from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.handles import with_velocities_pulled
 from ...view_model.geometry.sampling import segment_at
-from ...view_model.points.point_kinds import POINT_KINDS, PointKind, kinds_of, why_no_kinds
+from ...view_model.points.point_kinds import POINT_KINDS, PointKind, why_no_kinds
 from ...view_model.points.smoothness import inner_points
 from ...view_model.points.straight import segments_between, with_straight_segments
 from ...workbench.context import WindowContext
@@ -33,9 +32,7 @@ _VISIBLE = 16.0
 _MOST_NAMED = 3
 """Points or segments that a sentence names one by one."""
 
-_OF_A_KIND = Need(
-    HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda now: why_no_kinds(now.view.source.family)
-)
+_OF_A_KIND = Need(HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda state: why_no_kinds(state.family))
 
 
 class TangentCommands:
@@ -56,7 +53,7 @@ class TangentCommands:
             kind.tip,
             f"{kind.title} Tangents",
             needs=_OF_A_KIND,
-            checked=lambda now: _kinds(now) == {POINT_KINDS.index(kind)},
+            checked=lambda state: state.point_kinds == {POINT_KINDS.index(kind)},
             keywords=kind.keywords,
         ),
     )
@@ -86,8 +83,8 @@ class TangentCommands:
         "straight",
         needs=Need(
             HERMITE_CURVE.words,
-            lambda now: now.view.is_current and not why_not_straight(now.view.source.family),
-            why=lambda now: why_not_straight(now.view.source.family),
+            lambda state: state.is_current and not why_not_straight(state.family),
+            why=lambda state: why_not_straight(state.family),
         ),
     )
     @also(POINT_MENU(15), POINT_BUTTONS(15), POINT_BAR(30))
@@ -206,14 +203,6 @@ def _points(group: PointGroup) -> str:
         return group.words
     *first, last = map(str, sorted(group.parts[0][1]))
     return f"points {', '.join(first)} and {last}"
-
-
-def _kinds(now: Situation) -> set[int]:
-    """Return the kinds that the selected points are of, by their places."""
-    if not HERMITE_POINTS.is_met(now):
-        return set()
-    views = now.session.views
-    return {kind for curve, each in now.group.parts for kind in kinds_of(views[curve])[sorted(each)].tolist()}
 
 
 COMMAND_SETS = (TangentCommands,)

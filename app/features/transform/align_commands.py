@@ -8,7 +8,7 @@ from ...actions.declaration import Action, action_for_each, also_for_each
 from ...actions.keymap import action_name
 from ...actions.needs import Need
 from ...actions.sections import EDIT_ALIGN_ACROSS, EDIT_ALIGN_TO, EDIT_ALIGN_UP, EDIT_DISTRIBUTE, Section
-from ...actions.situation import Situation
+from ...actions.state import ActionState
 from ...actions.strips import ALIGN_BUTTONS, OBJECT_BAR
 from ...document.model import Document
 from ...document.several_curves import changeable, named, what_stays
@@ -61,9 +61,9 @@ _DISTRIBUTIONS = tuple(
 )
 
 
-def _can_align(now: Situation) -> bool:
-    is_one_enough = now.state.align_to.is_around and not now.group.parts and bool(_curves(now.session))
-    return _count(now) > 1 or is_one_enough
+def _can_align(state: ActionState) -> bool:
+    is_one_enough = state.window.align_to.is_around and state.has_selected_curve
+    return _count(state) > 1 or (is_one_enough and not state.selected_count)
 
 
 def _curves(session: Session) -> frozenset[int]:
@@ -76,16 +76,18 @@ def _say_what_stays(session: Session, change: Change) -> None:
         session.say(f"{stays}.")
 
 
-def _count(now: Situation) -> int:
+def _count(state: ActionState) -> int:
     """Return how many points are selected, or else objects chosen: a group or a shape is one."""
-    return now.group.count or now.object_count
+    return state.selected_count or state.chosen_count
 
 
 TWO = Need("two selected points or chosen curves, or more (a group is one)", _can_align)
-THREE = Need("three selected points or chosen curves, or more (a group is one)", lambda now: _count(now) > 2)
+THREE = Need(
+    "three selected points or chosen curves, or more (a group is one)", lambda state: _count(state) > 2
+)
 THREE_CURVES = Need(
     "three chosen curves or more (a group is one)",
-    lambda now: not now.selection and now.object_count > 2,
+    lambda state: not state.selected_count and state.chosen_count > 2,
 )
 
 
@@ -168,7 +170,7 @@ class AlignCommands:
             EDIT_ALIGN_TO,
             tip=each.tip,
             full_name=f"Align to {each.label[0].lower()}{each.label[1:]}",
-            checked=lambda now: now.state.align_to is each,
+            checked=lambda state: state.window.align_to is each,
             group="alignTo",
         ),
     )

@@ -83,7 +83,8 @@ _TURNS = (
 )
 
 _BOX = Need(
-    "two selected points or more, or a chosen curve", lambda now: len(now.selection) > 1 or bool(now.chosen)
+    "two selected points or more, or a chosen curve",
+    lambda state: state.active_selected_count > 1 or state.chosen_count > 0,
 )
 
 _Amount = TypeVar("_Amount", int, float)
@@ -187,7 +188,7 @@ class SelectionCommands:
         "Grips That Rotate and Skew",
         EDIT_TRANSFORM_BOX,
         needs=_BOX,
-        checked=lambda now: now.session.box.turns,
+        checked=lambda state: state.grips_turn,
         keywords="shear slant second click box",
     )
     def _turn_grips(self) -> None:

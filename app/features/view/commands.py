@@ -142,7 +142,7 @@ class ViewCommands:
             tool.icon,
             tool.tip,
             tool.full_name,
-            checked=lambda now: now.state.uses(tool),
+            checked=lambda state: state.window.uses(tool),
             group="tool",
             during_gesture=True,
             keywords=tool.keywords,
@@ -183,7 +183,7 @@ class ViewCommands:
         "T",
         "spline",
         needs=CURVE_DRAWN,
-        checked=lambda now: now.session.scrub.t is not None,
+        checked=lambda state: state.has_scrub_line,
     )
     @also(TOOLBAR(63), CANVAS_MENU(33))
     def _toggle_scrub(self) -> None:
@@ -253,7 +253,7 @@ class ViewCommands:
         VIEW_SHOWN,
         "F12",
         "canvas-only",
-        checked=lambda now: not (now.state.basis or now.state.side_panel),
+        checked=lambda state: not (state.window.basis or state.window.side_panel),
         keywords="hide panels dialogs docks focus distraction",
     )
     def _toggle_canvas_only(self) -> None:
@@ -359,7 +359,7 @@ class ViewCommands:
             theme[1],
             VIEW_THEME,
             tip=theme[2],
-            checked=lambda now: now.state.theme_mode is theme[0],
+            checked=lambda state: state.window.theme_mode is theme[0],
             group="theme",
         ),
     )

@@ -25,10 +25,12 @@ _DRAWING_KEYS = {0.5: "2", _FULL_SIZE: "Ctrl+0, Ctrl+1, 1"}
 
 _SOME_POINT = Need(
     "a curve with points",
-    lambda now: bool(now.session.selected.marked) and (bool(len(now.view.points)) or len(now.selected) > 1),
-    why=lambda now: "" if now.session.selected.marked else NONE_CHOSEN,
+    lambda state: state.has_selected_curve and (state.point_count > 0 or state.selected_curve_count > 1),
+    why=lambda state: "" if state.has_selected_curve else NONE_CHOSEN,
 )
-_STATUS_LINE = Need("the status line, which a presentation hides", lambda now: not now.state.presentation)
+_STATUS_LINE = Need(
+    "the status line, which a presentation hides", lambda state: not state.window.presentation
+)
 
 
 class ZoomCommands:

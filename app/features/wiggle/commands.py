@@ -73,7 +73,7 @@ class WiggleCommands(QObject):
         "W",
         "explain",
         needs=CURVE_THROUGH_TWO,
-        checked=lambda now: now.state.uses(EXPLAIN),
+        checked=lambda state: state.window.uses(EXPLAIN),
         group="tool",
     )
     def _use_tool(self) -> None:

@@ -1,0 +1,262 @@
+"""Facts that decide which actions can be used, which are on and what they are called.
+
+Actions are rendered when these facts are others than before. So no fact is a position or a text that changes
+while something is dragged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import chain
+
+import msgspec
+from msgspec.structs import replace
+
+from ..document.derivatives import EstimateRule
+from ..document.model import Document, ParametrizationKind
+from ..document.paper import object_word
+from ..document.point_group import NO_POINTS, PointGroup
+from ..document.selection import with_points
+from ..document.several_curves import is_blank
+from ..document.shape_edits import are_in_groups, objects
+from ..document.shapes import shape_of, whole_shapes
+from ..document.steps import reshaped
+from ..families import Family
+from ..session import Session
+from ..state.window_state import WindowState, WindowStore
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.curve.jets import is_explicit
+from ..view_model.pieces.joining import link_of
+from ..view_model.points.point_kinds import kinds_of
+from .clipboard_watch import ClipboardWatch
+
+
+class ActionState(msgspec.Struct, frozen=True, kw_only=True):
+    """The facts that decide about actions: equal facts, equal actions.
+
+    "The curve" is the active one.
+
+    Attributes
+    ----------
+    window
+        The window's state.
+    is_blank
+        Whether nothing has been drawn yet.
+    curve_count
+        The number of curves.
+    family, parametrization, rules
+        The rules of the curve; the last by the order of the derivative that each estimates, from 1 on.
+    point_count
+        The number of its points.
+    is_closed, is_visible, is_locked, is_in_shape
+        Its flags, and whether it is one of a shape of several.
+    is_current, has_curve
+        Whether its points make a curve; whether one is drawn, which may be the last one that they made.
+    is_editing, can_edit
+        Whether a curve is edited, and whether one could be: it has points.
+    means_curve, has_highlight
+        Whether there is a curve to act on; whether there is something to copy or to delete.
+    has_selected_curve, selected_curve_count
+        Whether any curve is edited or chosen; the number of curves that are worked on together.
+    chosen_count
+        The number of things acted on as wholes: a whole group is one, and a whole shape.
+    can_combine, is_any_in_shape, is_any_in_group
+        Whether the curves that are edited or chosen are several and not one shape; whether any is in a shape,
+        or in a group.
+    has_curve_in_front, has_curve_behind
+        Whether what is selected can move a step to the front or to the back.
+    selected_count, active_selected_count
+        The number of selected points, and of those of the curve.
+    point_kinds
+        The kinds of the selected points, as indices in `POINT_KINDS`.
+    has_explicit
+        Whether a selected point has a derivative that was set by hand.
+    has_two_ends
+        Whether two ends of open curves are selected and nothing else.
+    can_undo, can_redo, can_go_back
+        Whether there is a step to undo or redo; whether other work was left for a lesson or an example.
+    has_scrub_line, grips_turn
+        Whether the scrub line is shown; whether the grips of the box rotate and skew.
+    has_copied_derivatives
+        Whether selected points could have derivatives that lie on the clipboard.
+    has_guides
+        Whether there are guides.
+    is_image_locked
+        Whether the reference image is locked; None without one.
+    thing, things
+        What people call whatever is drawn, as it stands in titles: "Curve", on a page "Object".
+    besides
+        What else commands ask about.
+    """
+
+    window: WindowState
+    is_blank: bool
+    curve_count: int
+    family: Family
+    parametrization: ParametrizationKind
+    rules: tuple[EstimateRule, ...]
+    point_count: int
+    is_closed: bool
+    is_visible: bool
+    is_locked: bool
+    is_in_shape: bool
+    is_current: bool
+    has_curve: bool
+    is_editing: bool
+    can_edit: bool
+    means_curve: bool
+    has_highlight: bool
+    has_selected_curve: bool
+    selected_curve_count: int
+    chosen_count: int
+    can_combine: bool
+    is_any_in_shape: bool
+    is_any_in_group: bool
+    has_curve_in_front: bool
+    has_curve_behind: bool
+    selected_count: int
+    active_selected_count: int
+    point_kinds: frozenset[int]
+    has_explicit: bool
+    has_two_ends: bool
+    can_undo: bool
+    can_redo: bool
+    can_go_back: bool
+    has_scrub_line: bool
+    grips_turn: bool
+    has_copied_derivatives: bool
+    has_guides: bool
+    is_image_locked: bool | None
+    thing: str
+    things: str
+    besides: Besides
+
+    @property
+    def has_derivatives(self) -> bool:
+        """Whether the points of the curve have velocities."""
+        return self.family.derivatives > 0
+
+    @property
+    def session(self) -> Session:
+        """The session, for what is in none of the facts."""
+        return self.besides.session
+
+    @property
+    def state(self) -> WindowState:
+        """The window's state."""
+        return self.window
+
+
+class Besides:
+    """A session by all that is selected in it and by its document, but for where points are."""
+
+    def __init__(self, session: Session) -> None:
+        self.session, self._document = session, session.document
+        choice, files = session.selected.choice, session.files
+        group = choice.points.curves
+        self._rest = replace(choice, points=NO_POINTS), group, files.path, files.beginning
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, Besides)
+            and self._rest == other._rest
+            and reshaped(other._document, self._document) is not None
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+class ActionFacts:
+    """Reads the facts of one window."""
+
+    def __init__(self, session: Session, store: WindowStore, clipboard: ClipboardWatch) -> None:
+        self.session, self._store, self._clipboard = session, store, clipboard
+
+    def read(self) -> ActionState:
+        """Return the facts as they are now."""
+        session, window = self.session, self._store.state
+        document, selected, active = session.document, session.selected, session.active_index
+        view, group, stack = session.active_view, selected.group, session.undo_stack
+        source, points, marked = view.source, selected.points, selected.marked
+        whole, shape = whole_shapes(document, marked), shape_of(document, active)
+        has_derivative_points = bool(group.parts) and source.family.derivatives > 0 and view.is_current
+        return ActionState(
+            window=window,
+            is_blank=is_blank(document),
+            curve_count=len(document.curves),
+            family=source.family,
+            parametrization=source.parametrization.kind,
+            rules=source.rules,
+            point_count=len(source.points),
+            is_closed=source.is_closed,
+            is_visible=source.visible,
+            is_locked=source.locked,
+            is_in_shape=bool(source.shape),
+            is_current=view.is_current,
+            has_curve=view.curve is not None,
+            is_editing=selected.is_editing,
+            can_edit=selected.is_editing or bool(with_points(document.curves, selected.chosen or {active})),
+            means_curve=selected.means_curve,
+            has_highlight=_has_highlight(session),
+            has_selected_curve=bool(marked),
+            selected_curve_count=len(selected.curves),
+            chosen_count=_count_of_things(document, selected.chosen),
+            can_combine=len(whole) > 1 and whole != frozenset(shape_of(document, min(whole))),
+            is_any_in_shape=any(document.curves[curve].shape for curve in whole),
+            is_any_in_group=are_in_groups(document, whole),
+            has_curve_in_front=_has_curve_beside(document, selected.curves, shape, 1),
+            has_curve_behind=_has_curve_beside(document, selected.curves, shape, -1),
+            selected_count=group.count,
+            active_selected_count=len(points),
+            point_kinds=_kinds(session.views, group) if has_derivative_points else frozenset(),
+            has_explicit=_has_explicit(document, group),
+            has_two_ends=link_of(session.views, group) is not None,
+            can_undo=stack.canUndo() or session.is_previewing or window.in_flight,
+            can_redo=stack.canRedo(),
+            can_go_back=session.files.beginning.before is not None,
+            has_scrub_line=session.scrub.t is not None,
+            grips_turn=session.box.turns,
+            has_copied_derivatives=(
+                bool(points) and source.family.derivatives > 0 and self._clipboard.holds_derivatives
+            ),
+            has_guides=bool(document.guides),
+            is_image_locked=document.image.locked if document.image is not None else None,
+            thing=object_word(document).title(),
+            things=object_word(document, many=True).title(),
+            besides=Besides(session),
+        )
+
+
+def _has_highlight(session: Session) -> bool:
+    return bool(session.selected.highlight().curves) and not is_blank(session.document)
+
+
+def _count_of_things(document: Document, chosen: frozenset[int]) -> int:
+    return len(objects(document, chosen)) if len(chosen) > 1 else len(chosen)
+
+
+def _has_curve_beside(document: Document, selected: frozenset[int], shape: range, step: int) -> bool:
+    """Whether what is selected can move a step to the front (1) or back (−1); of several, some can."""
+    curves = document.curves
+    if not selected <= set(shape):
+        return len(selected) < len(curves)
+    beside = shape.stop if step > 0 else shape.start - 1
+    groups = curves[shape.start].groups
+    return 0 <= beside < len(curves) and curves[beside].groups[: len(groups)] == groups
+
+
+def _kinds(views: Sequence[CurveView], group: PointGroup) -> frozenset[int]:
+    """Return the kinds that points are of, as indices in `POINT_KINDS`."""
+    kinds = (kinds_of(views[curve])[sorted(indices)].tolist() for curve, indices in group.parts)
+    return frozenset(chain.from_iterable(kinds))
+
+
+def _has_explicit(document: Document, group: PointGroup) -> bool:
+    """Whether any of some points has a derivative that was set by hand."""
+    return any(
+        is_explicit(document.curves[curve].points[index], order, ahead=ahead)
+        for curve, indices in group.parts
+        for index in indices
+        for order in (1, 2)
+        for ahead in (False, True)
+    )

@@ -1,0 +1,161 @@
+"""Actions are rendered when the facts that decide about them have changed: never less, and not in a drag."""
+
+import random
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
+from random_person import RandomPerson
+from test_random_use import files_of
+
+from app.actions.keymap import is_so_already, why_not
+from app.document.model import Document, make_curve
+from app.families import FAMILIES, HERMITE
+from app.session import Session
+from app.testing import Editor
+from app.window import MainWindow
+from app.window.connect import all_actions
+from tests.count_drag import codes_called
+from tests.gui.family_files import forget_family_files
+
+STEPS = 70
+
+
+def told(actions):
+    """Return what each action shows, by its name; of those whose menu has told more, nothing."""
+    return {
+        each.name: (
+            action.isEnabled(),
+            action.isChecked(),
+            action.text(),
+            action.toolTip(),
+            why_not(action),
+            is_so_already(action),
+        )
+        for each in all_actions()
+        if (action := actions[each.name]) is not None and each.name not in actions._opened
+    }
+
+
+def assert_as_rendered_anew(editor):
+    """Raise unless the actions are as they are without the shortcut."""
+    actions = editor.window.actions_by_name
+    before = told(actions)
+    actions._rendered = None
+    actions._missing.clear()
+    actions.render()
+    after = told(actions)
+    assert before == {name: after[name] for name in before}
+
+
+@pytest.mark.parametrize("seed", [3, 4])
+def test_actions_are_always_as_if_rendered_anew(qtbot, tmp_path, seed):
+    window = MainWindow(Session())
+    window.resize(1200, 800)
+    with qtbot.waitExposed(window):
+        window.show()
+    (tmp_path / "files").mkdir()
+    editor = Editor.on(window)
+    person = RandomPerson(editor, seed, files_of(tmp_path / "files"), tmp_path / "steps.txt")
+    try:
+        for _ in range(STEPS):
+            person.step()
+            assert_as_rendered_anew(editor)
+    except BaseException as problem:
+        problem.add_note("The last steps:\n" + "\n".join(person.steps))
+        raise
+    finally:
+        window.asks_before_closing = False
+        window.close()
+        window.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        forget_family_files()
+
+
+WAVE = make_curve([(0, 0), (1, 1), (2, 0), (3, 1)], name="Wave", family=HERMITE)
+LINE = make_curve([(0, 3), (3, 4)], name="Line")
+SWITCHES = ("curveLocked", "curveVisible", "closeCurve", "toggleGrid", "turnGrips", "toggleTransformBox")
+STEPS_OF_EDITING = (
+    "undo",
+    "undo",
+    "redo",
+    "deleteSelection",
+    "insertMidpoints",
+    "groupCurves",
+    "ungroupCurves",
+)
+
+
+def test_actions_are_as_if_rendered_anew_after_each_edit(editor):
+    """With documents in which most can be done, so that most is switched."""
+    choose, session = random.Random(1), editor.session
+
+    def begin():
+        session.commit(Document((WAVE, LINE, WAVE)), "Begin", active=choose.randrange(2))
+
+    def select_points():
+        count = len(session.active_curve.points)
+        session.selected.set_points(choose.sample(range(count), choose.randint(0, count)))
+
+    def select_curves():
+        curves = range(len(session.document.curves))
+        session.selected.choose(choose.sample(curves, choose.randint(0, len(curves))))
+
+    def edit_curve():
+        session.selected.activate(choose.randrange(len(session.document.curves)))
+
+    def trigger(*names):
+        action = editor.action(choose.choice(names))
+        if action.isEnabled():
+            action.trigger()
+
+    deeds = (
+        begin,
+        select_points,
+        select_points,
+        select_curves,
+        edit_curve,
+        lambda: trigger(*(family.action_name for family in FAMILIES)),
+        lambda: trigger(*SWITCHES),
+        lambda: trigger(*STEPS_OF_EDITING),
+        lambda: trigger("selectTool", "addTool", "pencilTool", "measureTool"),
+        lambda: trigger("tangentCorner", "tangentSmooth", "straightSegment", "parameters_uniform"),
+        lambda: trigger("combineCurves", "breakApart", "joinCurve", "splitCurve", "duplicateCurve"),
+        lambda: trigger("raiseCurve", "lowerCurve", "showAll", "unlockAll", "convertToHermite"),
+        lambda: session.scrub.set(choose.choice((None, 0.5))),
+        lambda: session.files.replace(Document((choose.choice((WAVE, LINE)),)), None),
+    )
+    begin()
+    for _ in range(150):
+        choose.choice(deeds)()
+        editor.settle()
+        assert_as_rendered_anew(editor)
+
+
+def predicates():
+    """Return the code of all that is asked of an action."""
+    asked = set()
+    for each in all_actions():
+        needs = (each.needs, each.section.needs, each.key_needs)
+        asked |= {each.checked, each.title, each.when_opened, each.key_asks}
+        asked |= {question for need in needs for question in (need.is_met, need.why)}
+    return {question.__code__ for question in asked if question is not None}
+
+
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family in FAMILIES[:8]])
+def test_a_drag_of_a_selected_point_asks_no_action_anything(editor, family):
+    curves = make_curve(((0, 0), (1, 1), (2, 0), (3, 1)), family=family)
+    editor.session.commit(Document((curves,)), "Begin")
+    editor.fit()
+    editor.drag_point(1, (1.2, 0.8))
+    assert editor.session.selection == {1}
+    codes = codes_called(lambda: editor.drag_point(1, (1.4, 1.1)))
+    assert editor.point(1) == pytest.approx((1.4, 1.1), abs=0.02)
+    assert codes.keys() & predicates() == set()
+    assert editor.action("undo").text() == "Undo: Move point 1"
+
+
+def test_another_selected_point_asks_no_action_anything(editor):
+    editor.session.commit(Document((make_curve(((0, 0), (1, 1), (2, 0), (3, 1))),)), "Begin")
+    editor.fit()
+    editor.drag_point(1, (1.2, 0.8))
+    assert codes_called(lambda: editor.drag_point(2, (2.2, 0.2))).keys() & predicates() == set()
