@@ -16,8 +16,8 @@ from ..storage.format import decode
 if TYPE_CHECKING:
     from ..exchange.svg.fragments import Fragment
 
-INKSCAPE, SVG = "image/x-inkscape-svg", "image/svg+xml"
-"""MIME types of SVG; where a program offers both, the first says more."""
+SVG = "image/svg+xml"
+"""MIME type of SVG."""
 
 _PICTURES = ("image/png", "image/jpeg")
 
@@ -49,10 +49,8 @@ def drawing_in(data: QMimeData) -> Fragment | None:
     """Return the SVG from another program, or in text; that of our own points is for others."""
     if data.hasFormat(POINTS):
         return None
-    for kind in (INKSCAPE, SVG):
-        if data.hasFormat(kind):
-            content = bytes(data.data(kind).data())
-            return exchange.svg.fragments.Fragment(content, is_in_groups=kind == INKSCAPE)
+    if data.hasFormat(SVG):
+        return exchange.svg.fragments.Fragment(bytes(data.data(SVG).data()))
     return exchange.svg.fragments.fragment_in(data.text()) if data.hasText() else None
 
 

@@ -280,7 +280,7 @@ def test_the_drawing_is_copied_as_svg(editor):
     editor.trigger("copySvg")
     editor.wait_for_work()
     data = QGuiApplication.clipboard().mimeData()
-    root = ElementTree.fromstring(bytes(data.data("image/x-inkscape-svg").data()))
+    root = ElementTree.fromstring(bytes(data.data("image/svg+xml").data()))
     assert len(list(root.iter(f"{SVG}path"))) == 1
     assert data.text() == bytes(data.data("image/svg+xml").data()).decode()
     assert editor.status == "Copied the drawing as SVG."

@@ -451,7 +451,7 @@ def test_the_style_of_svg_that_was_copied_elsewhere_is_pasted(editor, panel):
     look = "fill:#0072b2;stroke:#d55e00;stroke-width:0.5;stroke-linejoin:round"
     size = 'width="40mm" height="40mm" viewBox="0 0 40 40"'
     data.setData(
-        "image/x-inkscape-svg",
+        "image/svg+xml",
         f'<svg xmlns="http://www.w3.org/2000/svg" {size}><g style="{look}"><path d="M0 0H9"/></g>'
         '<path d="M0 0V9" fill="#123456"/></svg>'.encode(),
     )

@@ -39,17 +39,6 @@ def _painted(drawing: Drawing) -> tuple[FloatArray, FloatArray]:
     return low, high
 
 
-def painted_box(document: Document) -> FloatArray:
-    """Return the least and the largest coordinates of the visible curves of a document with their strokes.
-
-    Raises
-    ------
-    ExchangeError
-        If nothing can be drawn.
-    """
-    return np.array(_painted(drawing_of(replace(document, page=None))))
-
-
 def frame_of(document: Document) -> Frame:
     """Return the box around the visible curves of a document with their strokes, whatever its page.
 

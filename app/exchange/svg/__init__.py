@@ -21,7 +21,6 @@
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
-  ``copied``: as Inkscape does.
 - ``own_data``: what we know of a shape, beside its element.
 - ``compressed``: packed by gzip.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.

@@ -38,13 +38,10 @@ class Fragment:
         A whole file.
     is_bare
         Whether it was path data alone, of which nobody says how they look.
-    is_in_groups
-        Whether its outermost groups are none of the drawing: Inkscape puts into some what it copies.
     """
 
     data: bytes
     is_bare: bool = False
-    is_in_groups: bool = False
 
 
 def fragment_in(text: str) -> Fragment | None:
@@ -83,7 +80,7 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
         As `read_svg`; a large one is read in a process with limits.
     """
     report(0.0, "Reading")
-    reader = svg.copied.read_copied if fragment.is_in_groups else svg.reader.read_svg
+    reader = svg.reader.read_svg
     if len(fragment.data) <= SMALL:
         found = exchange.child.at_once(reader, fragment.data)
     else:

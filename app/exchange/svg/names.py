@@ -19,7 +19,6 @@ SODIPODI = f"{{{SODIPODI_SPACE}}}"
 INSENSITIVE = f"{SODIPODI}insensitive"
 NODE_TYPES = f"{SODIPODI}nodetypes"
 LOCKED = f"{{{INKSCAPE_SPACE}}}locked"
-CLIPBOARD = f"{{{INKSCAPE_SPACE}}}clipboard"
 """Element of what was copied in Inkscape: where on the page, from its upper left corner, in pixels."""
 GROUP_MODE = f"{{{INKSCAPE_SPACE}}}groupmode"
 

@@ -69,7 +69,7 @@ _NOTHING: Iterable[Drawn] = ()
 _UNPAINTED = "it has neither a stroke nor a fill"
 
 
-def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool = False) -> Imported:
+def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     """Return the curves of an SVG file.
 
     Cubic and quadratic pieces and lines are taken exactly but for rounding; arcs, circles and ellipses
@@ -81,8 +81,6 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
         The whole file.
     tolerance
         Largest distance from arcs, in the unit of the file's size; by default 2.8e-4 of their radius.
-    is_in_groups
-        Whether its outermost groups are none of the drawing.
 
     Raises
     ------
@@ -93,7 +91,7 @@ def read_svg(data: bytes, tolerance: float | None = None, *, is_in_groups: bool 
     root = parsed(data)
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
-    reader = SvgReader(root, tolerance, is_in_groups=is_in_groups)
+    reader = SvgReader(root, tolerance)
     # Those of one file are no others' when something of both comes into one document.
     drawn, guides = reader.all_paths(f"{crc32(data):08x}-"), reader.guides()
     found = imported(drawn.paths, missed=reader.missed)
@@ -119,10 +117,8 @@ class SvgReader:
         The layers that were met, each with those around it.
     """
 
-    def __init__(
-        self, root: ET.Element, tolerance: float | None = None, *, is_in_groups: bool = False
-    ) -> None:
-        self._root, self._tolerance, self._is_in_groups = root, tolerance, is_in_groups
+    def __init__(self, root: ET.Element, tolerance: float | None = None) -> None:
+        self._root, self._tolerance = root, tolerance
         self._ours = OurOwn(root)
         sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
         self.sheet, self._place = sheet if self._ours.has_page else replace(sheet, page=None), sheet
@@ -233,10 +229,9 @@ class SvgReader:
     def _contained(
         self, element: ET.Element, tag: str, state: State, depth: int, anchor: Anchor | None
     ) -> Iterator[Drawn]:
-        is_around_copied = self._is_in_groups and tag == "g" and depth == 1
         name, state = state.copied or name_of(element), replace(state, copied="")
         share = state.properties.share
-        if not is_around_copied and (tag == "g" or (depth > 0 and (name or share < 1))):
+        if tag == "g" or (depth > 0 and (name or share < 1)):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
             visible = state.properties.is_displayed
             group = Group(self._visited, name, is_layer, visible, state.is_locked, anchor, share)

@@ -34,7 +34,7 @@ _LINKS = f'xmlns:xlink="{XLINK_SPACE}"'
 _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
 
-def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = False) -> Written:
+def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     """Return a document as SVG.
 
     Coordinates are the document's own with y negated, in full precision but for noise (see `number`); where
@@ -45,7 +45,6 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
     of a shape are one path, in their groups and with its style; hidden ones are there, and not displayed.
     Layers and guides are Inkscape's.
     Points are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
-    All curves may lie `in_group`, one without a name.
 
     Raises
     ------
@@ -66,7 +65,6 @@ def svg_of(document: Document, options: Options = DEFAULT, *, in_group: bool = F
         points=options.points,
         width=options.width,
         unit=options.unit,
-        in_group=in_group,
     )
     return Written(text, drawing.deviation, drawing.remarks)
 
@@ -108,7 +106,6 @@ def svg_text(
     points: bool,
     width: float | None = None,
     unit: str = "",
-    in_group: bool = False,
 ) -> str:
     """Return a drawing, whose curves are written, as SVG.
 
@@ -132,9 +129,7 @@ def svg_text(
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
         *curves.definitions,
-        *(["  <g>"] if in_group else []),
         *curves.lines,
-        *(["  </g>"] if in_group else []),
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
         *_annotations(drawing, style, "basis"),

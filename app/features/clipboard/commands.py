@@ -55,12 +55,12 @@ class ClipboardCommands:
 
     def _offer(self, what: Highlight) -> Offer:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
-        session, mark, page = self._session, decimal_mark(), self._session.document.page
+        session, mark = self._session, decimal_mark()
         readings = readings_of(session.document)
         if len(what.points.parts) != 1:
             curves, layers = self._copied_curves(what), session.document.layers
             copy = out_of_layers(Document(curves, unit=session.document.unit, layers=layers))
-            return Offer(CURVES, copy, page=page)
+            return Offer(CURVES, copy)
         ((curve, indices),) = what.points.parts
         view = session.views[curve]
         clip = copied(view, indices)
@@ -68,7 +68,7 @@ class ClipboardCommands:
             [exact_text(number, mark) for number in _row(point, readings, timed=view.source.is_manual)]
             for point in clip.points
         ]
-        return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows), page)
+        return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
 
     def _copied_curves(self, what: Highlight) -> tuple[Curve, ...]:
         """Return the curves, or what the points of several are curves of."""

@@ -9,13 +9,13 @@ from PySide6.QtCore import QByteArray, QMetaType, QMimeData
 from PySide6.QtGui import QImage
 
 from ... import exchange
-from ...document.model import Document, Page
+from ...document.model import Document
 from ...document.shapes import tidy_shapes
 from ...exchange.errors import ExchangeError
 from ...exchange.formats import Written
 from ...qt.overrides import Guarded
 from ...storage.format import encode
-from ...workbench.clipboard import INKSCAPE, SVG
+from ...workbench.clipboard import SVG
 
 TEXT = "text/plain"
 _PNG, _IMAGE = "image/png", "application/x-qt-image"
@@ -35,14 +35,12 @@ class Offer(Guarded, QMimeData):
         The curves.
     text
         For programs that take text; where empty, the SVG.
-    page
-        What the curves were on.
     """
 
-    def __init__(self, own: str, document: Document, text: str = "", page: Page | None = None) -> None:
+    def __init__(self, own: str, document: Document, text: str = "") -> None:
         super().__init__()
         # A part of a shape is none any more.
-        self._own, self._document, self._text, self._page = own, tidy_shapes(document), text, page
+        self._own, self._document, self._text = own, tidy_shapes(document), text
         self._made: dict[str, Any] = {}
         is_drawable = any(len(curve.points) > 1 for curve in document.curves)
         drawn = _MAKERS if is_drawable else [TEXT] * bool(text)
@@ -71,24 +69,23 @@ class Offer(Guarded, QMimeData):
         if mimetype == TEXT and self._text:
             return self._text
         try:
-            return _MAKERS[mimetype](self._document, self._page)
+            return _MAKERS[mimetype](self._document)
         except ExchangeError:
             # No picture can hold it, or none of the curves can be drawn.
             return None
 
 
-def _svg(document: Document, _page: Page | None) -> Written:
+def _svg(document: Document) -> Written:
     return exchange.svg.for_clipboard.svg_for_clipboard(document)
 
 
-def _png(document: Document, _page: Page | None) -> bytes:
+def _png(document: Document) -> bytes:
     return exchange.png_file(document, exchange.options.Options(width=_WIDTH, transparent=True)).data
 
 
-_MAKERS: dict[str, Callable[[Document, Page | None], object]] = {
-    INKSCAPE: lambda document, page: exchange.svg.for_clipboard.svg_for_inkscape(document, page).data,
-    SVG: lambda document, page: _svg(document, page).data,
-    TEXT: lambda document, page: _svg(document, page).text,
+_MAKERS: dict[str, Callable[[Document], object]] = {
+    SVG: lambda document: _svg(document).data,
+    TEXT: lambda document: _svg(document).text,
     _PNG: _png,
-    _IMAGE: lambda document, page: QImage.fromData(_png(document, page)),
+    _IMAGE: lambda document: QImage.fromData(_png(document)),
 }

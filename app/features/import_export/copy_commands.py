@@ -18,7 +18,7 @@ from ...document.model import Document
 from ...document.several_curves import alone, named
 from ...exchange.formats import Written
 from ...tasks.progress import Report, part
-from ...workbench.clipboard import INKSCAPE, SVG, put_on_clipboard
+from ...workbench.clipboard import SVG, put_on_clipboard
 from ...workbench.context import WindowContext
 
 _WIDTH = 1600
@@ -38,20 +38,16 @@ class CopyCommands:
     def _copy_svg(self) -> None:
         """Copy the chosen curves, or else all, as SVG: for drawing programs, and as text."""
 
-        def put(made: tuple[Written, Written], what: str) -> None:
-            written, in_pixels = made
+        def put(written: Written, what: str) -> None:
             data = QMimeData()
-            data.setData(INKSCAPE, in_pixels.data)
             data.setData(SVG, written.data)
             data.setText(written.text)
             put_on_clipboard(data)
             self._session.say(f"Copied {what} as SVG.")
             self._context.work.warn_of(written.remarks)
 
-        def work(document: Document, report: Report) -> tuple[Written, Written]:
-            for_clipboard = exchange.svg.for_clipboard
-            written = for_clipboard.svg_for_clipboard(document, report)
-            return written, for_clipboard.svg_for_inkscape(document)
+        def work(document: Document, report: Report) -> Written:
+            return exchange.svg.for_clipboard.svg_for_clipboard(document, report)
 
         self._start("Writing SVG", "The SVG", work, put)
 
