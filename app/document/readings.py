@@ -87,10 +87,6 @@ class Readings(msgspec.Struct, frozen=True):
         """Return what is told of a turn that is counterclockwise, or the turn that is told so."""
         return self.sign(1) * degrees + 0.0
 
-    def line_angle(self, degrees: float) -> float:
-        """Return what is told of the angle of a line, from 0 to 180 without that, or the angle told so."""
-        return self.turn(degrees) % 180.0 if self.is_down else degrees
-
     @property
     def of_ways(self) -> Readings:
         """How ways and derivatives are told, which begin nowhere."""

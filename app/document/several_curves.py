@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Sequence
 from typing import NamedTuple
 
@@ -109,25 +108,6 @@ def _whole_shapes(document: Document, group: PointGroup) -> set[int]:
     curves = document.curves
     whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
     return {curve for curve in whole if whole.issuperset(shape_of(document, curve))}
-
-
-def scaled_strokes(document: Document, group: PointGroup, x: float, y: float) -> Document:
-    """Scale the strokes of those shapes of a group that are in it with all their points.
-
-    Their widths grow by the mean of the factors along x and y, as if nothing but the area had changed.
-    """
-    factor = math.sqrt(abs(x * y))
-    curves, shapes = document.curves, _whole_shapes(document, group)
-    styled = {curve for curve in shapes if curves[curve].style.width is not None}
-    if not styled or not factor:
-        return document
-    return with_each(document, styled, lambda curve: _with_stroke_scaled(curve, factor))
-
-
-def _with_stroke_scaled(curve: Curve, factor: float) -> Curve:
-    width = curve.style.width
-    assert width is not None
-    return replace(curve, style=replace(curve.style, width=width * factor))
 
 
 def with_appearance(

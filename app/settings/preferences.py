@@ -199,12 +199,6 @@ class Preferences:
     keep_proportions = SwitchOfAction("transform/keep_proportions", default=False)
     """Whether the height follows where a width is typed, and the width a height."""
 
-    measure_strokes = SwitchOfAction("transform/measure_strokes", default=True)
-    """Whether sizes, edges and the box with grips are those of curves with their strokes."""
-
-    scale_strokes = SwitchOfAction("transform/scale_strokes", default=True)
-    """Whether strokes get wider with the curve that they are of."""
-
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 

@@ -19,7 +19,6 @@ from ..tools.snapping import SnapKind, Snapping
 from ..tools.tool import ToolRecord
 from ..view_model.analysis.settings import AnalysisSettings
 from ..view_model.animation.motion_settings import MotionSettings
-from ..view_model.boxes.bounds import Strokes
 
 
 class FileSituation(msgspec.Struct, frozen=True):
@@ -70,7 +69,7 @@ class WindowState(msgspec.Struct, frozen=True):
         How large points, lines and type are drawn; 1 as usual.
     snap_on, snap_kinds, page_snap_on, page_snap_kinds, nudge, with_estimates, theme_mode, pencil, pen
         As the preferences remember them.
-    transform_box, keep_proportions, measure_strokes, scale_strokes
+    transform_box, keep_proportions
         As the preferences remember them.
     align_to
         What chosen curves are aligned to.
@@ -113,8 +112,6 @@ class WindowState(msgspec.Struct, frozen=True):
     nudge: float = 0.0
     transform_box: bool = True
     keep_proportions: bool = False
-    measure_strokes: bool = True
-    scale_strokes: bool = True
     align_to: Reference = Reference.EACH_OTHER
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
@@ -164,11 +161,6 @@ class WindowState(msgspec.Struct, frozen=True):
     def paper(self, theme: Theme) -> Theme:
         """Return the theme that paper and paints of the document are shown in, within a window of `theme`."""
         return PRINTED if self.as_printed else theme
-
-    @property
-    def strokes(self) -> Strokes:
-        """What transforms make of strokes."""
-        return Strokes(self.measure_strokes, self.scale_strokes)
 
     def uses(self, tool: ToolRecord) -> bool:
         """Whether the mouse has this tool; while it moves the image, it has none for points."""

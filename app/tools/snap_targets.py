@@ -12,7 +12,7 @@ from ..document.lines import ends_of, is_line
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from ..document.shapes import shapes
-from ..view_model.boxes.bounds import NINE, Bounds, Strokes, bounds_of, name_of_place
+from ..view_model.boxes.bounds import NINE, Bounds, bounds_of, name_of_place
 from ..view_model.boxes.exact_boxes import find_boxes
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.nearest import NearestPoint
@@ -113,11 +113,10 @@ def with_boxes(
     targets: Targets,
     views: Sequence[CurveView],
     moving: Collection[int],
-    strokes: Strokes,
     carried: tuple[Vector, ...] = (),
 ) -> Targets:
     """Return the targets with the boxes of the objects that stay."""
-    boxes = list(_boxes(views, moving, strokes))
+    boxes = list(_boxes(views, moving))
     places = [box.place(*at) for box, _ in boxes for at in NINE]
     names = [name for _, name in boxes]
     corners = SnapPlaces(
@@ -137,9 +136,7 @@ def _edges(boxes: Sequence[Bounds], names: Sequence[str], axis: int) -> Edges:
     return Edges(np.array(values), name)
 
 
-def _boxes(
-    views: Sequence[CurveView], moving: Collection[int], strokes: Strokes
-) -> Iterator[tuple[Bounds, str]]:
+def _boxes(views: Sequence[CurveView], moving: Collection[int]) -> Iterator[tuple[Bounds, str]]:
     """Yield the boxes of visible objects that stay, with their names: the curves of a shape are one."""
     # All at once: one by one takes six times as long.
     find_boxes([view for view in views if view.source.visible and len(view.points) > 1 and view.is_current])
@@ -149,7 +146,7 @@ def _boxes(
         group = PointGroup(
             tuple((place, frozenset(range(len(views[place].points)))) for place in places), is_whole=True
         )
-        bounds = bounds_of(views, group, strokes)
+        bounds = bounds_of(views, group)
         if bounds is not None:
             yield bounds, views[places[0]].source.seen_name
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Sequence
 from ..document.model import Document, Guide, Vector
 from ..document.point_group import PointGroup
 from ..document.readings import readings_of
-from ..view_model.boxes.bounds import Bounds, Strokes, bounds_of, nine_places
+from ..view_model.boxes.bounds import Bounds, bounds_of, nine_places
 from .drag import minus
 from .drag_machine import EditingHost
 from .pointer import Pointer
@@ -37,9 +37,8 @@ class Snappers:
         host: EditingHost,
         settings: Callable[[], Snapping],
         grid: Callable[[], float],
-        strokes: Callable[[], Strokes],
     ) -> None:
-        self._host, self._settings, self._grid, self._strokes = host, settings, grid, strokes
+        self._host, self._settings, self._grid = host, settings, grid
         self.now: Snapper | None = None
         # The snapper of the last hover, and what it was made for.
         self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
@@ -60,18 +59,18 @@ class Snappers:
         host, moving = self._host, dict(group.parts)
         # Level with its neighbours is a point; of whole curves none has any that stay.
         curve, place = (host.active_index, -1) if grip is None or group.is_whole else grip
-        views, strokes = host.views, self._strokes()
+        views = host.views
 
         def collect() -> Targets:
             targets = targets_of(views, curve, moving, place, self._kinds)
             if not group.is_whole or SnapKind.BOXES not in self._kinds:
                 return targets
-            bounds = bounds_of(views, group, strokes) if grip is not None else None
+            bounds = bounds_of(views, group) if grip is not None else None
             carried: tuple[Vector, ...] = ()
             if bounds is not None and grip is not None:
                 held = views[grip[0]].source.points[grip[1]].position
                 carried = tuple(minus(at, held) for at in nine_places(bounds).values())
-            return with_boxes(targets, views, moving, strokes, carried)
+            return with_boxes(targets, views, moving, carried)
 
         return self._make(collect)
 
@@ -86,13 +85,13 @@ class Snappers:
         """Return the snapper of a corner or a side of the box around a group."""
         if grip.x and grip.y:
             return self.for_group(group)
-        host, moving, strokes = self._host, dict(group.parts), self._strokes()
+        host, moving = self._host, dict(group.parts)
         views = host.views
 
         def collect() -> Targets:
             targets = targets_of_side(views, host.active_index, moving, self._kinds)
             is_boxed = group.is_whole and SnapKind.BOXES in self._kinds
-            return with_boxes(targets, views, moving, strokes) if is_boxed else targets
+            return with_boxes(targets, views, moving) if is_boxed else targets
 
         return self._make(collect)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from msgspec.structs import replace
 
 from ..document.edits import EditError
@@ -13,20 +11,17 @@ from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import changed_whole
 from ..document.shapes import shape_of
 from ..document.steps import reshaped
-from ..view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
+from ..view_model.boxes.bounds import Bounds, bounds_of
 from ..view_model.boxes.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingHost
 from .transform_box import TransformBox, box_of
 
 
 class TransformTarget:
-    """The selected points of the curves that are edited; with none, the curves that are chosen as wholes.
+    """The selected points of the curves that are edited; with none, the curves that are chosen as wholes."""
 
-    `strokes` tells what a transform makes of strokes.
-    """
-
-    def __init__(self, host: EditingHost, strokes: Callable[[], Strokes]) -> None:
-        self._host, self._strokes = host, strokes
+    def __init__(self, host: EditingHost) -> None:
+        self._host = host
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
@@ -50,12 +45,12 @@ class TransformTarget:
             # As under most drags; a single point has no box.
             return selection, None
         views, chosen = host.views, host.selected.chosen
-        live, strokes, turns = host.is_previewing, self._strokes(), host.box.turns
-        now = (selection, chosen, live, strokes, turns)
+        live, turns = host.is_previewing, host.box.turns
+        now = (selection, chosen, live, turns)
         if not self._known or self._known[0] is not views or self._known[1:] != now:
             self._known = (views, *now)
             group = selection if selection.parts else self.curves
-            box = box_of(views, group, strokes, live=live) if group is not None else None
+            box = box_of(views, group, live=live) if group is not None else None
             self._found = (group, replace(box, turns=turns) if box is not None else None)
         return self._found
 
@@ -128,17 +123,9 @@ class TransformTarget:
             return box
         return self.bounds_of(group or self.for_keys)
 
-    @property
-    def bare_bounds(self) -> Bounds:
-        """The same without strokes."""
-        return self._bounds_of(self.for_keys, BARE)
-
     def bounds_of(self, group: PointGroup) -> Bounds:
-        """Return the bounds of a group, measured as those of the target; there must be points."""
-        return self._bounds_of(group, self._strokes())
-
-    def _bounds_of(self, group: PointGroup, strokes: Strokes) -> Bounds:
-        bounds = bounds_of(self._host.views, group, strokes, as_drawn=self._host.is_previewing)
+        """Return the bounds of a group; there must be points."""
+        bounds = bounds_of(self._host.views, group, as_drawn=self._host.is_previewing)
         assert bounds is not None
         return bounds
 
@@ -179,7 +166,7 @@ class TransformTarget:
 
     def _anchored(self, group: PointGroup) -> Anchor:
         host = self._host
-        return anchored(host.views, group, self._strokes(), live=host.is_previewing)
+        return anchored(host.views, group, live=host.is_previewing)
 
     def _where_it_is(self, pivot: Pivot) -> Pivot | None:
         """Return a pivot with what it was chosen for, as that is now; None where that is gone."""

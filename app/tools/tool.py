@@ -11,7 +11,6 @@ from ..document.drawn_kinds import SHAPES, DrawnKind
 from ..document.model import Vector
 from ..document.paper import nudge_of
 from ..document.point_group import points_of
-from ..view_model.boxes.bounds import Strokes
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.records import Records
 from .background import Background
@@ -38,8 +37,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
         The name of the unit of length, for what is measured.
     shows_box
         Whether two or more selected points, or several selected curves, get a box with grips.
-    strokes
-        Whether the box is one with strokes, and whether these get wider with the curve that they are of.
     keeps_proportions
         Whether the grips at the corners of that box keep its proportions.
     nudge
@@ -53,7 +50,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
     snapping: Snapping = Snapping()
     unit: str = ""
     shows_box: bool = True
-    strokes: Strokes = Strokes()
     keeps_proportions: bool = False
     nudge: float = 0.0
     pencil: PencilDetail = PencilDetail.MEDIUM

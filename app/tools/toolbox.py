@@ -52,9 +52,8 @@ class Toolbox:
             host,
             lambda: self.settings.snapping,
             lambda: self.grid(),  # noqa: PLW0108 - it is set later
-            lambda: self.settings.strokes,
         )
-        self.target = TransformTarget(host, lambda: self.settings.strokes)
+        self.target = TransformTarget(host)
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None

@@ -10,9 +10,8 @@ from msgspec.structs import replace
 from ..document import words
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.several_curves import mapped, moved, scaled_strokes
+from ..document.several_curves import mapped, moved
 from ..document.transforms import LARGEST_SKEW, rotation, scaling, skewing
-from ..view_model.boxes.bounds import BARE, Strokes
 from .drag import Drag, plus
 from .drags import MovePoints
 from .pointer import SNAP_KEY, STEP_KEYS, Pointer
@@ -86,8 +85,6 @@ class Transform(Drag, frozen=True):
         Whether it is dragged by the grip of a box, where no keys are taken.
     everything
         Whether it acts on all points of the curve because none is selected: the words say so.
-    strokes
-        Whether a scale changes the widths of strokes.
     """
 
     kind: TransformKind
@@ -102,7 +99,6 @@ class Transform(Drag, frozen=True):
     typed: TypedAmount = TypedAmount()
     by_grip: bool = False
     everything: bool = False
-    strokes: Strokes = BARE
 
     @property
     def name(self) -> str:
@@ -197,8 +193,7 @@ class Transform(Drag, frozen=True):
             by = skewing(self.axis or 0, self._skewed(pointer), self._about(pointer))
             return mapped(self.document, self.group, by)
         x, y = self._factors(pointer)
-        document = mapped(self.document, self.group, scaling(x, y, self.centre))
-        return scaled_strokes(document, self.group, x, y) if self.strokes.scaled else document
+        return mapped(self.document, self.group, scaling(x, y, self.centre))
 
     def _move(self) -> MovePoints:
         return MovePoints(self.document, self.group, self.start, self.snapper, self.grip, self.axis)

@@ -11,7 +11,7 @@ from ..document import words
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
 from ..document.transforms import scaling, with_coordinates
-from ..view_model.boxes.bounds import BARE, Bounds, Strokes, bounds_of
+from ..view_model.boxes.bounds import Bounds, bounds_of
 from ..view_model.boxes.stretch import stretched
 from ..view_model.curve.curve_view import CurveView
 from .drag import Drag, longer_axis, minus, plus
@@ -69,15 +69,12 @@ class TransformBox(Bounds, frozen=True):
 
     Attributes
     ----------
-    grows
-        Along which axes it can be scaled: those in which it has a length beside that of strokes.
     turns
         Whether its grips rotate, at the corners, and skew, and do not scale.
     is_whole
         Whether it is that of whole curves.
     """
 
-    grows: tuple[bool, bool] = (True, True)
     turns: bool = False
     is_whole: bool = False
 
@@ -106,7 +103,7 @@ class TransformBox(Bounds, frozen=True):
     def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
         """Return the grips and where they lie; none that would scale or skew a side without length."""
         pad, (left, low), (right, high) = self.pad / scale, self.low, self.high
-        middle, useful = self.centre, self.grows
+        middle, useful = self.centre, [length > 0.0 for length in self.size]
         columns, rows = (left - pad, middle[0], right + pad), (low - pad, middle[1], high + pad)
         grips = [
             (grip, (columns[grip.x + 1], rows[grip.y + 1]))
@@ -127,22 +124,17 @@ class TransformBox(Bounds, frozen=True):
         return grip if distance <= _REACH else None
 
 
-def box_of(
-    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, live: bool = False
-) -> TransformBox | None:
+def box_of(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> TransformBox | None:
     """Return the box around two or more points, or curves, that are not all in one place.
 
     `live` while they are dragged: as they are drawn.
     """
     if sum(len(indices) for _, indices in group.parts) < 2:
         return None
-    bounds = bounds_of(views, group, strokes, as_drawn=live)
-    # While it is dragged there are no grips; whether a side has a length can be seen of what is drawn.
-    bare = bounds if live or not strokes.measured else bounds_of(views, group, BARE, as_drawn=True)
-    if bounds is None or bare is None or not any(bare.size):
+    bounds = bounds_of(views, group, as_drawn=live)
+    if bounds is None or not any(bounds.size):
         return None
-    grows = (bare.size[0] > 0.0, bare.size[1] > 0.0)
-    return TransformBox(bounds.low, bounds.high, grows, is_whole=group.is_whole)
+    return TransformBox(bounds.low, bounds.high, is_whole=group.is_whole)
 
 
 class ScaleBox(Drag, frozen=True):
@@ -156,8 +148,6 @@ class ScaleBox(Drag, frozen=True):
         The views of the curves at the press.
     pivot
         What stays where it is with Shift.
-    strokes
-        Whether the box is one with strokes, and whether these are scaled, too.
     even
         Whether proportions are kept without a key, too.
     """
@@ -169,7 +159,6 @@ class ScaleBox(Drag, frozen=True):
     grip: Grip
     start: Vector
     snapper: Snapper
-    strokes: Strokes
     even: bool = False
 
     keys = f"Shift: about the pivot · Ctrl: keep proportions · {SNAP_KEY}"
@@ -199,7 +188,6 @@ class ScaleBox(Drag, frozen=True):
             self.views,
             self.group,
             (by.point(self.box.low), by.point(self.box.high)),
-            self.strokes,
             even=longer_axis(self._arm(pointer)) if self._is_even(pointer) else None,
             about=about,
             tolerance=0.0 if caught is not None else _TOLERANCE / pointer.scale,

@@ -35,7 +35,6 @@ def transforming(context: ToolContext, kind: TransformKind) -> Transform:
         context.snappers.for_group(group, grip),
         grip,
         everything=target.group is None,
-        strokes=context.settings.strokes,
     )
 
 
@@ -63,7 +62,6 @@ def scaling(context: ToolContext, grip: Grip) -> ScaleBox:
         grip,
         context.pointer.position,
         context.snappers.for_grip(grip, group),
-        settings.strokes,
         even=settings.keeps_proportions and bool(grip.x and grip.y),
     )
 

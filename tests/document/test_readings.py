@@ -68,7 +68,6 @@ def test_ways_derivatives_and_angles_are_told_once_and_meant_so():
     assert down.way(down.way((3.0, 4.0))) == (3.0, 4.0)
     assert str(down.way((0.0, 0.0))) == "(0.0, 0.0)"
     assert (down.turn(30.0), up.turn(30.0), str(down.turn(0.0))) == (-30.0, 30.0, "0.0")
-    assert [down.line_angle(each) for each in (0.0, 30.0, 90.0, 150.0)] == [0.0, 150.0, 90.0, 30.0]
     assert (down.polar_words((3.0, -4.0)), up.polar_words((3.0, -4.0))) == ("5 at 53.1°", "5 at −53.1°")
     assert (down.sense, up.sense) == ("clockwise", "counterclockwise")
 

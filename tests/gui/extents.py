@@ -18,15 +18,6 @@ def sampled_bounds(editor, *places):
     return np.array([reached.min(axis=0), reached.max(axis=0)])
 
 
-def printed_bounds(editor, *places):
-    """Return the same with strokes, of styles with round caps and joins: these reach equally far."""
-    corners = []
-    for place in places or (editor.session.active_index,):
-        half = (editor.session.document.curves[place].style.width or 0.0) / 2
-        corners.append(sampled_bounds(editor, place) + np.array([[-half], [half]]))
-    return np.array([np.min(corners, axis=0)[0], np.max(corners, axis=0)[1]])
-
-
 def _outermost(curve):
     """Return places of a curve, close together where a coordinate is least or greatest."""
     start, end = curve.domain

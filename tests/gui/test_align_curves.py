@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from extents import CLOSE, printed_bounds, sampled_bounds
+from extents import CLOSE, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -80,28 +80,6 @@ def test_curves_are_aligned_by_their_extents(four, action, to):
     four.trigger("undo")
     assert boxes(four) == pytest.approx(before)
     four.trigger("alignToEachOther")
-
-
-def test_edges_are_those_of_strokes_unless_they_are_not_measured(four):
-    four.session.change(
-        "Widths",
-        lambda document: replace(
-            document,
-            curves=tuple(
-                replace(curve, style=replace(curve.style, width=0.5 * place))
-                for place, curve in enumerate(document.curves)
-            ),
-        ),
-    )
-    for action, bounds_of in (("alignLeft", printed_bounds), ("alignTop", sampled_bounds)):
-        before = np.array([bounds_of(four, place) for place in range(4)])
-        four.trigger(action)
-        after = np.array([bounds_of(four, place) for place in range(4)])
-        assert edge_of(after, action) == pytest.approx(
-            4 * [float(edge_of(whole(before), action))], abs=2 * CLOSE
-        )
-        four.trigger("measureStrokes")
-    assert four.window.store.state.measure_strokes
 
 
 def test_the_largest_is_another_one_than_that_edited(four):

@@ -13,7 +13,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from app.document.model import Document, make_curve
-from app.document.style_edits import with_style
 from app.families import FAMILIES, HERMITE
 from app.tools.snapping import SnapKind, Snapping
 
@@ -106,17 +105,22 @@ def test_mirror_images_both_ways_turn_nothing(two, point_locale):
     two.trigger("openTransform")
     angle = two.window.findChild(QLineEdit, "transformAngle")
     told = []
-    for name in (
-        "flipHorizontally",
-        "flipVertically",
-        "rotateLeftStep",
-        "flipHorizontally",
-        "flipVertically",
-    ):
-        two.trigger(name)
+
+    def told_now():
         two.settle()
         told.append(float(angle.text().replace("−", "-")))
-    assert told == [0.0, 0.0, 15.0, -15.0, 15.0]
+
+    for name in ("flipHorizontally", "flipVertically"):
+        two.trigger(name)
+        told_now()
+    two.window.canvas.setFocus()
+    two.key(Key.Key_R)
+    two.type_amount("15")
+    two.key(Key.Key_Return)
+    told_now()
+    for name in ("flipHorizontally", "flipVertically"):
+        two.trigger(name)
+        told_now()
     for _ in range(4):
         two.trigger("undo")
         two.settle()
@@ -526,47 +530,6 @@ def test_the_pivot_of_a_turn_is_marked_also_without_a_box(two):
 
 
 # Larger and smaller
-
-
-def test_keys_make_what_is_chosen_longer_and_shorter_by_the_step_of_the_arrows(two):
-    two.session.change("Unit", lambda document: replace(document, unit="mm"))
-    steps, before = two.session.undo_stack.count(), points(two)
-    two.session.selected.choose({0})
-    low, high = sampled_bounds(two)
-    middle, side = (low + high) / 2, max(high - low)
-
-    def longer_by(factor):
-        return pytest.approx(middle + factor * (before - middle), abs=1e-9)
-
-    two.key(Key.Key_Greater)
-    assert points(two) == longer_by((side + 1.0) / side)
-    assert undo_text(two) == "Enlarge Arch"
-    # Held down it is one step, as an arrow is.
-    two.key(Key.Key_Period)
-    assert points(two) == longer_by((side + 2.0) / side)
-    assert two.session.undo_stack.count() == steps + 1
-    two.key(Key.Key_Comma)
-    assert points(two) == longer_by((side + 1.0) / side)
-    two.trigger("undo")
-    two.trigger("undo")
-    assert points(two) == pytest.approx(before)
-
-
-def test_keys_double_and_halve_about_the_middle_and_the_stroke_goes_along(two):
-    two.session.change("Width", lambda document: with_style(document, {0, 1}, width=0.5))
-    choose_both(two)
-    before = [points(two, place) for place in (0, 1)]
-    middle = sampled_bounds(two, 0, 1).mean(axis=0)
-    two.key(Key.Key_Less, CTRL)
-    assert undo_text(two) == "Halve 2 curves"
-    for place, old in enumerate(before):
-        assert points(two, place) == pytest.approx(middle + 0.5 * (old - middle), abs=1e-9)
-        assert two.session.document.curves[place].style.width == 0.25
-    two.window.store.change(scale_strokes=False)
-    two.key(Key.Key_Greater, CTRL)
-    assert points(two) == pytest.approx(before[0], abs=1e-9)
-    assert two.curve.style.width == 0.25
-    two.window.store.change(scale_strokes=True)
 
 
 def test_one_of_several_does_not_turn_about_the_pivot_of_all(two):

@@ -220,7 +220,7 @@ def test_a_mirrored_rectangle_that_is_chosen_again_stands_at_no_angle(rectangle,
     """Mirrored upside down it said 180°."""
     rectangle.trigger(flip)
     assert now(rectangle).angle == 0
-    rectangle.trigger("rotateRightStep")
+    rectangle.trigger("rotateRight")
     assert now(rectangle).angle == -15
 
 

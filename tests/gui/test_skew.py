@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from extents import CLOSE, printed_bounds
+from extents import CLOSE, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -107,7 +107,7 @@ def test_ctrl_click_still_chooses_one_of_a_group_that_is_chosen(arch):
 @pytest.mark.parametrize(("x", "y"), [(0, 1), (0, -1), (1, 0), (-1, 0)])
 def test_a_side_is_dragged_along_itself_about_the_middle(arch, x, y):
     turned(arch)
-    bounds = printed_bounds(arch, 0)
+    bounds = sampled_bounds(arch, 0)
     centre, half, axis = bounds.mean(axis=0), np.ptp(bounds, axis=0) / 2, int(y == 0)
     start = arch.grip(x, y)
     arch.hover(start)
@@ -125,7 +125,7 @@ def test_a_side_is_dragged_along_itself_about_the_middle(arch, x, y):
 
 def test_ctrl_has_steps_and_shift_keeps_the_opposite_side(arch):
     turned(arch)
-    low, high = printed_bounds(arch, 0)
+    low, high = sampled_bounds(arch, 0)
     start = arch.grip(0, 1)
     arch.drag(start, plus(start, 0.8, 0.0), keys=CTRL)
     assert points(arch) == pytest.approx(skewed((low + high) / 2, 30.0), abs=CLOSE)
@@ -137,7 +137,7 @@ def test_ctrl_has_steps_and_shift_keeps_the_opposite_side(arch):
 
 def test_a_corner_rotates_and_with_shift_about_the_opposite_corner(arch):
     turned(arch)
-    low = printed_bounds(arch, 0)[0]
+    low = sampled_bounds(arch, 0)[0]
     x, y = low
     start = arch.grip(1, 1)
     away = np.subtract(start, low)
@@ -152,7 +152,7 @@ def test_a_corner_rotates_and_with_shift_about_the_opposite_corner(arch):
 def test_escape_takes_a_drag_of_such_a_grip_back(arch, grip):
     turned(arch)
     document, count = arch.session.document, arch.session.undo_stack.count()
-    centre = printed_bounds(arch, 0).mean(axis=0)
+    centre = sampled_bounds(arch, 0).mean(axis=0)
     start = arch.grip(*grip)
     arch.press(start)
     arch.move(plus(start, 0.7, 0.9))
@@ -168,7 +168,7 @@ def test_escape_takes_a_drag_of_such_a_grip_back(arch, grip):
 
 @pytest.mark.parametrize(("keys", "axis"), [((), 0), ((Key.Key_Y,), 1), ((Key.Key_Y, Key.Key_X), 0)])
 def test_an_angle_is_typed(arch, keys, axis):
-    centre = printed_bounds(arch, 0).mean(axis=0)
+    centre = sampled_bounds(arch, 0).mean(axis=0)
     arch.key(Key.Key_R, SHIFT)
     for key in keys:
         arch.key(key)
@@ -192,7 +192,7 @@ def test_the_panel_skews_by_its_angle_about_the_pivot(arch, button, axis):
     arch.trigger("openTransform")
     arch.settle()
     QTest.mouseClick(arch.window.findChild(QToolButton, "pivotBottomLeft"), Qt.MouseButton.LeftButton)
-    low = printed_bounds(arch, 0)[0]
+    low = sampled_bounds(arch, 0)[0]
     edit = arch.window.findChild(QLineEdit, "transformSkew")
     edit.setFocus()
     edit.selectAll()

@@ -485,7 +485,7 @@ def test_a_point_finds_midpoints_and_centres(boxes, place, label):
 
 
 def test_the_box_of_what_is_dragged_finds_boxes_that_stay(boxes):
-    boxes.window.store.change(snap_kinds=frozenset({SnapKind.BOXES}), measure_strokes=False)
+    boxes.window.store.change(snap_kinds=frozenset({SnapKind.BOXES}))
     start = boxes.point(0)
 
     def moved_by(x, y):

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
-from extents import CLOSE, printed_bounds, sampled_bounds
+from extents import CLOSE, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import QRegularExpression, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QScrollArea, QToolButton
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QScrollArea, QToolButton
 
 from app.document.model import Document, make_curve
 from app.document.style import Style
@@ -71,11 +69,7 @@ def undo_text(editor):
 
 
 def size(editor, *places):
-    return np.ptp(printed_bounds(editor, *places), axis=0)
-
-
-def bare_size(editor):
-    return np.ptp(sampled_bounds(editor), axis=0)
+    return np.ptp(sampled_bounds(editor, *places), axis=0)
 
 
 def points(editor):
@@ -91,14 +85,12 @@ def test_the_key_leads_to_the_width(leaf):
     assert field(leaf, "Width").cursorPosition() == 0, "the first digits are seen"
 
 
-def test_it_shows_the_curve_with_its_stroke_or_without_and_not_its_points(leaf):
-    for bounds_of in (printed_bounds, sampled_bounds):
-        bounds = bounds_of(leaf)
-        assert bounds[1][1] > 22.1
-        shown = [float(field(leaf, name).text()) for name in ("X", "Y", "Width", "Height")]
-        # Four decimals.
-        assert shown == pytest.approx([*bounds.mean(axis=0), *np.ptp(bounds, axis=0)], abs=5e-5, rel=0)
-        leaf.trigger("measureStrokes")
+def test_it_shows_the_curve_without_its_stroke_and_not_its_points(leaf):
+    bounds = sampled_bounds(leaf)
+    assert bounds[1][1] > 22.1
+    shown = [float(field(leaf, name).text()) for name in ("X", "Y", "Width", "Height")]
+    # Four decimals.
+    assert shown == pytest.approx([*bounds.mean(axis=0), *np.ptp(bounds, axis=0)], abs=5e-5, rel=0)
     assert label(leaf, "transformWhat") == "All 4 points"
 
 
@@ -140,9 +132,9 @@ def test_a_locked_curve_cannot_be_changed_and_the_panel_says_why(leaf):
     ("text", "width"), [("70 mm", 70.0), ("7cm", 70.0), ("2in", 50.8), ("100/3", 100 / 3), ("1in+1mm", 26.4)]
 )
 def test_a_typed_width_is_that_of_the_curve_exactly(leaf, text, width):
-    before = printed_bounds(leaf)
+    before = sampled_bounds(leaf)
     enter(leaf, "Width", text)
-    after = printed_bounds(leaf)
+    after = sampled_bounds(leaf)
     assert np.ptp(after, axis=0) == pytest.approx((width, np.ptp(before, axis=0)[1]), abs=CLOSE)
     assert after.mean(axis=0) == pytest.approx(before.mean(axis=0), abs=CLOSE), "about the pivot"
     bounds = leaf.window.canvas.tools.target.bounds
@@ -180,79 +172,17 @@ def test_chosen_curves_have_one_size_together(leaf):
     assert undo_text(leaf) == "Set width of 2 curves to 70 mm"
 
 
-def test_strokes_scale_with_the_curve_unless_switched_off(leaf):
-    width, height = size(leaf)
-    click(leaf, "panelProportionsButton")
-    enter(leaf, "Width", f"{2 * width}")
-    assert leaf.curve.style.width == pytest.approx(4.0, abs=1e-6)
-    click(leaf, "panelProportionsButton")
-    before = np.ptp(points(leaf), axis=0)
+def test_a_stroke_stays_as_wide_as_it_is_whatever_its_curve_is_scaled_by(leaf):
+    width, _ = size(leaf)
     enter(leaf, "Width", "50%")
-    assert size(leaf) == pytest.approx((width, 2 * height), abs=CLOSE)
-    # The mean of the factors of the points: the box with the stroke is what has a half of its width.
-    mean = math.sqrt(np.prod(np.ptp(points(leaf), axis=0) / before))
-    assert leaf.curve.style.width == pytest.approx(4.0 * mean, abs=1e-6)
-    before = leaf.curve.style.width
-    box = leaf.window.findChild(QCheckBox, "scaleStrokesSwitch")
-    QTest.mouseClick(box, LEFT, pos=_mark(box))
-    assert not leaf.window.store.state.scale_strokes
-    enter(leaf, "Width", "30")
-    assert size(leaf) == pytest.approx((30.0, 2 * height), abs=CLOSE)
-    assert leaf.curve.style.width == before
-    document = leaf.session.document
-    enter(leaf, "Width", "1")
-    assert leaf.session.document is document
-    assert "The strokes alone take 2.87728 mm" in label(leaf, "transformProblem")
-    leaf.trigger("scaleStrokes")
-    assert box.isChecked()
-
-
-def test_proportions_are_those_of_the_curve_where_its_stroke_stays(leaf):
-    bare = bare_size(leaf)
-    leaf.trigger("scaleStrokes")
-    click(leaf, "panelProportionsButton")
-    click(leaf, "pivotBottomLeft")
-    low = printed_bounds(leaf)[0]
-    enter(leaf, "Height", "70")
-    assert size(leaf)[1] == pytest.approx(70.0, abs=CLOSE)
-    assert bare_size(leaf) / bare == pytest.approx(2 * [68.0 / bare[1]], abs=CLOSE)
-    assert printed_bounds(leaf)[0] == pytest.approx(low, abs=CLOSE), "the corner of the printed box stays"
-    click(leaf, "panelProportionsButton")
-    leaf.trigger("scaleStrokes")
-
-
-def test_without_strokes_a_typed_width_is_that_of_the_line(leaf):
-    box = leaf.window.findChild(QCheckBox, "measureStrokesSwitch")
-    QTest.mouseClick(box, LEFT, pos=_mark(box))
-    enter(leaf, "Width", "70 mm")
-    assert bare_size(leaf)[0] == pytest.approx(70.0, abs=CLOSE)
-    QTest.mouseClick(box, LEFT, pos=_mark(box))
-    assert leaf.window.store.state.measure_strokes
-
-
-def _mark(box):
-    """The middle of the mark of a check box."""
-    middle = box.rect().center()
-    middle.setX(8)
-    return middle
-
-
-@pytest.mark.parametrize("how", ["key", "grip"])
-def test_strokes_scale_with_typed_factors_and_grips(leaf, how):
-    if how == "key":
-        leaf.key(Key.Key_S)
-        leaf.type_amount("3")
-        leaf.key(Key.Key_Return)
-        assert leaf.curve.style.width == pytest.approx(6.0)
-    else:
-        leaf.trigger("selectAll")
-        start = leaf.grip(1, 0)
-        before, width = np.ptp(points(leaf), axis=0), size(leaf)[0]
-        leaf.drag(start, (start[0] + 10, start[1]))
-        assert size(leaf)[0] == pytest.approx(width + 10, abs=2 * leaf.pixel)
-        mean = math.sqrt(np.prod(np.ptp(points(leaf), axis=0) / before))
-        assert leaf.curve.style.width == pytest.approx(2 * mean, rel=1e-3)
-    leaf.trigger("undo")
+    leaf.window.canvas.setFocus()
+    leaf.key(Key.Key_S)
+    leaf.type_amount("3")
+    leaf.key(Key.Key_Return)
+    leaf.trigger("selectAll")
+    start = leaf.grip(1, 0)
+    leaf.drag(start, (start[0] + 10, start[1]))
+    assert size(leaf)[0] == pytest.approx(1.5 * width + 10, abs=2 * leaf.pixel)
     assert leaf.curve.style.width == 2.0
 
 
@@ -286,16 +216,16 @@ def test_undo_takes_back_what_was_entered_and_while_typing_the_typing(leaf):
 
 def test_a_place_of_the_box_is_put_at_the_numbers(leaf):
     click(leaf, "pivotBottomLeft")
-    low = printed_bounds(leaf)[0]
+    low = sampled_bounds(leaf)[0]
     assert number_in(leaf, "X") == pytest.approx(low[0], abs=1e-5)
     enter(leaf, "X", "1in")
     enter(leaf, "Y", "-2")
-    assert printed_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE)
+    assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE)
     assert undo_text(leaf) == "Move all 4 points to y −2 mm"
     assert [leaf.curve.style.width, leaf.session.undo_stack.count()] == [2.0, 3]
     assert leaf.window.findChild(QToolButton, "pivotBottomLeft").isChecked()
     enter(leaf, "Width", "70")
-    assert printed_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE), "it grows away from the pivot"
+    assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE), "it grows away from the pivot"
 
 
 def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
@@ -304,7 +234,7 @@ def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
     assert down() == [True, False]
     click(leaf, "pivotTopRight")
     assert down() == [False, True]
-    assert leaf.window.canvas.marks.pivot == pytest.approx(printed_bounds(leaf)[1], abs=CLOSE)
+    assert leaf.window.canvas.marks.pivot == pytest.approx(sampled_bounds(leaf)[1], abs=CLOSE)
     leaf.trigger("selectAll")
     leaf.drag(leaf.window.canvas.marks.pivot, (20.0, 10.0))
     assert down() == [False, False]
@@ -316,7 +246,7 @@ def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
 
 def test_flips_in_the_panel_are_about_the_pivot(leaf):
     click(leaf, "pivotRight")
-    right = printed_bounds(leaf)[1][0]
+    right = sampled_bounds(leaf)[1][0]
     click(leaf, "flipHorizontallyButton")
     assert points(leaf)[:, 0] == pytest.approx([2 * right - x for x, _ in POINTS], abs=CLOSE)
     assert leaf.window.findChild(QToolButton, "pivotLeft").isChecked(), "the same place is at the left now"
@@ -390,22 +320,14 @@ def test_a_copy_has_the_angle_of_what_it_is_of_and_what_it_is_turned_by(leaf):
 
 
 def test_quarter_turns_have_buttons_and_keys(leaf):
-    x, y = printed_bounds(leaf).mean(axis=0)
+    x, y = sampled_bounds(leaf).mean(axis=0)
     click(leaf, "rotateRightButton")
     assert points(leaf) == pytest.approx(np.array([(x + (b - y), y - (a - x)) for a, b in POINTS]), abs=CLOSE)
     assert undo_text(leaf) == "Rotate all 4 points by −90°"
     leaf.window.canvas.setFocus()
     leaf.key(Key.Key_BracketLeft, CTRL)
     assert points(leaf) == pytest.approx(np.array(POINTS), abs=CLOSE)
-    for _ in range(6):
-        leaf.key(Key.Key_BracketLeft)
-    assert undo_text(leaf) == "Rotate all 4 points by 15°"
-    leaf.key(Key.Key_BracketRight, CTRL)
-    # Turned back; the middle of the box is elsewhere after each turn that is no quarter.
-    turned, before = points(leaf), np.array(POINTS)
-    assert turned - turned.mean(axis=0) == pytest.approx(before - before.mean(axis=0), abs=CLOSE)
-    leaf.key(Key.Key_BracketRight)
-    assert undo_text(leaf) == "Rotate all 4 points by −15°"
+    assert undo_text(leaf) == "Rotate all 4 points by 90°"
 
 
 # What is not taken
@@ -488,7 +410,7 @@ def test_the_keyboard_chooses_a_place_by_tab_and_arrows(leaf):
     assert QApplication.focusWidget().objectName() == "pivotMiddle"
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Left)
     assert QApplication.focusWidget().objectName() == "pivotLeft"
-    low, high = printed_bounds(leaf)
+    low, high = sampled_bounds(leaf)
     assert leaf.window.canvas.marks.pivot == pytest.approx((low[0], (low[1] + high[1]) / 2), abs=CLOSE)
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Down)
     assert leaf.window.canvas.marks.pivot == pytest.approx(low, abs=CLOSE)
@@ -544,7 +466,7 @@ def test_who_types_the_short_number_that_a_field_shows_gets_just_that(leaf):
 
 
 def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_at_it(leaf):
-    """Of a width of 80.636709675 the field showed what had room; a stroke read 3.47236 mm."""
+    """Of a width of 80.636709675 the field showed what had room."""
     enter(leaf, "Width", "80.636709675")
     leaf.window.canvas.setFocus()
     width = field(leaf, "Width")
@@ -553,7 +475,8 @@ def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_
     assert width.fontMetrics().horizontalAdvance(width.text()) < width.width() - 10
     width.setFocus()
     assert width.text() == "80.636709675"
-    stroke = leaf.session.document.curves[0].style.width
+    stroke = 3.472361234
+    leaf.session.change("Width", lambda document: with_style(document, {0}, width=stroke))
     leaf.show_dock("styleDock")
     line = leaf.window.findChild(QLineEdit, "strokeWidth")
     assert line.text() == f"{stroke:.4f} mm" != f"{stroke} mm"

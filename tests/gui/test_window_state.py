@@ -62,8 +62,6 @@ REMEMBERED = {
     "transform_box",
     "rulers",
     "keep_proportions",
-    "measure_strokes",
-    "scale_strokes",
     "with_estimates",
     "theme_mode",
     "as_printed",

@@ -17,13 +17,13 @@ from app.exchange.drawing.trim import painted_box
 from app.exchange.svg.reader import read_svg
 from app.families import HERMITE
 from app.view_model.boxes.alignment import align_curves
-from app.view_model.boxes.bounds import UNCLIPPED, Strokes, bounds_of
+from app.view_model.boxes.bounds import bounds_of
 from app.view_model.boxes.resizing import resized
 from app.view_model.boxes.shape_boxes import box_of_shape
 from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
 
-# y up: an ellipse of 40 × 30 in a square of 40 with a stroke of 2, a bar cut on its left, and one all hidden.
+# y up: an ellipse of 40 × 30 in a square of 40, a bar cut on its left, and one all hidden.
 DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100">
 <clipPath id="e"><ellipse cx="30" cy="30" rx="20" ry="15"/></clipPath>
 <clipPath id="h"><path d="M60 0H100V100H60Z"/></clipPath>
@@ -41,11 +41,11 @@ def views_of(document):
     return [view_of(curve) for curve in document.curves]
 
 
-def box(document, *places, strokes=None, as_drawn=False):
+def box(document, *places, clipped=True, as_drawn=False):
     views, group = views_of(document), whole_curves(document, places)
     for view in views if as_drawn else ():
         view.drawn_box  # noqa: B018 - as while they are dragged
-    return corners(bounds_of(views, group, strokes or Strokes(), as_drawn=as_drawn))
+    return corners(bounds_of(views, group, as_drawn=as_drawn, clipped=clipped))
 
 
 def corners(bounds):
@@ -59,25 +59,24 @@ def at(document, place):
 
 @pytest.mark.parametrize("as_drawn", [False, True])
 def test_the_box_is_that_of_what_is_seen(document, as_drawn):
-    seen = {"Square": (10, -45, 50, -15), "Bar": (60, -71, 91, -59), "Gone": (0, -90, 20, -80)}
+    seen = {"Square": (10, -45, 50, -15), "Bar": (60, -70, 90, -60), "Gone": (0, -90, 20, -80)}
     for name, expected in seen.items():
         assert box(document, at(document, name), as_drawn=as_drawn) == expected
     # What is hidden altogether is nothing beside what is seen.
-    assert box(document, 0, 1, 2, as_drawn=as_drawn) == (10, -71, 91, -15)
-    assert box(document, 0, strokes=UNCLIPPED) == (10, -50, 50, -10)
+    assert box(document, 0, 1, 2, as_drawn=as_drawn) == (10, -70, 90, -15)
+    assert box(document, 0, clipped=False) == (10, -50, 50, -10)
     # Gradients are laid across the whole of it.
     assert box_of_shape(views_of(document), range(1)) == ((10.0, -50), (50.0, -10))
 
 
-@pytest.mark.parametrize("strokes", [Strokes(), Strokes(scaled=False), Strokes(measured=False)])
 @pytest.mark.parametrize("places", [(0,), (1,), (0, 1)])
-def test_what_is_seen_gets_the_size_that_is_typed(document, strokes, places):
+def test_what_is_seen_gets_the_size_that_is_typed(document, places):
     views, group = views_of(document), whole_curves(document, places)
-    before = bounds_of(views, group, strokes)
+    before = bounds_of(views, group)
     new = document
     for axis, length in ((0, 120.0), (1, 12.0)):
-        new = resized(new, views_of(new), group, axis, length, strokes, before.low)
-    after = bounds_of(views_of(new), group, strokes)
+        new = resized(new, views_of(new), group, axis, length, before.low)
+    after = bounds_of(views_of(new), group)
     assert after.size == pytest.approx((120.0, 12.0), abs=1e-9)
     assert after.low == pytest.approx(before.low, abs=1e-9)
     clips = [each.curves[places[0]].style.clips for each in (document, new)]
@@ -85,8 +84,8 @@ def test_what_is_seen_gets_the_size_that_is_typed(document, strokes, places):
 
 
 def test_what_is_seen_is_aligned_and_is_what_a_picture_shows(document):
-    new = align_curves(document, views_of(document), (0, 1), Edge.LEFT, Strokes())
-    left = [bounds_of(views_of(new), whole_curves(new, {place}), Strokes()).low[0] for place in (0, 1)]
+    new = align_curves(document, views_of(document), (0, 1), Edge.LEFT)
+    left = [bounds_of(views_of(new), whole_curves(new, {place})).low[0] for place in (0, 1)]
     assert left == pytest.approx([10.0, 10.0], abs=1e-9)
     one = replace(document, curves=document.curves[:1])
     assert painted_box(one).ravel().tolist() == pytest.approx([10.0, -45.0, 50.0, -15.0], abs=1e-9)
@@ -101,8 +100,7 @@ def test_where_nothing_is_clipped_nothing_more_is_done():
     views, group = views_of(document), whole_curves(document, range(50))
     for as_drawn in (False, True):
         measured = [
-            partial(bounds_of, views, group, Strokes(clipped=clipped), as_drawn=as_drawn)
-            for clipped in (True, False)
+            partial(bounds_of, views, group, as_drawn=as_drawn, clipped=clipped) for clipped in (True, False)
         ]
         assert measured[0]() == measured[1]()
         assert calls_of(measured[0]) == calls_of(measured[1])

@@ -17,7 +17,7 @@ def painted_extent(outline: Outline) -> FloatArray:
     """
     controls, line = outline.control_points, None
     if outline.content is None and half_width(outline.style) > 0.0:
-        line = line_of(controls, 0, turns_within(controls), is_closed=outline.closed)
+        line = line_of(controls, turns_within(controls), is_closed=outline.closed)
     box = extent_of(controls) if line is None else stroke_box(line, outline.style)
     seen = seen_box(box, outline.style.clips) if outline.style.clips else box
     return box if seen is None else seen

@@ -1,7 +1,6 @@
 """Transforms of points and curves: move, scale, rotate, mirror, align, distribute.
 
 - ``commands``: the actions.  ``align_commands``: those that align and distribute.
-- ``scale_commands``: larger and smaller by keys.
 - ``panel``: the same in numbers.  ``panel_commands``: keeps it in step.  ``pivot_chooser``: nine places.
   ``form_row``: the numbers of a rectangle, an ellipse, a star.
 """

@@ -96,7 +96,6 @@ class AlignCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._store = context.session, context.store
-        self._tools = context.central.canvas.tools
 
     @action_for_each(
         _ALIGNMENTS,
@@ -120,12 +119,11 @@ class AlignCommands:
             )
             return
         curves, state = _curves(session), self._store.state
-        reference, strokes = state.align_to, self._tools.settings.strokes
 
         first, last = session.active_index, session.selected.last
 
         def aligned(document: Document) -> Document:
-            return align_curves(document, session.views, curves, edge, strokes, reference, first, last)
+            return align_curves(document, session.views, curves, edge, state.align_to, first, last)
 
         change = session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
         _say_what_stays(session, change)
@@ -152,13 +150,10 @@ class AlignCommands:
             )
             return
         curves = changeable(session.document, session.selected.chosen)
-        strokes = self._tools.settings.strokes
         change = session.change(
             f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
             f"{each.way}",
-            lambda document: distribute_curves(
-                document, session.views, curves, each.axis, each.spacing, strokes
-            ),
+            lambda document: distribute_curves(document, session.views, curves, each.axis, each.spacing),
         )
         _say_what_stays(session, change)
 

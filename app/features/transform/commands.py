@@ -19,7 +19,6 @@ from ...tools.transform import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
 from .panel_commands import TransformPanelCommands
-from .scale_commands import ScaleCommands
 
 
 class _Transform(NamedTuple):
@@ -41,14 +40,14 @@ class _Flip(NamedTuple):
 
 
 class _Turn(NamedTuple):
-    """Turn by a fixed angle, the words of its action, and its place among the buttons; None has none."""
+    """Turn by a fixed angle, the words of its action, and its place among the buttons."""
 
     name: str
     way: str
     degrees: float
     key: str
     icon: str
-    place: int | None
+    place: int
 
 
 _TRANSFORMS = (
@@ -78,8 +77,6 @@ _FLIPS = (
 _TURNS = (
     _Turn("rotateLeft", "left", 90.0, "Ctrl+[", "rotate", 12),
     _Turn("rotateRight", "right", -90.0, "Ctrl+]", "rotate-right", 13),
-    _Turn("rotateLeftStep", "left", 15.0, "[", "rotate", None),
-    _Turn("rotateRightStep", "right", -15.0, "]", "rotate-right", None),
 )
 
 _BOX = Need(
@@ -97,26 +94,15 @@ class SelectionCommands:
         self._context = context
         self._session = context.session
         self._target = context.central.canvas.tools.target
-        context.store.changed.connect(self._follow_state)
+        context.store.changed.connect(self._show_state)
         self._session.history_changed.connect(self._target.keep_pivots)
         for changed in (self._session.pivot_changed, self._session.grips_changed):
             changed.connect(context.central.canvas.show_marks)
 
-    def _follow_state(self, _before: WindowState, _after: WindowState) -> None:
-        self.show_document()
-
-    def show_document(self) -> None:
-        """Show the box, and measure strokes as the person wants it."""
-        settings, state = self._context.central.canvas.tools.settings, self._context.store.state
-        now = {
-            "shows_box": state.transform_box,
-            "keeps_proportions": state.keep_proportions,
-            "strokes": state.strokes,
-        }
-        if any(getattr(settings, name) != value for name, value in now.items()):
-            self._context.central.canvas.change_tool_settings(**now)
-            # Pivots go with the box as it is measured from now on.
-            self._target.keep_pivots()
+    def _show_state(self, _before: WindowState, state: WindowState) -> None:
+        self._context.central.canvas.change_tool_settings(
+            shows_box=state.transform_box, keeps_proportions=state.keep_proportions
+        )
 
     @action_for_each(
         _TRANSFORMS,
@@ -164,10 +150,10 @@ class SelectionCommands:
             each.key,
             each.icon,
             f"Rotate what is selected or chosen, or else all points, to the {each.way}",
-            keywords="turn quarter step clockwise",
+            keywords="turn quarter clockwise",
         ),
     )
-    @also_for_each(lambda each: () if each.place is None else (TRANSFORM_BUTTONS(each.place),))
+    @also_for_each(lambda each: (TRANSFORM_BUTTONS(each.place),))
     def _turn(self, each: _Turn) -> None:
         told = readings_of(self._session.document).turn(each.degrees)
         self._map(f"Rotate {{}} by {number(told)}°", rotation, each.degrees)
@@ -219,30 +205,9 @@ class SelectionCommands:
     def _toggle_proportions(self) -> None:
         """Let the height follow where a width is typed, and the width a height."""
 
-    @switch(
-        "measure_strokes",
-        "measureStrokes",
-        "Measure with Strokes",
-        EDIT_TRANSFORM_BOX,
-        keywords="visual geometric bounding box line width size",
-    )
-    def _toggle_measured(self) -> None:
-        """Let sizes, edges and the box with grips be those of curves as they print, with caps and joins."""
-
-    @switch(
-        "scale_strokes",
-        "scaleStrokes",
-        "Scale Stroke Widths",
-        EDIT_TRANSFORM_BOX,
-        keywords="line width thickness",
-    )
-    def _toggle_strokes(self) -> None:
-        """Let strokes get wider, or thinner, with the curves that they are of."""
-
 
 COMMAND_SETS = (
     SelectionCommands,
-    ScaleCommands,
     AlignCommands,
     TransformPanelCommands,
 )

@@ -9,7 +9,7 @@ from functools import partial
 import msgspec
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
@@ -19,7 +19,6 @@ from ...document.readings import PLAIN, Readings
 from ...document.transforms import Reference
 from ...qt.labels import Label
 from ...view_model.boxes.bounds import Bounds
-from ...widgets.action_switch import mirror
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import NumberEdit, read_number
@@ -52,8 +51,6 @@ class Situated(msgspec.Struct, frozen=True):
         The words for it.
     bounds
         Its bounds; None of nothing.
-    grows
-        Along which axes it has a length to be set.
     told
         The place that X and Y are of, in the plane.
     readings
@@ -74,7 +71,6 @@ class Situated(msgspec.Struct, frozen=True):
 
     what: str
     bounds: Bounds | None
-    grows: tuple[bool, bool]
     told: Vector
     place: tuple[int, int] | None
     angle: float
@@ -86,12 +82,11 @@ class Situated(msgspec.Struct, frozen=True):
 
 
 class PanelActions(msgspec.Struct, frozen=True):
-    """The actions that stand in the panel: rows of buttons, and switches."""
+    """The actions that stand in the panel: rows of buttons, and a switch."""
 
     transforms: Sequence[QAction]
     aligning: Sequence[Sequence[QAction]]
     proportions: QAction
-    strokes: Sequence[QAction]
 
 
 class TransformPanel(FieldForm):
@@ -146,8 +141,6 @@ class TransformPanel(FieldForm):
         )
         self.form_row = FormRow(self._read)
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
-        words = ("Measured", "Scaled")
-        self.strokes = [_switch(*each) for each in zip(actions.strokes, words, strict=True)]
         self.reference = choice_box(
             "alignReference",
             "Align to",
@@ -189,7 +182,6 @@ class TransformPanel(FieldForm):
         turn = row_of(
             "Angle", (self.angle_edit, 1), "Rotate by", (self.turn_edit, 1), self.turn_button, spacing=6
         )
-        strokes = row_of("Strokes", *self.strokes, 1, spacing=12)
         align = row_of("Align to", (self.reference, 1), spacing=6)
         rest = [row_of(*map(_button, row), spacing=0) for row in actions.aligning]
         top = row_of((self.chooser, Qt.AlignmentFlag.AlignVCenter), (fields, 1), spacing=12)
@@ -197,7 +189,6 @@ class TransformPanel(FieldForm):
             self.what,
             top,
             turn,
-            strokes,
             row_of(
                 "Skew", (self.skew_edit, 1), *self.skew_buttons, *map(_button, actions.transforms), spacing=6
             ),
@@ -262,7 +253,8 @@ class TransformPanel(FieldForm):
                 edit.show_text("")
             else:
                 edit.show_length(value)
-        for edit, can_be in zip(edits, (True, True, *shown.grows), strict=True):
+        grows = [length > 0.0 for length in bounds.size] if bounds is not None else [False, False]
+        for edit, can_be in zip(edits, (True, True, *grows), strict=True):
             edit.setEnabled(is_there and can_be)
         self.angle_edit.show_angle(shown.readings.turn(shown.angle))
         self.turn_edit.show_angle(self._turn_by)
@@ -313,14 +305,6 @@ def _angle(name: str, label: str, tip: str) -> NumberEdit:
 def _skew_button(name: str, way: str) -> QToolButton:
     tip = f"Skew {way} by this angle, about the pivot"
     return tool_button(f"transformSkew{name}", f"Skew {way}", tip, icon_size=ICON)
-
-
-def _switch(action: QAction, word: str) -> QCheckBox:
-    box = QCheckBox(word)
-    box.setAccessibleName(action.text())
-    box.setObjectName(f"{action.objectName()}Switch")
-    mirror(box, action)
-    return box
 
 
 def _button(action: QAction) -> QToolButton:

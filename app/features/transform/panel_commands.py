@@ -66,7 +66,6 @@ class TransformPanelCommands(QObject):
                 actions.in_strip(TRANSFORM_BUTTONS)[1],
                 list(actions.in_strip(ALIGN_BUTTONS).values()),
                 actions["keepProportions"],
-                (actions["measureStrokes"], actions["scaleStrokes"]),
             ),
             parent,
         )
@@ -125,14 +124,14 @@ class TransformPanelCommands(QObject):
         target, session = self._target, self._session
         if target.is_nothing:
             return transform.panel.Situated(
-                "Nothing chosen", None, (False, False), (0.0, 0.0), None, 0.0, "", "", self._readings
+                "Nothing chosen", None, (0.0, 0.0), None, 0.0, "", "", self._readings
             )
-        bounds, bare = target.bounds, target.bare_bounds.size
+        bounds = target.bounds
         words, group = target.words, target.for_keys
         # A name is shown as it is; all else is a sentence's beginning.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
         return transform.panel.Situated(
-            what, bounds, (bare[0] > 0.0, bare[1] > 0.0), self._told_place,
+            what, bounds, self._told_place,
             self._chosen_place, self._angle(),
             session.document.unit, target.refusal_of_keys, self._readings,
             tuple(now.form for now in self._formed().values()),
@@ -248,15 +247,10 @@ class TransformPanelCommands(QObject):
 
     def _size(self, axis: int, value: float) -> None:
         session, group, about = self._session, self._target.for_keys, self._told_place
-        strokes, is_even = (
-            self._context.central.canvas.tools.settings.strokes,
-            self._store.state.keep_proportions,
-        )
+        is_even = self._store.state.keep_proportions
 
         def sized(document: Document) -> Document:
-            return resized(
-                document, session.views, group, axis, value, strokes, about, keeps_proportions=is_even
-            )
+            return resized(document, session.views, group, axis, value, about, keeps_proportions=is_even)
 
         self._change(f"Set {SIDES[axis]} of {self._target.words} to {self._length(value)}", sized)
 

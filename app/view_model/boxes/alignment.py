@@ -13,7 +13,7 @@ from ...document.several_curves import changeable, moved, whole_curves
 from ...document.shape_edits import objects
 from ...document.transforms import Edge, Reference, Spacing
 from ..curve.curve_view import CurveView
-from .bounds import Bounds, Strokes, bounds_of_each
+from .bounds import Bounds, bounds_of_each
 
 
 class _Item(msgspec.Struct, frozen=True):
@@ -34,7 +34,6 @@ def align_curves(
     views: Sequence[CurveView],
     chosen: Collection[int],
     edge: Edge,
-    strokes: Strokes,
     reference: Reference = Reference.EACH_OTHER,
     first: int = 0,
     last: int = 0,
@@ -47,16 +46,14 @@ def align_curves(
     ----------
     views
         The views of all curves.
-    strokes
-        Whether edges are those of strokes.
     first, last
         The ones that were chosen first and last.
     """
-    items = _items(document, views, chosen, strokes)
+    items = _items(document, views, chosen)
     if not items:
         raise EditError("What is chosen has no points to align.")
     if reference is Reference.DRAWING:
-        everything = _items(document, views, range(len(document.curves)), strokes)
+        everything = _items(document, views, range(len(document.curves)))
         bounds = _joined([item.bounds for item in everything])
     else:
         bounds = _bounds_among(items, reference, first, last)
@@ -85,10 +82,9 @@ def distribute_curves(
     chosen: Collection[int],
     axis: int,
     spacing: Spacing,
-    strokes: Strokes,
 ) -> Document:
     """Space the shapes of the chosen curves evenly between the outer two, along x (axis 0) or y (axis 1)."""
-    items = sorted(_items(document, views, chosen, strokes), key=lambda item: item.middle(axis))
+    items = sorted(_items(document, views, chosen), key=lambda item: item.middle(axis))
     if len(items) < 3:
         raise EditError("Choose at least three curves, shapes or groups to distribute them.")
     first, last, count = items[0], items[-1], len(items) - 1
@@ -106,12 +102,10 @@ def distribute_curves(
     return document
 
 
-def _items(
-    document: Document, views: Sequence[CurveView], curves: Collection[int], strokes: Strokes
-) -> list[_Item]:
+def _items(document: Document, views: Sequence[CurveView], curves: Collection[int]) -> list[_Item]:
     """Return what moves as one of some curves: whole groups and shapes, those that have points."""
     groups = [whole_curves(document, node.places) for node in objects(document, curves)]
-    found = zip(groups, bounds_of_each(views, groups, strokes), strict=True)
+    found = zip(groups, bounds_of_each(views, groups), strict=True)
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
 
 

@@ -1,11 +1,11 @@
 """Bounds of points that change together: of whole curves those of the curves, of other points their own.
 
-Bounds of curves are those of their lines, or with their strokes, as they print, within their clips.
+Bounds of curves are those of their lines, without their strokes, within their clips.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Final
 
 import msgspec
@@ -16,10 +16,8 @@ from curvecore.arrays import FloatArray
 from ...document.clip import Clip
 from ...document.model import Vector
 from ...document.point_group import PointGroup
-from ...document.style import Style
 from ..curve.curve_view import CurveView
 from ..geometry.clips import seen_box
-from ..geometry.stroked import Line, farthest_reach, half_width, is_round, line_of, polygonal, stroke_box
 from .exact_boxes import box_found, find_boxes
 
 Clips = tuple[Clip, ...]
@@ -72,39 +70,14 @@ def nine_places(bounds: Bounds) -> dict[str, Vector]:
     return {name_of_place(*at): bounds.place(*at) for at in NINE}
 
 
-class Strokes(msgspec.Struct, frozen=True):
-    """What transforms make of the widths of strokes.
-
-    Attributes
-    ----------
-    measured
-        Whether bounds are those of curves as they print, with their strokes.
-    scaled
-        Whether strokes get wider, or thinner, with the curves that they are of.
-    clipped
-        Whether bounds are those of what clips leave.
-    """
-
-    measured: bool = True
-    scaled: bool = True
-    clipped: bool = True
-
-
-BARE: Final = Strokes(measured=False, scaled=False)
-"""Curves without their strokes."""
-
-UNCLIPPED: Final = Strokes(measured=False, scaled=False, clipped=False)
-"""Curves without their strokes, also where nothing is seen of them."""
-
-
 def bounds_of(
-    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, as_drawn: bool = False
+    views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool = False, clipped: bool = True
 ) -> Bounds | None:
     """Return the bounds of a group, None where it has no points.
 
     Of a curve all of whose points are in the group they are those of the curve, exact, or `as_drawn`: while
     it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
-    of a curve, they are those of the points.
+    of a curve, they are those of the points. Of `clipped` curves they are those of what clips leave.
     """
     whole = _whole(views, group)
     known = {id(view) for view in whole}
@@ -114,17 +87,17 @@ def bounds_of(
         if indices and id(views[curve]) not in known
     ]
     boxes = some
-    for clips, cut in _by_clips(whole, strokes):
-        boxes += _boxes(cut, clips, strokes, as_drawn=as_drawn)
+    for clips, cut in _by_clips(whole, clipped=clipped):
+        boxes += _boxes(cut, clips, as_drawn=as_drawn)
     # What clips hide altogether lies where it would be seen.
-    return around(boxes or _boxes(whole, (), strokes, as_drawn=as_drawn))
+    return around(boxes or _boxes(whole, (), as_drawn=as_drawn))
 
 
-def _by_clips(views: Sequence[CurveView], strokes: Strokes) -> list[tuple[Clips, list[CurveView]]]:
+def _by_clips(views: Sequence[CurveView], *, clipped: bool) -> list[tuple[Clips, list[CurveView]]]:
     """Return views by the clips that count of them."""
     # At every move of a drag: where there are none it costs no call.
     for view in views:
-        if strokes.clipped and view.source.style.clips:
+        if clipped and view.source.style.clips:
             break
     else:
         return [((), [*views])]
@@ -134,16 +107,14 @@ def _by_clips(views: Sequence[CurveView], strokes: Strokes) -> list[tuple[Clips,
     return list(found.items())
 
 
-def _boxes(views: Sequence[CurveView], clips: Clips, strokes: Strokes, *, as_drawn: bool) -> list[FloatArray]:
+def _boxes(views: Sequence[CurveView], clips: Clips, *, as_drawn: bool) -> list[FloatArray]:
     """Return boxes that reach as far as curves do that have the same clips, and none where all is hidden."""
     if clips:
-        views = [view for view in views if _is_seen(view, clips, strokes)]
+        views = [view for view in views if seen_box(view.drawn_box, clips) is not None]
     if not as_drawn:
-        views = _reaching_out(views, strokes)
+        views = _reaching_out(views)
         find_boxes(views)
     boxes = [view.drawn_box if as_drawn else box_found(view) for view in views]
-    if strokes.measured:
-        boxes += _stroke_boxes(views, boxes, as_drawn=as_drawn)
     if not clips or not boxes:
         return boxes
     corners = np.concatenate(boxes)
@@ -151,20 +122,11 @@ def _boxes(views: Sequence[CurveView], clips: Clips, strokes: Strokes, *, as_dra
     return [] if seen is None else [seen]
 
 
-def _is_seen(view: CurveView, clips: Clips, strokes: Strokes) -> bool:
-    """Whether clips may leave something of a curve."""
-    reach = farthest_reach(view.source.line_style) if strokes.measured else 0.0
-    low, high = view.drawn_box
-    return seen_box(np.array([low - reach, high + reach]), clips) is not None
-
-
-def bounds_of_each(
-    views: Sequence[CurveView], groups: Sequence[PointGroup], strokes: Strokes
-) -> list[Bounds | None]:
+def bounds_of_each(views: Sequence[CurveView], groups: Sequence[PointGroup]) -> list[Bounds | None]:
     """Return the bounds of many groups, as `bounds_of`, whose curves are measured all at once."""
-    apart = [cut for group in groups for _, cut in _by_clips(_whole(views, group), strokes)]
-    find_boxes([view for cut in apart for view in _reaching_out(cut, strokes)])
-    return [bounds_of(views, group, strokes) for group in groups]
+    apart = [cut for group in groups for _, cut in _by_clips(_whole(views, group), clipped=True)]
+    find_boxes([view for cut in apart for view in _reaching_out(cut)])
+    return [bounds_of(views, group) for group in groups]
 
 
 def _whole(views: Sequence[CurveView], group: PointGroup) -> list[CurveView]:
@@ -172,7 +134,7 @@ def _whole(views: Sequence[CurveView], group: PointGroup) -> list[CurveView]:
     return [views[curve] for curve, indices in group.parts if is_whole(views[curve], indices)]
 
 
-def _reaching_out(views: Sequence[CurveView], strokes: Strokes) -> list[CurveView]:
+def _reaching_out(views: Sequence[CurveView]) -> list[CurveView]:
     """Return those curves that may reach as far as any, by their polylines: the box of all is theirs.
 
     Exact bounds take a tenth of a millisecond for each of their pieces, and there may be thousands of curves.
@@ -181,77 +143,11 @@ def _reaching_out(views: Sequence[CurveView], strokes: Strokes) -> list[CurveVie
     if len(known) < 2:
         return list(views)
     corners, off = np.array([box[0] for _, box in known]), np.array([box[1] for _, box in known])
-    drawn = [view for view, _ in known]
-    low, high = _grown(corners, _least_reach(drawn) if strokes.measured else 0.0 * off)
-    far_low, far_high = _grown(corners, 2.0 * off + (_farthest_reach(drawn) if strokes.measured else 0.0))
+    low, high = corners[:, 0], corners[:, 1]
+    far_low, far_high = low - 2.0 * off[:, None], high + 2.0 * off[:, None]
     reaches = (far_low <= low.min(axis=0)).any(axis=1) | (far_high >= high.max(axis=0)).any(axis=1)
     inside = {id(view) for (view, _), is_far in zip(known, reaches, strict=True) if not is_far}
     return [view for view in views if id(view) not in inside]
-
-
-def _grown(boxes: FloatArray, by: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return lowest and highest corners of boxes, (k, 2, 2), that are larger on all sides."""
-    return boxes[:, 0] - by[:, None], boxes[:, 1] + by[:, None]
-
-
-def _stroke_boxes(
-    views: Sequence[CurveView], lines: Sequence[FloatArray], *, as_drawn: bool
-) -> list[FloatArray]:
-    """Return the boxes of those strokes, by the boxes of their lines, that may reach beyond all others."""
-    places = np.flatnonzero(_reaches(views, half_width)).tolist()
-    if not places:
-        return []
-    stroked, corners = [views[at] for at in places], np.array([lines[at] for at in places])
-    # Boxes that strokes fill at least, as one without corners and ends does, and those that none leaves.
-    low, high = _grown(corners, _least_reach(stroked))
-    far_low, far_high = _grown(corners, _farthest_reach(stroked))
-    sticks_out = (far_low < low.min(axis=0)).any(axis=1) | (far_high > high.max(axis=0)).any(axis=1)
-    return [
-        np.concatenate([low, high]),
-        *(_stroke_box(stroked[at], as_drawn=as_drawn) for at in np.flatnonzero(sticks_out)),
-    ]
-
-
-def _least_reach(views: Sequence[CurveView]) -> FloatArray:
-    return _reaches(views, lambda style: half_width(style) if is_round(style) else 0.0)
-
-
-def _farthest_reach(views: Sequence[CurveView]) -> FloatArray:
-    return _reaches(views, farthest_reach)
-
-
-def _reaches(views: Sequence[CurveView], reach: Callable[[Style], float]) -> FloatArray:
-    """Return how far the strokes of curves reach; many share a style."""
-    styles = [view.source.line_style for view in views]
-    # Found by identity, with no call of Python's own for each.
-    keys = [*map(id, styles)]
-    found = dict(zip(keys, styles, strict=True))
-    reaches = {key: reach(style) for key, style in found.items()}
-    return np.array([*map(reaches.__getitem__, keys)])
-
-
-def _stroke_box(view: CurveView, *, as_drawn: bool) -> FloatArray:
-    style = view.source.line_style
-    if as_drawn:
-        line = polygonal(view.polyline, is_closed=view.source.is_closed)
-        return view.polyline if line is None else stroke_box(line, style)
-    if view.__dict__.get("stroke_bounds", (None,))[0] != style:
-        line = _exact_line(view)
-        box = box_found(view) if line is None else stroke_box(line, style)
-        view.__dict__["stroke_bounds"] = (style, box)
-    found: FloatArray = view.__dict__["stroke_bounds"][1]
-    return found
-
-
-def _exact_line(view: CurveView) -> Line | None:
-    from curvecore.analysis.bounding_boxes import turning_points  # noqa: PLC0415 - when first looked at
-    from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415
-
-    assert view.curve is not None
-    pieces = bezier_pieces(view.curve)
-    (turns,) = turning_points([view.curve], [pieces])
-    xs, ys = (turns.points[turns.axis == axis, axis] for axis in (0, 1))
-    return line_of(pieces.controls, pieces.exponent, (xs, ys), is_closed=view.source.is_closed)
 
 
 def seen_line_box(view: CurveView) -> FloatArray:

@@ -19,7 +19,7 @@ from ...document.model import Curve, Vector
 from ...document.point_group import PointGroup
 from ...document.transforms import IDENTITY, Affine, mirrors, turn_of
 from ..curve.curve_view import CurveView
-from .bounds import Bounds, Strokes, bounds_of
+from .bounds import Bounds, bounds_of
 from .stretch import between
 
 _SLACK = 1e-9
@@ -90,14 +90,12 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         return between(before, (after.place(-x, -y), after.place(x, y)))
 
 
-def anchored(
-    views: Sequence[CurveView], group: PointGroup, strokes: Strokes, *, live: bool = False
-) -> Anchor:
+def anchored(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> Anchor:
     """Return a group as it is now; `live` while it is dragged, with its bounds as they are drawn."""
     parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts]
     points = np.concatenate(parts) if parts else np.empty((0, 2))
     curves = tuple(views[curve].source for curve, _ in group.parts)
-    return Anchor(group, points, bounds_of(views, group, strokes, as_drawn=live), curves, len(views))
+    return Anchor(group, points, bounds_of(views, group, as_drawn=live), curves, len(views))
 
 
 class Pivot(msgspec.Struct, frozen=True, eq=False):

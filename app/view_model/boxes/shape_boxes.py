@@ -9,13 +9,13 @@ from ...document.model import Curve
 from ...document.point_group import PointGroup
 from ...document.shapes import shape_around
 from ..curve.curve_view import CurveView, view_of
-from .bounds import UNCLIPPED, bounds_of
+from .bounds import bounds_of
 
 
 def box_of_shape(views: Sequence[CurveView], shape: range) -> Box:
     """Return the box around the curves at some places; around nothing it lies at the origin."""
     points = tuple((place, frozenset(range(len(views[place].points)))) for place in shape)
-    bounds = bounds_of(views, PointGroup(points, is_whole=True), UNCLIPPED)
+    bounds = bounds_of(views, PointGroup(points, is_whole=True), clipped=False)
     return ((0.0, 0.0), (0.0, 0.0)) if bounds is None else (bounds.low, bounds.high)
 
 

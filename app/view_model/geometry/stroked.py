@@ -14,7 +14,6 @@ import msgspec
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.scaling import scale_by_power
 from curvecore.vectors import cross
 
 from ...document.style import LineCap, LineJoin, Style
@@ -34,27 +33,22 @@ class Line(msgspec.Struct, frozen=True, eq=False):
     before, after
         The directions in which the line comes to a joint and leaves it, (m, 2). What an open line has before
         its first point, and after its last, means nothing.
-    is_closed
-        Whether the last joint is joined with the first.
     turns
         Where else x turns back, and where y does: these coordinates.
+    is_closed
+        Whether the last joint is joined with the first.
     """
 
     points: FloatArray
     before: FloatArray
     after: FloatArray
+    turns: tuple[FloatArray, FloatArray]
     is_closed: bool
-    turns: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty(0))
 
 
 def half_width(style: Style) -> float:
     """Return how far a stroke reaches beside its line; 0 of one that is as wide at every zoom."""
     return (style.width or 0.0) / 2.0 if style.has_stroke else 0.0
-
-
-def is_round(style: Style) -> bool:
-    """Whether a stroke reaches equally far everywhere."""
-    return style.cap is LineCap.ROUND and style.join is LineJoin.ROUND
 
 
 def farthest_reach(style: Style) -> float:
@@ -63,27 +57,18 @@ def farthest_reach(style: Style) -> float:
     return half_width(style) * max(math.sqrt(2.0) if style.cap is LineCap.SQUARE else 1.0, corner)
 
 
-def polygonal(polyline: FloatArray, *, is_closed: bool) -> Line | None:
-    """Return the line of a polyline (k, 2); a closed one ends where it begins. None of a single place."""
-    ways = np.diff(polyline, axis=0)
-    is_long = (ways != 0.0).any(axis=1)
-    if not is_long.any():
-        return None
-    directions, starts = unit_tangents(ways[is_long]), polyline[:-1][is_long]
-    return _joined(directions, directions, starts, polyline[-1:], is_closed=is_closed)
-
-
-def line_of(
-    controls: FloatArray, exponent: int, turns: tuple[FloatArray, FloatArray], *, is_closed: bool
-) -> Line | None:
-    """Return the line of Bézier pieces (k, m, 2) times 2**-exponent; None where they are all in one place."""
+def line_of(controls: FloatArray, turns: tuple[FloatArray, FloatArray], *, is_closed: bool) -> Line | None:
+    """Return the line of Bézier pieces (k, m, 2), which turns at these x and y; None of a single place."""
     leaving, is_long = _directions(controls)
     coming, _ = _directions(controls[:, ::-1])
     if not is_long.any():
         return None
-    points = scale_by_power(np.vstack([controls[is_long, 0], controls[is_long, -1][-1:]]), exponent)
-    line = _joined(leaving[is_long], -coming[is_long], points[:-1], points[-1:], is_closed=is_closed)
-    return msgspec.structs.replace(line, turns=turns)
+    starts, end = controls[is_long, 0], controls[is_long, -1][-1:]
+    after, before = leaving[is_long], -coming[is_long]
+    if is_closed:
+        return Line(starts, np.roll(before, 1, axis=0), after, turns, is_closed=True)
+    before, after = np.vstack([before[:1], before]), np.vstack([after, after[-1:]])
+    return Line(np.vstack([starts, end]), before, after, turns, is_closed=False)
 
 
 def _directions(controls: FloatArray) -> tuple[FloatArray, BoolArray]:
@@ -93,16 +78,6 @@ def _directions(controls: FloatArray) -> tuple[FloatArray, BoolArray]:
     longest = lengths.max(axis=1)
     first = (lengths > _LEAST * longest[:, None]).argmax(axis=1)
     return unit_tangents(ways[np.arange(len(ways)), first]), longest > 0.0
-
-
-def _joined(
-    leaving: FloatArray, coming: FloatArray, starts: FloatArray, end: FloatArray, *, is_closed: bool
-) -> Line:
-    """Return the line of segments, each with where it begins and the directions at its ends."""
-    if is_closed:
-        return Line(starts, np.roll(coming, 1, axis=0), leaving, is_closed=True)
-    before, after = np.vstack([coming[:1], coming]), np.vstack([leaving, leaving[-1:]])
-    return Line(np.vstack([starts, end]), before, after, is_closed=False)
 
 
 def stroke_box(line: Line, style: Style) -> FloatArray:
