@@ -308,8 +308,8 @@ def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
                 "element": "<flowRoot>",
                 "name": "t",
                 "number": 2,
-                "why": "it has no letters that can be read here",
-                "instead": "left out, but as paths it would come in",
+                "why": "texts are not read",
+                "instead": "left out",
             }
         ],
         "remarks": [],
@@ -457,10 +457,7 @@ def test_convert_says_what_it_leaves_out(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text('<svg><text/><path d="M0 0L1 1"/></svg>', encoding="utf-8")
     assert main(["convert", str(path), str(tmp_path / "a.py")]) == 0
-    assert capsys.readouterr().err == (
-        "curvebench: <text> (element 2): it has no letters that can be read here; "
-        "left out, but as paths it would come in.\n"
-    )
+    assert capsys.readouterr().err == "curvebench: <text> (element 2): texts are not read; left out.\n"
 
 
 def test_convert_refuses_in_one_line(tmp_path, capsys):

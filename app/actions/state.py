@@ -16,7 +16,6 @@ from ..document.derivatives import EstimateRule
 from ..document.model import Document, ParametrizationKind
 from ..document.paper import object_word
 from ..document.point_group import NO_POINTS, PointGroup
-from ..document.selection import with_points
 from ..document.several_curves import is_blank
 from ..document.shape_edits import are_in_groups, objects
 from ..document.shapes import shape_of, whole_shapes
@@ -52,8 +51,8 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         Its flags, and whether it is one of a shape of several.
     is_current, has_curve
         Whether its points make a curve; whether one is drawn, which may be the last one that they made.
-    is_editing, can_edit
-        Whether a curve is edited, and whether one could be: it has points.
+    is_editing
+        Whether a curve is edited.
     means_curve, has_highlight
         Whether there is a curve to act on; whether there is something to copy or to delete.
     has_selected_curve, selected_curve_count
@@ -103,7 +102,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     is_current: bool
     has_curve: bool
     is_editing: bool
-    can_edit: bool
     means_curve: bool
     has_highlight: bool
     has_selected_curve: bool
@@ -195,7 +193,6 @@ class ActionFacts:
             is_current=view.is_current,
             has_curve=view.curve is not None,
             is_editing=selected.is_editing,
-            can_edit=selected.is_editing or bool(with_points(document.curves, selected.chosen or {active})),
             means_curve=selected.means_curve,
             has_highlight=_has_highlight(session),
             has_selected_curve=bool(marked),

@@ -11,7 +11,6 @@
 - ``grid_layer``, ``unit_layer``, ``guides_layer``: grid, unit and guides.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
   ``group_sheets``: groups that are seen through.
-- ``content_ink``: texts and pictures in their frames.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other
   versions of the curve.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.

@@ -130,7 +130,7 @@ class CurveLayer(Layer):
         """Return the curve as it is drawn, None without one."""
         if self._view is None or not self._view.has_curve:
             return None
-        return line_of(self._view, shown, self._view.source.line_style)
+        return line_of(self._view, shown, self._view.source.style)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw ghost and curve."""
@@ -183,7 +183,7 @@ class CurveLayer(Layer):
         if self._paints_line(view):
             casing = [self._pen_of(self.theme.paper, _WIDTH + 2 * CASING)] if self._is_cased else []
             return (*casing, self._pen(view))
-        if self._is_covered or not view.source.line_style.has_stroke:
+        if self._is_covered or not view.source.style.has_stroke:
             return (self._pen_of(self.theme.accent, _EDIT_WIDTH),)
         return ()
 

@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterable, Sequence
 from itertools import compress
 from operator import is_not
 
-from ..document.along_edits import along_of
 from ..document.model import Vector
 from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
@@ -108,10 +107,7 @@ class DrawnCurves:
         found = [
             (place, views[place])
             for place in other
-            if place not in selected
-            and views[place].source.visible
-            and views[place].has_curve
-            and self._has_line(views[place])
+            if place not in selected and views[place].source.visible and views[place].has_curve
         ]
         units = drawn_together(views, is_apart=self.looks.is_thin)
         below, shape, above = self._in_order(views, units, active, selected)
@@ -161,14 +157,8 @@ class DrawnCurves:
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve at `pixel`, neither edited nor locked; lines that are thin have no insides."""
         _, active, *_ = self._shown
-        line = self.selected.hit(pixel, shown)
-        if line is None or not self._has_line(self._shown[0][line.index]):
-            line = self.others.hit(pixel, shown)
+        line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
         return line if self.looks.is_thin else self.areas.hit(pixel, shown, active, line)
-
-    def _has_line(self, view: CurveView) -> bool:
-        """Whether a press on its outline means a curve: the frame around letters along a path is not seen."""
-        return self.looks.is_thin or view.source.form is None or along_of(view.source) is None
 
     def locked_at(self, pixel: Vector, shown: PixelMap) -> int:
         """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
@@ -189,8 +179,7 @@ class DrawnCurves:
             on_line = (
                 place
                 for place in places
-                if self._has_line(views[place])
-                and is_on_line(views[place], pixel, shown, is_whole=self.looks.is_thin)
+                if is_on_line(views[place], pixel, shown, is_whole=self.looks.is_thin)
             )
             place = next(on_line, places.start if places.start in areas else None)
             if place is not None:

@@ -8,12 +8,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document.content import Lettering
-from ..document.contents import corners_of, is_content
 from ..document.model import Curve, Vector
 from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
-from ..qt.contents import is_at_letters
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.geometry.clips import leave
@@ -64,8 +61,7 @@ class FilledAreas:
             views = self._drawn(self._shapes[number])
             turns = windings([line_of(view, shown).points for view in views], place)
             style, there = views[0].source.style, shown.plane(*pixel)
-            is_in = is_inside(turns, style.fill_rule)[0] and leave(style.clips, there)
-            if is_in and _is_met(views[0].source, there):
+            if is_inside(turns, style.fill_rule)[0] and leave(style.clips, there):
                 yield self._shapes[number]
 
     def _find(self) -> None:
@@ -86,10 +82,5 @@ class FilledAreas:
 
 
 def _is_pressed(curve: Curve) -> bool:
-    """Whether what begins with a curve is filled, or a frame, seen and free."""
-    return (curve.style.has_fill or is_content(curve)) and curve.is_free
-
-
-def _is_met(curve: Curve, place: Vector) -> bool:
-    """Whether a press at a place in a frame means what is in it: beside letters along a path it does not."""
-    return not isinstance(curve.form, Lettering) or is_at_letters(curve.form, corners_of(curve), place)
+    """Whether what begins with a curve is filled, seen and free."""
+    return curve.style.has_fill and curve.is_free

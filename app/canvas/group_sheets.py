@@ -14,7 +14,6 @@ from PySide6.QtGui import QPainter, QPixmap
 from curvecore.arrays import FloatArray
 
 from ..appearance.theme import Theme
-from ..document.contents import is_content
 from ..document.group_look import together
 from ..document.shapes import shapes
 from ..document.style import Style
@@ -222,8 +221,6 @@ class _Way(msgspec.Struct, frozen=True, eq=False):
         """Return the pixels that parts may reach, of those that are seen."""
         area, place = QRectF(0, 0, self.shown.width, self.shown.height), QRectF()
         for shape in (shape for part in parts for shape in _shapes(part)):
-            if is_content(shape[0].source):
-                return area
             style = shape[0].source.style
             width = self.usual / self.shown.sx if style.width is None else style.width
             (left, low), (right, high) = _box(shape, style, width).tolist()

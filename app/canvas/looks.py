@@ -10,13 +10,11 @@ from PySide6.QtGui import QPainter
 
 from ..appearance.colours import curve_colour, fill_colour
 from ..appearance.theme import Theme
-from ..document.contents import is_content
 from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
 from ..plotting.pixel_map import PixelMap
 from ..plotting.printed import Ink, Part, paint_printed
 from ..plotting.wide_line import RoundLine
 from ..view_model.curve.curve_view import CurveView, Polyline
-from .content_ink import paint_content
 
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
@@ -53,7 +51,7 @@ class Looks(msgspec.Struct, frozen=True):
             return True
         if view.source.group_looks:
             return False
-        return _is_plain(view.source.style) and not is_content(view.source)
+        return _is_plain(view.source.style)
 
 
 def _is_plain(style: Style) -> bool:
@@ -105,9 +103,6 @@ def paint_shape(
     """
     style = shape[0].source.style
     width = usual if style.width is None else style.width * shown.sx
-    if is_content(shape[0].source):
-        paint_content(painter, shape[0].source, style, shown, theme, width)
-        return
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
     paint_printed(painter, parts_of(shape, style, shown), style, ink, shown, line)
 

@@ -101,11 +101,11 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         return bool(view.source.style.clips) or 0 < self._printed_width(view, shown) < _WIDE
 
     def _printed_width(self, view: CurveView, shown: PixelMap) -> float:
-        return printed_width(view.source.line_style, shown, _WIDTH * self.scale) / self.scale
+        return printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
 
     def _paint_over_print(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         """Mark what a curve prints, a wide line or an inside, by a thin line on it."""
-        stroke.show(line_of(view, shown, view.source.line_style).points, shown)
+        stroke.show(line_of(view, shown, view.source.style).points, shown)
         casing = [(self.theme.paper, _CASED)] if self._printed_width(view, shown) else []
         for pen in [*casing, (self.theme.accent, _OVER_PRINT)]:
             painter.setPen(self._line(*pen))
@@ -161,7 +161,7 @@ def _ring(painter: QPainter, radius: float, _form: int) -> None:
 def _frames_of(views: Sequence[CurveView], looks: Looks, shown: PixelMap, scale: float) -> list[QRect]:
     """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
     corners = shown.points(np.concatenate([seen_line_box(view) for view in views])).reshape(-1, 2, 2)
-    widths = [printed_width(view.source.line_style, shown, _WIDTH * scale) for view in views]
+    widths = [printed_width(view.source.style, shown, _WIDTH * scale) for view in views]
     pads = BESIDE * scale + np.array(widths)[:, None] / 2
     names = [view.source.shape for view in views]
     starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]

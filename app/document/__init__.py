@@ -8,9 +8,6 @@
   ``clip``: what it is cut by.
   ``drawn_kinds``: what begins in which.
 - ``shapes``: neighbouring curves that are drawn as one.
-- ``text``: what letters were written as.  ``texts``: the letters of a text.
-- ``content``: texts and pictures as forms.  ``contents``: curves that are the frames of such.  ``flow``:
-  how words fill those.  ``wrapping``: where the lines of these end.
 - ``export``: the last export of a document.
 - ``decimals``: numbers added as they are written.
 - ``value``: their base.  ``fields``: what each field holds, and what it is called.
@@ -30,10 +27,8 @@
 - ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.  ``readings``: how their coordinates are told.
-- ``clone``, ``clone_links``: what texts know the curves by along which they lie.
 - ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``box_form``: those in a box.
   ``form_edits``: curves made of such.
-- ``along_path``, ``along_edits``: courses that texts lie along.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.

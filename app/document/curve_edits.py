@@ -11,7 +11,6 @@ from itertools import chain, count
 
 from msgspec.structs import replace
 
-from .contents import as_model
 from .derivatives import DERIVATIVES
 from .edits import EditError, delete_points, freeze_parameters, interval, refuse_equal_parameters, set_points
 from .model import Curve, Document, Parametrization, Point, Vector
@@ -94,7 +93,6 @@ def unstyled_model(curve: Curve) -> Curve:
 
     Parameters set by hand say nothing about other points; the interval that they span is that curve's own.
     """
-    curve = as_model(curve)
     rule = curve.parametrization
     usual = Parametrization() if curve.is_manual else Parametrization(rule.kind, rule.alpha)
     return replace(fresh_curve(Document(()), curve, usual), style=PLAIN_STYLE)
@@ -189,6 +187,4 @@ def without_looks(curve: Curve) -> Curve:
         group_looks=(),
         visible=True,
         locked=False,
-        text=None,
-        identity="",
     )

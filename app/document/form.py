@@ -84,12 +84,6 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
         Its numbers, in the order in which they are shown.
     stretches
         Whether it is one of its kind still when it is wider than high; else it grows alike both ways.
-    has_paints
-        Whether its fill and its stroke are seen: all but pictures show theirs.
-    is_content
-        Whether it shows something in a frame, and is no outline: a text, a picture.
-    icon
-        A file of resources/icons, without suffix, that stands for such in lists; empty for the paint alone.
     """
 
     x: Length
@@ -98,9 +92,6 @@ class Form(Value, frozen=True, tag_field="kind", tag=str.lower):
     noun: ClassVar[str] = ""
     fields: ClassVar[tuple[FormField, ...]] = ()
     stretches: ClassVar[bool] = True
-    has_paints: ClassVar[bool] = True
-    is_content: ClassVar[bool] = False
-    icon: ClassVar[str] = ""
 
     @property
     def word(self) -> str:

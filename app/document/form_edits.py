@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from msgspec.structs import replace
 
 from ..families import HERMITE
-from .content import Content
 from .curve_edits import free_name, fresh_curve, is_numbered, replace_curve
 from .forms import AnyForm
 from .layers import front_of, in_front, without
@@ -18,7 +17,6 @@ from .style import Style
 from .ties import holds, tied
 from .transforms import IDENTITY, Affine
 
-_UNIFORM, _SIDES = ParametrizationKind.UNIFORM, 4
 _SMOOTH = 1e-12
 """Share of a velocity by which the two at a point differ where roundings alone make them two."""
 
@@ -60,31 +58,19 @@ def _is_taken(active: Curve) -> bool:
 def formed_anew(curve: Curve, form: AnyForm, by: Affine = IDENTITY) -> Curve:
     """Return a curve that runs as a form that was mapped.
 
-    Its parameters are spaced by its sides; those of the frame of a text or a picture, which nobody edits by
-    points, are even, whatever becomes of it.
+    Its parameters are spaced by its sides.
     """
-    rule, kind = curve.parametrization, _UNIFORM if form.is_content else ParametrizationKind.CHORD_LENGTH
-    if rule.kind is not kind:
-        rule = Parametrization(kind)
+    rule = curve.parametrization
+    if rule.kind is not ParametrizationKind.CHORD_LENGTH:
+        rule = Parametrization()
     curve = replace(curve.with_family(HERMITE), closed=True, parametrization=rule, form=form)
     return replace(curve, points=_points(form, by, rule.end - rule.start))
-
-
-def framed(content: Content, corners: Sequence[Vector], name: str) -> Curve:
-    """Return the frame of a text or a picture with these corners, from the upper left one on clockwise."""
-    sides = [(here, there) for here, there in zip(corners, (*corners[1:], corners[0]), strict=True)]
-    ways = [(_SIDES * (end[0] - start[0]), _SIDES * (end[1] - start[1])) for start, end in sides]
-    points = (
-        Point(x, y, velocity=before, corner=True, velocity_after=after)
-        for (x, y), before, after in zip(corners, (ways[-1], *ways), ways, strict=False)
-    )
-    return Curve(name, HERMITE, Parametrization(_UNIFORM), tuple(points), closed=True, form=content)
 
 
 def _points(form: AnyForm, by: Affine, span: float) -> tuple[Point, ...]:
     """Return the points of a form whose parameters span an interval by the lengths of the chords."""
     pieces = [[by.point(each) for each in piece] for piece in form.pieces]
-    chords = [1.0 if form.is_content else math.dist(piece[0], piece[3]) for piece in pieces]
+    chords = [math.dist(piece[0], piece[3]) for piece in pieces]
     whole = sum(chords)
     # A handle is p ± h v / 3.
     factors = [3.0 * whole / (chord * span) for chord in chords]

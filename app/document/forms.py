@@ -1,4 +1,4 @@
-"""The forms that there are: rectangle, ellipse, star; text and picture."""
+"""The forms that there are: rectangle, ellipse, star."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from typing import Annotated, Self
 from msgspec.structs import replace
 
 from .box_form import InBox, Size, line, on_the_way
-from .content import Lettering, Picture
 from .decimals import decimal_sum
 from .fields import LENGTH, Requirement, at_least, between
 from .form import Form, FormField, FormHandle, Piece
@@ -269,5 +268,5 @@ def _inside(start: float, end: float, radius: float, size: float) -> Vector:
     return (decimal_sum(start, radius), decimal_sum(end, -radius))
 
 
-AnyForm = Rectangle | Ellipse | Star | Lettering | Picture
+AnyForm = Rectangle | Ellipse | Star
 """What a document may say of a curve."""

@@ -10,7 +10,6 @@ from collections.abc import Callable, Collection
 
 from msgspec.structs import replace
 
-from .contents import with_shown_style
 from .gradient import Box, size_of
 from .model import Document, Vector
 from .shapes import shape_of
@@ -29,7 +28,7 @@ def with_shape_styles(
     return replace(
         document,
         curves=tuple(
-            with_shown_style(curve, styles[place]) if place in styles else curve
+            replace(curve, style=styles[place]) if place in styles else curve
             for place, curve in enumerate(document.curves)
         ),
     )

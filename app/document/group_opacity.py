@@ -9,7 +9,6 @@ from collections.abc import Collection, Mapping
 
 from msgspec.structs import replace
 
-from .contents import with_shown_style
 from .curve_edits import with_each
 from .curve_tree import Node, NodeKind, whole_nodes
 from .group_look import opacity_of, with_opacity
@@ -36,7 +35,7 @@ def with_overall_opacity(document: Document, curves: Collection[int], opacity: f
         if group := groups[place]:
             looks = with_opacity(curve.group_looks, curve.groups, group, opacity)
             return replace(curve, group_looks=looks)
-        return with_shown_style(curve, replace(curve.style, opacity=opacity))
+        return replace(curve, style=replace(curve.style, opacity=opacity))
 
     new = (edit(*each) if each[0] in groups else each[1] for each in enumerate(document.curves))
     return replace(document, curves=tuple(new))

@@ -10,7 +10,6 @@ from typing import Annotated
 from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
-from .clone import Identity
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
@@ -22,8 +21,7 @@ from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
 from .page import Page as Page  # noqa: PLC0414 - most have it from here
 from .reference_image import ReferenceImage as ReferenceImage  # noqa: PLC0414
-from .style import NO_LINE, PLAIN_STYLE, Style
-from .text import Text
+from .style import PLAIN_STYLE, Style
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
@@ -212,13 +210,8 @@ class Curve(Value, frozen=True, dict=True):
         Those of the family's settings that are not at their defaults.
     other_settings
         The same of other families, which the curve had before and may have again.
-    text
-        The text that it is a letter of, or a part of one; None for curves that were not written.
     form
         What it was drawn as: a rectangle, an ellipse; see ``view_model.formed`` for what it is of that now.
-        Or what it is the frame of: a text, a picture; see ``contents``.
-    identity
-        What texts along it know it by; empty for one that never had any.
     """
 
     name: str
@@ -236,9 +229,7 @@ class Curve(Value, frozen=True, dict=True):
     locked: bool = False
     settings: ChosenSettings = NO_SETTINGS
     other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
-    text: Text | None = None
     form: AnyForm | None = None
-    identity: Identity = ""
     group_looks: GroupLooks = ()
 
     def with_family(self, family: Family) -> Curve:
@@ -279,11 +270,6 @@ class Curve(Value, frozen=True, dict=True):
     def with_rules_of(self, other: Curve) -> Curve:
         """Return this curve with the rules that estimate the derivatives of another."""
         return replace(self, **{each.rule_field: getattr(other, each.rule_field) for each in DERIVATIVES})
-
-    @property
-    def line_style(self) -> Style:
-        """The style of its line, and of what that encloses: around a text or a picture nothing is drawn."""
-        return self.style if self.form is None or not self.form.is_content else NO_LINE
 
     @property
     def seen_name(self) -> str:

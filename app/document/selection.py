@@ -8,7 +8,6 @@ from operator import is_
 
 import msgspec
 
-from .contents import is_content
 from .model import Curve, Document, Point, Vector
 from .point_group import PointGroup, some_points
 from .shapes import shape_around
@@ -154,7 +153,6 @@ def followed_choice(choice: Choice, before: Sequence[Curve], after: Sequence[Cur
         # A curve that was added is what is worked on now; where one has gone nobody has chosen another.
         kept = frozenset({active} if is_editing or len(after) > len(before) else ())
     curves = kept or frozenset({active})
-    is_editing = is_editing and with_points(after, curves) == curves
     chosen = kept if not is_editing or len(kept) > 1 else frozenset()
     return Choice(active, points, curves, chosen, is_editing, choice.layer)
 
@@ -191,8 +189,3 @@ def returned_curves(before: Sequence[Curve], after: Sequence[Curve]) -> frozense
     new = {place for place, curve in enumerate(after) if id(curve) not in known}
     gone = {place for place, curve in enumerate(before) if id(curve) not in kept}
     return frozenset() if new == gone else frozenset(new)
-
-
-def with_points(curves: Sequence[Curve], places: Collection[int]) -> frozenset[int]:
-    """Return those of some curves whose points can be edited: not the frames of texts and pictures."""
-    return frozenset(place for place in places if not is_content(curves[place]))

@@ -11,7 +11,6 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from . import whole_edits
-from .clone_links import with_own_links
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import moving
@@ -195,16 +194,11 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
             around, at = around.around, shape_of(document, node.places.start).stop
         _, before = copied.get(around, (at, []))
         copied[around] = (at, [*before, *node.places])
-    chosen = [place for _, originals in copied.values() for place in originals]
-    own = with_own_links([document.curves[place] for place in chosen], document.curves)
-    linked = list(document.curves)
-    for place, curve in zip(chosen, own, strict=True):
-        linked[place] = curve
     new, places = document, dict[int, int]()
     for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
         at = place + len(places)
         new = add_curves(
-            new, list(contained(linked, originals, around, document.layers).values()), at, around
+            new, list(contained(document.curves, originals, around, document.layers).values()), at, around
         )
         places |= zip(originals, range(at, at + len(originals)), strict=True)
     return Added(new, tuple(places[curve] for curve in sorted(places)))
@@ -217,7 +211,6 @@ def add_curves(
 
     Of the shapes and groups that they are in, that which they come into keeps its name.
     """
-    curves = with_own_links(curves, document.curves)
     own = with_own_names(renamed(curves, {curve.name for curve in document.curves}), document, container)
     return replace(document, curves=(*document.curves[:at], *own, *document.curves[at:]))
 
@@ -232,8 +225,7 @@ def add_imported(document: Document, new: Document, layer: str = "") -> tuple[Do
     is_begun = not is_blank(document)
     base = document if is_begun else without(document, 0)
     place, container = front_of(base, layer)
-    curves = with_own_links(new.curves, base.curves)
-    own = within(with_own_names(curves, base), container)
+    own = within(with_own_names(new.curves, base), container)
     image = document.image or new.image
     document = replace(base, curves=(*base.curves[:place], *own, *base.curves[place:]), image=image)
     if is_begun:
@@ -282,11 +274,9 @@ def named(document: Document, curves: Collection[int]) -> str:
 
 
 def counted(document: Document, curves: Collection[int]) -> str:
-    """Return "3 curves"; on a page, or with whole shapes, groups or texts among them, "2 objects"."""
+    """Return "3 curves"; on a page "2 objects"."""
     marked = [document.curves[curve] for curve in curves]
-    if kind_of(document) is DocumentKind.DRAWING or [
-        each for each in marked if each.form is not None and each.form.is_content
-    ]:
+    if kind_of(document) is DocumentKind.DRAWING:
         return count_of(len(whole_nodes(document.curves, curves, document.layers)), "object")
     if [each for each in marked if each.shape or each.groups]:
         return counted_nodes(whole_nodes(document.curves, curves, document.layers))

@@ -199,5 +199,4 @@ class Style(Value, frozen=True):
 PLAIN_STYLE: Final = Style()
 """A line in the ink of the theme."""
 
-NO_LINE: Final = Style(stroke=NO_PAINT)
 """Nothing at all."""

@@ -9,7 +9,8 @@ from collections import Counter
 from collections.abc import Collection, Iterable
 from typing import Final
 
-from .contents import has_paints, with_shown_style
+from msgspec.structs import replace
+
 from .curve_edits import with_each
 from .fields import fields_of
 from .model import Curve, Document
@@ -25,14 +26,14 @@ def with_style(document: Document, curves: Collection[int], **fields: object) ->
     return with_each(
         document,
         whole_shapes(document, curves),
-        lambda curve: with_shown_style(curve, curve.style.with_fields(fields)),
+        lambda curve: replace(curve, style=curve.style.with_fields(fields)),
     )
 
 
 def colours_of(curves: Iterable[Curve]) -> list[str]:
     """Return the colours that curves are painted in, those of most of them first."""
     found = Counter[str]()
-    for curve in filter(has_paints, curves):
+    for curve in curves:
         style = curve.style
         for paint, gradient in ((style.fill, style.fill_gradient), (style.stroke, style.stroke_gradient)):
             stops = () if gradient is None else gradient.stops
@@ -43,7 +44,7 @@ def colours_of(curves: Iterable[Curve]) -> list[str]:
 def with_paints_swapped(document: Document, curves: Collection[int]) -> Document:
     """Paint the insides of curves as their lines were, and their lines as their insides were."""
     return with_each(
-        document, whole_shapes(document, curves), lambda curve: with_shown_style(curve, curve.style.swapped)
+        document, whole_shapes(document, curves), lambda curve: replace(curve, style=curve.style.swapped)
     )
 
 

@@ -9,7 +9,6 @@ from . import facts as facts
 from . import missed as missed
 from . import options as options
 from . import parts as parts
-from . import picture_sizes as picture_sizes
 from . import reading as reading
 from . import rescaled as rescaled
 from . import svg as svg

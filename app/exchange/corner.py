@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.along_edits import with_course_shifted
 from ..document.edits import EditError
 from ..document.model import Document, Guide, Page, Vector
 from ..document.several_curves import stepped, whole_curves
@@ -23,8 +22,7 @@ def shifted(document: Document, by: Vector) -> Document:
     except EditError:
         return document
     curves = tuple(
-        replace(with_course_shifted(new, by), locked=old.locked)
-        for new, old in zip(moved.curves, document.curves, strict=True)
+        replace(new, locked=old.locked) for new, old in zip(moved.curves, document.curves, strict=True)
     )
     page, image = (
         each and replace(each, x=decimal_sum(each.x, by[0]), y=decimal_sum(each.y, by[1]))

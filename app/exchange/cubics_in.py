@@ -13,8 +13,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document.content import Lettering, Picture
-from ..document.form_edits import framed
 from ..document.forms import AnyForm
 from ..document.group_look import GroupLooks
 from ..document.limits import EditError
@@ -29,7 +27,6 @@ from ..document.model import (
 )
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
-from ..document.text import Text
 from ..families import HERMITE
 from ..view_model.shapes.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.shapes.cubics import points_of_cubics
@@ -146,12 +143,8 @@ class ImportedPath:
         Largest distance from what the file describes.
     form
         What it is drawn as, wherever it lies; None for what is no more than a path.
-    text
-        As in `Curve`.
     letters
         Of what kind its points are meant to be; see ``node_types``.
-    identity
-        As in `Curve`.
     """
 
     name: str
@@ -160,9 +153,7 @@ class ImportedPath:
     closed: bool
     deviation: float = 0.0
     form: AnyForm | None = None
-    text: Text | None = None
     letters: str = ""
-    identity: str = ""
 
 
 @dataclass(frozen=True)
@@ -232,9 +223,7 @@ def _through(path: PointsAlone) -> Curve:
 def _made(
     path: ImportedPath | PointsAlone, parametrization: Parametrization, points: tuple[Point, ...]
 ) -> Curve:
-    look, form, identity = path.look, None, ""
-    if isinstance(path, ImportedPath):
-        form, identity = path.form, path.identity
+    look = path.look
     return Curve(
         path.name,
         FAMILY,
@@ -247,9 +236,7 @@ def _made(
         group_looks=look.group_looks,
         visible=look.visible,
         locked=look.locked,
-        form=form,
-        text=path.text if isinstance(path, ImportedPath) else None,
-        identity=identity,
+        form=path.form if isinstance(path, ImportedPath) else None,
     )
 
 
@@ -263,9 +250,6 @@ def _check_numbers(path: ImportedPath) -> None:
 
 def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
     """Return a path as a curve, and how far the points of smooth joints moved it."""
-    if isinstance(path.form, (Lettering, Picture)):
-        frame = framed(path.form, [(x, y) for x, y in pieces[:, 0].tolist()], path.name)
-        return _made(path, frame.parametrization, frame.points), 0.0
     try:
         found = points_of_cubics(
             pieces, closed=path.closed, most_turned=WRITTEN_BY_PROGRAMS, letters=path.letters

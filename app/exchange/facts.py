@@ -13,7 +13,6 @@ from curvecore.analysis.bounding_boxes import Box, bounding_boxes
 from curvecore.bezier.pieces import BezierPieces, bezier_pieces
 from curvecore.scaling import LARGEST
 
-from ..document.contents import without_contents
 from ..document.model import Curve, Document, Parametrization
 from ..document.style import PLAIN_STYLE, Style
 from ..families import Family, FamilySetting, SettingValue
@@ -119,11 +118,7 @@ class CurveFacts:
 
 
 def facts_of(document: Document, report: Report = silent) -> tuple[CurveFacts, ...]:
-    """Return the facts about every curve of a document; `report` hears how far it has come.
-
-    Texts and pictures are none.
-    """
-    document = without_contents(document)
+    """Return the facts about every curve of a document; `report` hears how far it has come."""
     facts: list[CurveFacts] = []
     for curves in _blocks(document.curves):
         shapes = []

@@ -225,14 +225,6 @@ TOLERANCE = Tolerance(
     tip="Largest distance from the true curves, or “automatic”",
     default=None,
 )
-TEXT_AS_OUTLINES = Check(
-    name="text_as_outlines",
-    label="Text",
-    title="Text as outlines",
-    tip="Write letters as shapes: they need no fonts in the file, and cannot be searched or copied",
-    default=False,
-    help="write letters as shapes, without fonts (PDF)",
-)
 PICTURE = (TRUE_SIZE, DARK_PAPER, TRANSPARENT, POINTS, HANDLES, GRID, BASIS)
 """Options of all pictures."""
 

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import os
-from dataclasses import replace as with_fields
 
 from msgspec.structs import replace
 
-from ..document.contents import without_contents, words_about_contents
 from ..document.model import Document
 from ..storage.files import write
 from ..tasks.progress import FINAL, Report
@@ -45,13 +43,7 @@ def written_for(document: Document, path: str | os.PathLike[str], options: Optio
     form = format_of(path, FORMATS.written)
     options.report(0.0, "Writing")
     assert form.write is not None
-    if form.shows_contents or not (left := words_about_contents(document.curves)):
-        return form.write(document, options)
-    curves = without_contents(document)
-    if not curves.curves:
-        raise ExchangeError(f"There is nothing but {left}, which {form.title} does not hold.")
-    written = form.write(curves, options)
-    return with_fields(written, remarks=(*written.remarks, f"Left out: {left}."))
+    return form.write(document, options)
 
 
 def put(written: Written, path: str | os.PathLike[str], report: Report) -> None:

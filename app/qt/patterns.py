@@ -10,7 +10,6 @@ from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QTransform
 from PySide6.QtSvg import QSvgRenderer
 
 from ..document.gradient import Gradient, Tile
-from .tile_texts import on_lines
 
 _FINER = 2.0
 """Pixels of a tile for each pixel of the device: it need not lie on their grid."""
@@ -50,7 +49,7 @@ def renderer_of(tile: Tile, colour: str) -> QSvgRenderer:
     box = " ".join(map(repr, tile.view))
     text = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-        f' viewBox="{box}">{on_lines(tile.body).replace("currentColor", colour)}</svg>'
+        f' viewBox="{box}">{tile.body.replace("currentColor", colour)}</svg>'
     )
     renderer = QSvgRenderer(QByteArray(text.encode()))
     renderer.setAspectRatioMode(Qt.AspectRatioMode.IgnoreAspectRatio)

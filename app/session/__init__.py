@@ -10,7 +10,6 @@
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
 - ``next_style``: the style of what is drawn next.
   ``brought``: choosing what has come from elsewhere.
-- ``along_paths``: texts that follow the curves that they lie along.
 - ``edited_clips``: clips that follow their outlines.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """

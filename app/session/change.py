@@ -6,7 +6,6 @@ import traceback
 
 import msgspec
 
-from ..document.contents import why_no_frame
 from ..document.curve_edits import refuse_locked
 from ..document.edits import EditError
 from ..document.model import Document
@@ -40,15 +39,12 @@ def raiser_of(reason: EditError) -> str:
 
 
 def why_safe(before: Document, after: Document) -> str:
-    """Return which curve of `before` must not be as in `after`, as a sentence; empty where none is.
-
-    That is one which is locked, or the frame of a text or a picture, which would be none any more.
-    """
+    """Return which locked curve of `before` must not be as in `after`, as a sentence; empty where none is."""
     try:
         refuse_locked(before, after)
     except EditError as reason:
         return str(reason)
-    return why_no_frame(before, after)
+    return ""
 
 
 def why_not_kept(before: Document, after: Document) -> str:

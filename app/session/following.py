@@ -14,7 +14,6 @@ from ..document.selection import (
     followed_curves,
     returned_curves,
     returned_points,
-    with_points,
 )
 from ..document.several_curves import is_blank
 from ..document.steps import reshaped
@@ -43,13 +42,12 @@ class Following:
     def begin_opened(self) -> None:
         """Begin with a document that was opened: nobody chose its curves.
 
-        None hidden or locked is edited, nor any on a page, where one chooses first; nor one without points.
+        None hidden or locked is edited, nor any on a page, where one chooses first.
         """
         document, selected = self._session.document, self._session.selected
         selected.next_style.marked = Marked.OPENED
         is_drawing = document.page is not None and not is_blank(document)
-        has_points = with_points(document.curves, selected.curves)
-        if is_drawing or not (self._session.active_curve.is_free and has_points):
+        if is_drawing or not self._session.active_curve.is_free:
             selected.choose(())
             selected.next_style.marked = Marked.OPENED
 

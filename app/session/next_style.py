@@ -8,11 +8,9 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from ..document.contents import is_content
 from ..document.drawn_kinds import SHAPES, DrawnKind
 from ..document.model import Document
 from ..document.paper import DocumentKind, drawn_style, kind_of, line_width
-from ..document.selection import with_points
 from ..document.style import GRADIENTS, Style
 
 
@@ -84,8 +82,7 @@ class NextStyle:
         curve, kind = document.curves[active], self.kind_in(document)
         if kind.begins is None and not curve.points:
             return curve.style
-        is_lent = self._is_as_active(marked) and not is_content(curve)
-        if kind.begins is None and is_lent:
+        if kind.begins is None and self._is_as_active(marked):
             style = curve.style
         elif (kept := self._kept.get(kind)) is not None:
             style = kept.in_document(document)
@@ -110,10 +107,10 @@ class NextStyle:
     def note(self, document: Document, marked: Collection[int], active: int) -> None:
         """Take note of the style of what was chosen until now; of several, of the active or front one.
 
-        Texts and pictures are painted otherwise than curves, and nobody means to draw what has no paint.
+        Nobody means to draw what has no paint.
         """
-        if self.marked is Marked.ASKED and (lending := with_points(document.curves, marked)):
-            style = document.curves[active if active in lending else max(lending)].style
+        if self.marked is Marked.ASKED and marked:
+            style = document.curves[active if active in marked else max(marked)].style
             if style.has_fill or style.has_stroke:
                 self.take(document, style)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from ..document.point_group import NO_POINTS, PointGroup, some_points
-from ..document.selection import Choice, existing_points, with_points
+from ..document.selection import Choice, existing_points
 from ..document.shapes import whole_shapes
 from .next_style import Marked
 from .selected import Selected
@@ -134,8 +134,6 @@ class Selection(Selected):
         before, places, layer = self.choice, range(len(session.document.curves)), self.layer
         wanted = active if active is not None and active in places else session.active_index
         existing = frozenset(index for index in indices if index in places)
-        if is_editing and (points := with_points(session.document.curves, existing)) != existing:
-            existing, is_editing = points or existing, bool(points)
         if wanted not in existing:
             wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
         self.hold((*existing, wanted), existing, is_editing=is_editing)

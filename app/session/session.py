@@ -9,7 +9,6 @@ from pathlib import Path
 from msgspec.structs import replace
 from PySide6.QtGui import QUndoStack
 
-from ..document.contents import as_model, is_content, repainted
 from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
@@ -19,7 +18,6 @@ from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve.curve_view import CurveView
-from .along_paths import along_paths
 from .box import SelectionBox
 from .change import Change, raiser_of, why_not_kept, why_safe
 from .edited_clips import EditedClips
@@ -141,8 +139,8 @@ class Session(SessionSignals):
 
     @property
     def active_view(self) -> CurveView:
-        """The view-model of the active curve; without points where that is the frame of a text or picture."""
-        return self.views[self.active_index].analysed
+        """The view-model of the active curve."""
+        return self.views[self.active_index]
 
     @property
     def model(self) -> Curve:
@@ -150,12 +148,12 @@ class Session(SessionSignals):
         selected = self.selected
         shown = self._shown, selected.marked, self.active_index
         style = selected.next_style.in_document(*shown, self.files.blank)
-        return replace(as_model(self.active_curve), style=style)
+        return replace(self.active_curve, style=style)
 
     @property
     def meant_view(self) -> CurveView | None:
         """The view-model of the active curve; None while no curve is edited and none chosen."""
-        return self.active_view if self.selected.means_curve and not is_content(self.active_curve) else None
+        return self.active_view if self.selected.means_curve else None
 
     @property
     def undo_stack(self) -> QUndoStack:
@@ -228,7 +226,7 @@ class Session(SessionSignals):
             self.cancel()
             return Change(is_done=False)
         if reason := why_safe(self._committed, document):
-            return self._refused(reason, "the lock of a curve, or a frame")
+            return self._refused(reason, "the lock of a curve")
         if reason := why_not_kept(self._committed, document):
             return self._refused(reason, "the file format")
         before = self.state
@@ -239,9 +237,8 @@ class Session(SessionSignals):
         return Change(is_done=True)
 
     def _following_ones(self, document: Document) -> Document:
-        """Return a document with plain values whose texts follow, and look as styles say."""
-        painted = repainted(plain(document, self._shown), self._committed)
-        return along_paths(self.clips.followed(painted, self._committed), self._committed)
+        """Return a document with plain values whose clips follow their outlines."""
+        return self.clips.followed(plain(document, self._shown), self._committed)
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""

@@ -110,6 +110,9 @@ DROPPED: list[Dropped] = [
     Dropped(Place.DOCUMENT, "kept_texts", "text", is_loss=_begins_text),
     Dropped(Place.DOCUMENT, "kept_pictures", "picture", is_loss=lambda _picture: True),
     Dropped(Place.CURVE, "clone", "clone link"),
+    Dropped(Place.CURVE, "identity"),
+    # The letters of such a text are shapes, and stay.
+    Dropped(Place.CURVE, "text"),
     Dropped(Place.STYLE, "start_marker", "arrowhead", is_loss=_is_set),
     Dropped(Place.STYLE, "end_marker", "arrowhead", is_loss=_is_set),
     Dropped(
@@ -124,7 +127,7 @@ DROPPED: list[Dropped] = [
 ]
 """The fields of version 2 that version 3 does not have."""
 
-DROPPED_FORMS: dict[str, str] = {}
+DROPPED_FORMS: dict[str, str] = {"lettering": "text", "picture": "picture"}
 """Nouns of the curves of version 2 that go whole, by the kind of their form."""
 
 _NEW_CURVE: Final[Values] = {

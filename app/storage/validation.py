@@ -7,7 +7,6 @@ from contextlib import suppress
 from itertools import chain, repeat
 from operator import attrgetter, is_
 
-from ..document.contents import is_framed
 from ..document.derivatives import VECTORS
 from ..document.limits import are_within
 from ..document.model import Curve, Document, ParametrizationKind, Point
@@ -25,8 +24,7 @@ def validate(document: Document) -> None:
     its magnitude at most `MAX_MAGNITUDE`. A parametrization has start < end. The parameters that the points
     carry increase strictly in the order of the points, also where a rule is in force and they are only
     remembered; under the manual parametrization every point carries one. Tied velocities are both there, and
-    parallel. What frames a text or a picture runs around a box. A curve may
-    have one point or none. The curves of a shape follow each other and look the same.
+    parallel. A curve may have one point or none. The curves of a shape follow each other and look the same.
     """
     if not document.curves:
         raise FormatError("curves must hold at least one curve")
@@ -87,8 +85,6 @@ def _validate_curve(curve: Curve, place: str, before: Curve | None) -> None:
         for index, point in enumerate(curve.points):
             check_fields(point, f"{place}.points[{index}]")
     _validate_parameters(curve, place)
-    if curve.form is not None and curve.form.is_content and not is_framed(curve):
-        raise FormatError(f"{place} must run around a box that is mapped, for it frames a {curve.form.noun}")
 
 
 _what_runs = attrgetter("points", "parametrization", "closed")

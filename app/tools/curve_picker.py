@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.contents import is_content, refusal_of
 from ..document.paper import DocumentKind, kind_of, object_word
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
@@ -104,7 +103,6 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
     """Return what a click on a curve does, and what Shift would change of drag and click."""
     host = context.host
     name, is_editing = _name(context, hit), host.selected.is_editing
-    is_whole = not is_editing and is_content(host.document.curves[hit.index])
     if context.pointer.shift:
         return "click to take it out" if is_chosen else "click to choose it too"
     if is_chosen:
@@ -112,11 +110,11 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
             return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
         grips = "scale" if context.host.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
-        edit = "" if is_whole else f"Double-click to edit “{name}” · "
+        edit = f"Double-click to edit “{name}” · "
         if _entered(context, hit):
             edit = f"Double-click to choose within “{name}” · "
         return f"{click}{edit}Shift: one axis, a click takes it out"
-    later = "" if is_editing or is_whole else ", double-click to edit it"
+    later = "" if is_editing else ", double-click to edit it"
     return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
 
 
@@ -220,9 +218,6 @@ def select_hit(context: ToolContext) -> None:
     if hit is not None and hit.part is Part.POINT:
         host.selected.set_group(points_of(hit.curve if hit.curve >= 0 else host.active_index, [hit.index]))
     several = named(host.document, host.selected.chosen) if host.selected.chosen else ""
-    if not host.selected.is_editing:
-        host.say(refusal_of(host.document.curves[host.active_index]))
-        return
     host.say(f"Editing {several} now." if several else f"Editing “{host.active_view.source.seen_name}” now.")
 
 

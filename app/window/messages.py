@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
-from ..document.contents import is_content
 from ..state.window_state import WindowState
 from ..tools.tool import TOOLS
 from ..view_model.curve.curve_view import CurveView
@@ -121,10 +120,9 @@ class Messages(QObject):
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent sentence, empty for none, and whether it is a warning."""
-        is_curve = not is_content(view.source)
-        if is_curve and len(view.points) < 2:
+        if len(view.points) < 2:
             return self._before_a_curve(view)
-        if is_curve and view.problem:
+        if view.problem:
             return view.problem, True
         if self._offered is not None:
             return self._offered[0], False

@@ -9,7 +9,6 @@
   ``new_documents``: what new ones are.  ``file_names``: what they are called.
   ``file_work``: files beside the window.  ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.
-  ``contents_here``: texts in the fonts of this computer.
 
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.

@@ -8,20 +8,15 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.along_path import Along
 from app.document.clip import Clip, ring_of
-from app.document.content import Lettering, Picture, RunPaint, TextLine, TextRun
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
-from app.document.flow import Flow
-from app.document.form_edits import framed
 from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop, Tile
 from app.document.group_look import GroupLook
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import GRADIENTS, Style
-from app.document.text import Text
 from app.document.value import Value
 from app.exchange.rescaled import enlarged
 from app.families import HERMITE
@@ -33,9 +28,6 @@ STOPS = (Stop(0.25, "#112233", 0.5), Stop(0.75))
 TILE = Tile("<rect width='1' height='1'/>", (1.0, 2.0, 3.0, 4.0))
 GRADIENT = Gradient(STOPS, start=PAIR, end=(3.0, 4.0), side=(5.0, 6.0), focus=PAIR, tile=TILE)
 CLIP = Clip((ring_of([PAIR, (3.0, 4.0), (5.0, 6.0), (7.0, 8.0)]),))
-RUN = TextRun("I", spacing=1.0, right=1.0, down=1.0, paint=RunPaint())
-BOX = (1.0, 2.0, 3.0, 4.0)
-ALONG = Along((((0.0, 0.0), (1.0, 0.0), (2.0, 1.0), (3.0, 1.0)),), "a", start=1.0)
 
 
 OPEN = replace(
@@ -58,27 +50,14 @@ def full(form, curve=OPEN):
             stroke_gradient=GRADIENT,
             clips=(CLIP,),
         ),
-        text=Text("I", "Sans", 1.0, 2.0, 3.0, letter_spacing=0.1),
         form=form,
         groups=("Group 1",),
         group_looks=(GroupLook("Group 1", 0.5),),
     )
 
 
-def full_frame(content):
-    """The same around a text or a picture."""
-    more = {"acceleration": PAIR, "acceleration_after": PAIR, "jerk": PAIR, "jerk_after": PAIR}
-    frame = framed(content, [(0.0, 2.0), (3.0, 2.0), (3.0, 1.0), (0.0, 1.0)], "frame")
-    points = (replace(point, t=float(at), **more) for at, point in enumerate(frame.points))
-    return full(content, replace(frame, points=tuple(points)))
-
-
 FULL = Document(
-    (
-        full(Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5)),
-        full_frame(Lettering(1.0, 2.0, 3.0, 4.0, (TextLine(1.0, 2.0, (RUN,)),), BOX, Flow(), ALONG)),
-        full_frame(Picture(1.0, 2.0, 3.0, 4.0, part=BOX)),
-    ),
+    (full(Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5)),),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
     guides=(Guide(Axis.X, 1.0),),
     page=Page(0.0, 0.0, 1.0, 1.0),
@@ -167,14 +146,8 @@ def test_every_length_goes_with_the_unit():
     # Between start, end and side of the pattern, which go with the unit.
     of_styles |= {f"{name}.tile.view" for name in GRADIENTS.values()}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
-    of_curves |= {"text.letter_spacing", "text.line_spacing", "group_looks.opacity"}
+    of_curves.add("group_looks.opacity")
     of_curves |= {f"style.{name}" for name in of_styles}
-    # In units of the text, or of the picture, whose frame goes with the unit.
-    of_paint = {f"paint.{name}" for name in ("fill_opacity", "stroke_opacity", "width")}
-    of_runs = {"size", "weight", "spacing", "right", "down", *of_paint}
-    of_lines = {"x", "y", *(f"runs.{name}" for name in of_runs)}
-    of_texts = {"box", "flow.line", "along.start", *(f"lines.{name}" for name in of_lines)}
-    of_curves |= {"form.part", *(f"form.{name}" for name in of_texts)}
     assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity", "empty_layers.opacity"}
 
 

@@ -1,6 +1,5 @@
 """What an SVG file cuts off is cut off here, and in what is written."""
 
-import base64
 import shutil
 import subprocess
 
@@ -9,7 +8,6 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtGui import QImage
 
-from app.document.clip import Clip
 from app.document.several_curves import mapped, stepped, whole_curves
 from app.document.transforms import scaling
 from app.exchange.drawing.image import png_file
@@ -138,54 +136,3 @@ def test_parts_of_a_clip_leave_what_any_of_them_does_whichever_way_they_run(way)
     clips = found.document.curves[0].style.clips
     seen = [leave(clips, place) for place in [(100.0, -75.0), (180.0, -75.0), (100.0, -50.0), (180.0, -50.0)]]
     assert seen == [True, True, True, False]
-
-
-@pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="librsvg is not installed")
-def test_texts_and_pictures_are_clipped_and_written_so(tmp_path):
-    image = QImage(4, 4, QImage.Format.Format_RGB32)
-    image.fill(0xFF0000FF)
-    image.save(str(tmp_path / "blue.png"))
-    blue = base64.b64encode((tmp_path / "blue.png").read_bytes()).decode()
-    document = read(
-        f'<path d="M0 290H400V300H0Z"/><image clip-path="url(#c)" width="300" height="200" x="20" '
-        f'preserveAspectRatio="none" href="data:image/png;base64,{blue}"/><g clip-path="url(#rect)">'
-        '<text x="60" y="110" font-size="90" fill="#f00">MMMMMM</text></g>'
-    ).document
-    assert [len(each.style.clips) for each in document.curves[1:]] == [1, 1]
-    (tmp_path / "a.svg").write_bytes(svg_of(document).data)
-    command = ["rsvg-convert", "--width=400", "--background-color=white", "-o", str(tmp_path / "a.png")]
-    subprocess.run([*command, str(tmp_path / "a.svg")], check=True, timeout=60)
-    ours = colours(png_file(document, Options(width=400)).content)
-    theirs = colours((tmp_path / "a.png").read_bytes())
-    for picture in (ours, theirs):
-        is_red, is_blue = (
-            (picture[..., at] > 200) & (picture[..., 1] < 60) & (picture[..., 2 - at] < 60) for at in (0, 2)
-        )
-        y, x = np.nonzero(is_red)
-        assert (x.min(), x.max(), y.max()) == (
-            pytest.approx(90, abs=8),
-            pytest.approx(189, abs=8),
-            pytest.approx(109, abs=8),
-        )
-        y, x = np.nonzero(is_blue)
-        assert np.hypot(x + 0.5 - 100, y + 0.5 - 80).max() <= 51
-        assert (x.min(), y.min()) == (pytest.approx(50, abs=1), pytest.approx(30, abs=1))
-    again = read_svg(svg_of(document).content.encode()).document
-    assert [len(each.style.clips) for each in again.curves[1:]] == [1, 1]
-
-
-def test_a_clip_without_outlines_leaves_nothing():
-    assert not leave((Clip(),), (1.0, 1.0))
-    document = read('<clipPath id="a"/><rect width="80" height="80" clip-path="url(#a)"/>').document
-    assert (colours(png_file(document, Options(width=100)).content) == 255).all()
-
-
-def test_what_cuts_a_use_lies_where_the_use_is_moved_to():
-    """A `use` at x = 100 is cut 100 to the right: it was cut at the place of what it shows."""
-    found = read(
-        '<rect id="r" width="40" height="40"/><use href="#r" x="100" y="50" clip-path="url(#rect)"/>'
-    )
-    (clip,) = found.document.curves[1].style.clips
-    places = np.array(clip.rings[0].places)
-    assert places.min(axis=0).tolist() == [190.0, -170.0]
-    assert places.max(axis=0).tolist() == [290.0, -70.0]

@@ -316,8 +316,7 @@ PATH = "Element 2 (<path>): "
         ("", "There is no curve in the file."),
         (
             "<text/>",
-            "There is no curve in the file. <text> (element 2): it has no letters that can be read here; "
-            "left out, but as paths it would come in.",
+            "There is no curve in the file. <text> (element 2): texts are not read; left out.",
         ),
         (P.format("M5 5Z"), "There is no curve in the file."),
         ("<path", "The file is not XML: line 1, column 90."),

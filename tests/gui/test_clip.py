@@ -203,22 +203,3 @@ def test_the_outline_follows_a_cancelled_drag_back_and_other_clips_stay(drawing)
     drawing.release((-3.0, 3.0))
     assert session.document == before
     assert session.document.curves[0] is bar
-
-
-def test_a_text_in_front_cuts_by_its_letters_and_comes_back_as_their_outlines(drawing):
-    session = drawing.session
-    drawn = DRAWING.replace("</svg>", '<text id="T" x="-4" y="3" font-size="8" fill="#000000">L</text></svg>')
-    session.commit(read_svg(drawn.encode(), None).document, "With a text", active=0)
-    session.selected.choose([1, len(session.document.curves) - 1])
-    drawing.trigger("setClip")
-    assert names_in(drawing) == ["Bar", "Disc", "Frame (1)", "Frame (2)"]
-    (clip,) = session.document.curves[1].style.clips
-    # An L has one outline of straight lines, as high as capitals are: 0.6 to 0.8 of the size of the font.
-    (ring,) = clip.rings
-    low, high = np.min(ring.places, axis=0), np.max(ring.places, axis=0)
-    assert low[1] == pytest.approx(-3.0, abs=1e-6)
-    assert 0.6 * 8 < high[1] - low[1] < 0.8 * 8
-    session.selected.choose([1])
-    drawing.trigger("releaseClip")
-    assert names_in(drawing) == ["Bar", "Disc", "Clip", "Frame (1)", "Frame (2)"]
-    assert len(session.document.curves[2].points) == 6

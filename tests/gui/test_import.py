@@ -476,11 +476,7 @@ def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     assert dialog.summary.text() == "2 curves with 4 points, exact."
     rows = [dialog.missed.topLevelItem(row) for row in range(dialog.missed.topLevelItemCount())]
     assert [[row.text(column) for column in range(3)] for row in rows] == [
-        [
-            "<flowRoot> “hi”",
-            "it has no letters that can be read here",
-            "left out, but as paths it would come in",
-        ]
+        ["<flowRoot> “hi”", "texts are not read", "left out"]
     ]
     assert not dialog.remarks.isVisible()
     QTest.keyClick(dialog, Qt.Key.Key_Return)

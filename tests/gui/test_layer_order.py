@@ -24,8 +24,12 @@ SVG = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm" viewBox="0 0 60 40"'
     ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">\n'
     + layer("Background", '<path id="ground" d="M0 0H60V40H0Z" fill="#eeeeee"/>')
-    + layer("Draft notes", '<text x="2" y="38">later</text>')
-    + layer("Text", '<text x="2" y="30">One</text><text x="2" y="34">Two</text>')
+    + layer("Draft notes", '<path inkscape:label="later" d="M2 38H9" stroke="#000000"/>')
+    + layer(
+        "Text",
+        '<path inkscape:label="One" d="M2 30H9" stroke="#000000"/>'
+        '<path inkscape:label="Two" d="M2 34H9" stroke="#000000"/>',
+    )
     + layer("Logo", '<path id="logo" d="M5 5H20V20H5Z" fill="#00aa00"/>')
     + "</svg>\n"
 )

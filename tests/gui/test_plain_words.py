@@ -185,8 +185,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     assert [row.text(0) for row in rows] == ["<style> “@media”", "<text> (element 3)", "<path> “<b>x</b>”"]
     assert [tip_shows(row.toolTip(1)) for row in rows] == [
         "<style> “@media”: such rules are not followed; left out.",
-        "<text> (element 3): it has no letters that can be read here; "
-        "left out, but as paths it would come in.",
+        "<text> (element 3): texts are not read; left out.",
         "<path> “<b>x</b>”: a filter changes it; it comes in without.",
     ]
     check("item of MissedList importMissed")

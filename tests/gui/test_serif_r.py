@@ -8,8 +8,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QFileDialog, QToolButton
 
-from app.document.content import Picture
-from app.document.contents import corners_of
 from app.document.lines import is_line
 from app.document.style import NO_PAINT
 from app.features.import_export.export_commands import ExportCommands
@@ -73,15 +71,13 @@ def trace(hands, contour):
 def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sheet, tmp_path):
     hands = Hands(sheet)
     hands.press(Key.Key_I, CTRL)
-    # It is chosen, and lies where the letter is drawn: locked it is out of the way.
-    (placed,) = sheet.session.document.curves
-    assert isinstance(placed.form, Picture)
-    hands.press(Key.Key_L, ALT)
+    # It lies where the letter is drawn, and is out of the way.
+    assert sheet.session.document.image is not None
     # Nothing snaps to the page.
     hands.press(Key.Key_Percent)
     trace(hands, OUTER)
     trace(hands, INNER)
-    drawn = sheet.session.document.curves[1:]
+    drawn = sheet.session.document.curves
     assert [len(curve.points) for curve in drawn] == [len(OUTER), len(INNER)]
     hands.press(Key.Key_A, CTRL | SHIFT)
     hands.press(Key.Key_K, CTRL)
@@ -94,15 +90,14 @@ def test_both_contours_are_filled_in_no_more_keys_and_clicks_than_in_inkscape(sh
 
 def check_letter(editor):
     """One shape with a hole, corners only where the letter has some, and lines that are straight."""
-    placed, outer, inner = editor.session.document.curves
-    assert placed.locked
-    assert covers(placed, outer)
+    outer, inner = editor.session.document.curves
+    assert covers(editor.session.document.image, outer)
     assert outer.shape == inner.shape != ""
     assert outer.closed
     assert inner.closed
     assert (outer.style.fill, outer.style.stroke) == ("", NO_PAINT)
     assert [is_line(inner, segment) for segment in range(5)] == [True, False, False, True, True]
-    kinds = [POINT_KINDS[kind] for kind in kinds_of(editor.session.views[2])]
+    kinds = [POINT_KINDS[kind] for kind in kinds_of(editor.session.views[1])]
     # Beside the stem, where two lines meet.
     assert [kind is CORNER for kind in kinds] == [True, False, False, False, True]
     image = editor.screenshot()
@@ -112,10 +107,12 @@ def check_letter(editor):
     assert pixel_at(editor, image, (27, 26)).lightnessF() < 0.3
 
 
-def covers(frame, curve):
-    """Whether all points of a curve lie in a frame."""
-    (left, top), _, (right, bottom), _ = corners_of(frame)
-    return all(left <= x <= right and bottom <= y <= top for x, y in (each.position for each in curve.points))
+def covers(image, curve):
+    """Whether all points of a curve lie on a picture."""
+    return all(
+        image.x <= point.x <= image.x + image.width and image.y <= point.y <= image.y + image.height
+        for point in curve.points
+    )
 
 
 def pixel_at(editor, image, place):

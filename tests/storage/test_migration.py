@@ -85,6 +85,19 @@ def test_the_sentence(count, words):
     assert decode_counting(older(kept_texts=[{}] * count)).left_out.sentence("a.json") == words
 
 
+def test_texts_and_pictures_go_whole_and_letters_that_are_shapes_stay():
+    box = {"x": 0.0, "y": 0.0, "width": 1.0, "height": 1.0}
+    found = decode_counting(
+        older(
+            curve("Dear Sir", form={"kind": "lettering", "lines": [{"x": 0.0}], **box}),
+            curve("photo", form={"kind": "picture", "data": "", **box}),
+            curve("I", text={"words": "I", "font": "Sans", "x": 0.0, "y": 0.0, "size": 3.0}),
+        )
+    )
+    assert found.left_out.words == ("1 text", "1 picture")
+    assert [each.name for each in found.document.curves] == ["I"]
+
+
 def test_a_file_of_this_version_cannot_hold_more():
     with pytest.raises(FormatError, match="kept_texts"):
         decode(older(**KEPT).replace(b'"version": 2', b'"version": 3'))

@@ -24,12 +24,6 @@ def is_raster(painter: QPainter) -> bool:
     return engine is not None and engine.type() == QPaintEngine.Type.Raster
 
 
-def holds_words(painter: QPainter) -> bool:
-    """Whether what it paints on holds letters as such."""
-    engine = painter.paintEngine()
-    return engine is not None and engine.type() == QPaintEngine.Type.Pdf
-
-
 def do_any_meet(boxes: Sequence[QRectF]) -> bool:
     """Whether any of some boxes meet, or may where they are many."""
     return len(boxes) > _MOST_COMPARED or any(one.intersects(other) for one, other in combinations(boxes, 2))

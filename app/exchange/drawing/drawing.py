@@ -13,12 +13,10 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
-from ...document.content import Picture
-from ...document.contents import content_of
 from ...document.empty_layer import EmptyLayer
 from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
-from ...document.words import count_of, names_of
+from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.curve.refusals import in_words
@@ -109,7 +107,7 @@ class Drawing(msgspec.Struct, frozen=True):
     @property
     def remarks(self) -> tuple[str, ...]:
         """All that is to be said about a picture of it."""
-        return (*self.left_out, *self.beyond, *_about_missing(self.outlines))
+        return (*self.left_out, *self.beyond)
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -314,18 +312,6 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.visible,
         curve.locked,
         formed(curve),
-        curve.text,
         letters_of(curve, path.control_points),
-        curve.identity,
-        content_of(curve),
         curve.group_looks,
     )
-
-
-def _about_missing(outlines: Iterable[Outline]) -> tuple[str, ...]:
-    """Return the sentence that tells of pictures whose files are not in the document; none without such."""
-    count = sum(isinstance(each.content, Picture) and not each.content.data for each in outlines)
-    if not count:
-        return ()
-    verb, whose = ("is", "its file lies") if count == 1 else ("are", "their files lie")
-    return (f"{count_of(count, 'picture')} {verb} not drawn; {whose} elsewhere.",)

@@ -16,7 +16,7 @@ def painted_extent(outline: Outline) -> FloatArray:
     Of a clipped one it is the box of what is seen, unless that is nothing.
     """
     controls, line = outline.control_points, None
-    if outline.content is None and half_width(outline.style) > 0.0:
+    if half_width(outline.style) > 0.0:
         line = line_of(controls, turns_within(controls), is_closed=outline.closed)
     box = extent_of(controls) if line is None else stroke_box(line, outline.style)
     seen = seen_box(box, outline.style.clips) if outline.style.clips else box

@@ -30,7 +30,7 @@ from ...document.words import names_of
 from ...tasks.progress import Report, part, silent
 from ..errors import ExchangeError
 from ..formats import Written
-from ..options import TEXT_AS_OUTLINES, Options
+from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing
@@ -195,8 +195,7 @@ def _painted(drawing: Drawing, size: tuple[int, int], style: PictureStyle, optio
 
 def _paint(fitted: Drawing, painter: QPainter, style: PictureStyle, options: Options) -> None:
     report = part(options.report, _DRAWN, 1.0)
-    writes = not options[TEXT_AS_OUTLINES]
-    paint_drawing(fitted, painter, style, points=options.points, report=report, writes=writes)
+    paint_drawing(fitted, painter, style, points=options.points, report=report)
 
 
 def png_file(document: Document, options: Options) -> Written:
@@ -253,7 +252,7 @@ def _buffer() -> QBuffer:
 
 
 def pdf_file(document: Document, options: Options) -> Written:
-    """Return a document as a PDF of one page, whose letters are those of fonts unless outlines are wanted.
+    """Return a document as a PDF of one page.
 
     `options.width` is in points of 1/72 inch.
 
@@ -353,10 +352,9 @@ def paint_drawing(
     *,
     points: bool,
     report: Report = silent,
-    writes: bool = True,
 ) -> None:
-    """Paint a drawing whose frame is the painter's whole device, with letters as such if it holds those."""
-    Painting(fitted, painter, style, writes=writes).paint(points=points, report=report)
+    """Paint a drawing whose frame is the painter's whole device."""
+    Painting(fitted, painter, style).paint(points=points, report=report)
 
 
 @contextmanager

@@ -11,11 +11,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.content import Content
 from ...document.group_look import GroupLooks
-from ...document.model import Vector
 from ...document.style import PLAIN_STYLE, Style
-from ...document.text import Text
 from ...view_model.shapes.formed import Formed
 
 
@@ -40,14 +37,8 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     form
         What it is of the form that it was drawn as; None where it is none, or lies elsewhere.
-    text
-        As in `Curve`.
     letters
         Of what kind each point is; see ``node_types``. None where pieces do not end at points.
-    identity
-        As in `Curve`.
-    content
-        The text or the picture that it is the frame of.
     group_looks
         As in `Curve`.
     """
@@ -63,16 +54,8 @@ class Outline(msgspec.Struct, frozen=True):
     visible: bool = True
     locked: bool = False
     form: Formed | None = None
-    text: Text | None = None
     letters: str = ""
-    identity: str = ""
-    content: Content | None = None
     group_looks: GroupLooks = ()
-
-    @property
-    def corners(self) -> list[Vector]:
-        """The corners of a frame."""
-        return [(x, y) for x, y in self.control_points[:, 0].tolist()]
 
     @property
     def colour(self) -> str:
@@ -82,7 +65,7 @@ class Outline(msgspec.Struct, frozen=True):
     @property
     def reach(self) -> float:
         """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
-        return (self.style.width or 0.0) / 2 if self.style.has_stroke and self.content is None else 0.0
+        return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
 
 
 def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import QRect, QRectF, QSize, Qt
@@ -18,18 +18,15 @@ from PySide6.QtGui import (
     QTransform,
 )
 
-from ...document.content import Lettering, Picture
 from ...document.gradient import Gradient
 from ...document.group_look import GroupLook
 from ...document.style import Style
 from ...qt.clips import clipped
-from ...qt.contents import inked, paint_picture
 from ...qt.gradients import brush_of
 from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
-from ...qt.written import CLEAR, Writing, write, writings_of
 from ...tasks.progress import Report, told
 from .annotation_painting import paint_annotations, paint_points
-from .devices import do_any_meet, has_alpha, holds_words, is_raster
+from .devices import do_any_meet, has_alpha, is_raster
 from .drawing import Drawing
 from .grouped import units_of
 from .outlines import Outline, length_within
@@ -65,14 +62,10 @@ class Painting:
         With nothing set but, perhaps, antialiasing.
     style
         The colours.
-    writes
-        Whether letters are written as such where the device holds them, and not as outlines.
     """
 
-    def __init__(
-        self, drawing: Drawing, painter: QPainter, style: PictureStyle, *, writes: bool = True
-    ) -> None:
-        self._drawing, self._painter, self._style, self._writes = drawing, painter, style, writes
+    def __init__(self, drawing: Drawing, painter: QPainter, style: PictureStyle) -> None:
+        self._drawing, self._painter, self._style = drawing, painter, style
         # Tiles of patterns do not lie on the grid of the pixels.
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         self._height = drawing.frame.height
@@ -134,10 +127,8 @@ class Painting:
         painter.restore()
 
     def _reach(self, shape: tuple[Outline, ...]) -> QRectF:
-        """Return a box that a shape does not leave; the whole frame for letters, which leave theirs."""
+        """Return a box that a shape does not leave."""
         style = shape[0].style
-        if shape[0].content is not None:
-            return self._frame
         pen = self._pen(style, 0.0)
         box = self._path(shape).controlPointRect()
         reach = 1 + (overhang_of(pen) if pen is not None else 0.0)
@@ -149,9 +140,6 @@ class Painting:
             whole = replace(shape[0], style=replace(shape[0].style, clips=()))
             with clipped(self._painter, clips, self._way):
                 self._paint_shape((whole, *shape[1:]))
-            return
-        if shape[0].content is not None:
-            self._paint_content(shape[0])
             return
         style, path = shape[0].style, self._path(shape)
         is_together = style.opacity < 1 and style.has_fill and style.has_stroke
@@ -171,33 +159,6 @@ class Painting:
         if brush is not None:
             self._fill(painter, path.subtracted(line), brush)
         self._fill(painter, line, pen.brush())
-
-    def _paint_content(self, frame: Outline) -> None:
-        """Paint a text or a picture in its frame."""
-        content, way = frame.content, self._way
-        if isinstance(content, Picture):
-            paint_picture(self._painter, content, frame.corners, way, frame.style.opacity, None)
-        elif isinstance(content, Lettering) and self._writes and holds_words(self._painter):
-            for writing in writings_of(content, frame.corners, way, frame.style):
-                self._write(writing)
-        elif isinstance(content, Lettering):
-            for path, style in self._inked(frame, content):
-                brush = self._brush(style) if style.has_fill else None
-                self._fill_and_stroke(self._painter, path, self._pen(style, 0.0), brush)
-
-    def _write(self, writing: Writing) -> None:
-        """Paint letters as such, and as outlines those that no font paints so."""
-        style, painter, whole = writing.style, self._painter, writing.whole
-        brush, pen = self._brush(style) if style.has_fill else None, self._pen(style, 0.0)
-        if brush is not None:
-            self._fill(painter, writing.path if isinstance(brush, QColor) else whole, brush)
-        if brush is not None or pen is not None:
-            write(painter, writing, brush if isinstance(brush, QColor) else CLEAR)
-        if pen is not None:
-            self._stroke(painter, whole, pen)
-
-    def _inked(self, frame: Outline, text: Lettering) -> Iterator[tuple[QPainterPath, Style]]:
-        return iter(inked(text, frame.corners, self._way, frame.style, self._frame))
 
     def _fill_and_stroke(
         self,

@@ -121,8 +121,6 @@ class Format(FileKind):
         Returns what to write; None if it is not written. Long work reports to `Options.report`.
     preview
         Of pictures: shows what they will look like, in so many pixels at most; see `preview.PicturePreview`.
-    shows_contents
-        Whether texts and pictures are written; others get the curves alone.
     kind
         What is read from such files; None if they are not read.
     plural
@@ -139,7 +137,6 @@ class Format(FileKind):
     hidden: Callable[[Mapping[str, Any]], Sequence[Option[Any]]] = lambda _values: ()
     write: Callable[[Document, Options], Written] | None = None
     preview: Callable[[Document, Options, tuple[int, int]], PicturePreview] | None = None
-    shows_contents: bool = False
     kind: ContentKind | None = None
     plural: str = ""
     read: Callable[..., Any] | None = None

@@ -26,7 +26,6 @@ FORMATS = (
         title="Curvebench document",
         place=0,
         write=_write,
-        shows_contents=True,
         kind=ContentKind.DOCUMENT,
         plural="Curvebench documents",
     ),

@@ -12,7 +12,6 @@ from ..options import (
     DPI,
     PICTURE,
     SCALE,
-    TEXT_AS_OUTLINES,
     TOLERANCE,
     TRANSPARENT,
     WIDTH,
@@ -76,7 +75,6 @@ FORMATS = (
         hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
         write=lambda document, options: drawing.image.png_file(document, options),
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
-        shows_contents=True,
     ),
     Format(
         endings=(".jpg", ".jpeg"),
@@ -87,7 +85,6 @@ FORMATS = (
         hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
         write=_jpeg,
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
-        shows_contents=True,
     ),
     Format(
         endings=(".webp",),
@@ -98,7 +95,6 @@ FORMATS = (
         hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
         write=_webp,
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
-        shows_contents=True,
     ),
     Format(
         endings=(".svg",),
@@ -108,7 +104,6 @@ FORMATS = (
         options=(*PICTURE, TOLERANCE),
         write=svg_of,
         preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
-        shows_contents=True,
         kind=ContentKind.DRAWING,
         plural="SVG drawings",
         read=read,
@@ -121,7 +116,6 @@ FORMATS = (
         options=(*PICTURE, TOLERANCE),
         write=lambda document, options: packed(svg_of(document, options)),
         preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
-        shows_contents=True,
         kind=ContentKind.DRAWING,
         plural="Compressed SVG drawings",
         read=read,
@@ -129,11 +123,10 @@ FORMATS = (
     Format(
         endings=(".pdf",),
         title="PDF document",
-        description="One page with fonts, sharp at every size but for patterns and clear gradients.",
+        description="One page, sharp at every size but for patterns and clear gradients.",
         place=30,
-        options=(*PICTURE, TEXT_AS_OUTLINES, TOLERANCE),
+        options=(*PICTURE, TOLERANCE),
         write=lambda document, options: drawing.image.pdf_file(document, options),
         preview=lambda document, options, room: drawing.image.pdf_preview(document, options, room),
-        shows_contents=True,
     ),
 )

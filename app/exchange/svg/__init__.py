@@ -9,11 +9,7 @@
   ``xml_tree``: elements, without DTD and entities.  ``elements``: those that others refer to.
   ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
-- ``shown``: what is shown in frames.  ``texts``, ``pictures``: of either kind.
-  ``flowed``: texts that wrap in a frame.  ``line_roles``: lines that Inkscape edits as lines.
-  ``text_paths``: what texts lie along; ``text_path_elements``: written again.
-  ``content_elements``: all of it written again.  ``course_elements``: what it lies along or fills.
-  ``escapes``: text in XML.
+- ``escapes``: text in XML.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
 - ``patterns``: those of fills and strokes, each with a body of its own out of ``tiles``.
@@ -21,7 +17,6 @@
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
-- ``own_data``: what we know of a shape, beside its element.
 - ``compressed``: packed by gzip.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """

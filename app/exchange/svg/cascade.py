@@ -7,7 +7,6 @@ Reference: Scalable Vector Graphics 2, section 6; CSS Cascading and Inheritance 
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -25,12 +24,6 @@ INHERITED = {
     "fill": "#000000",
     "fill-opacity": "1",
     "fill-rule": "nonzero",
-    "font-family": "sans-serif",
-    "font-size": "16",
-    "font-style": "normal",
-    "font-weight": "400",
-    "letter-spacing": "normal",
-    "line-height": "normal",
     "paint-order": "normal",
     "stroke": "none",
     "stroke-dasharray": "none",
@@ -40,33 +33,23 @@ INHERITED = {
     "stroke-miterlimit": "4",
     "stroke-opacity": "1",
     "stroke-width": "1",
-    "text-align": "start",
-    "text-anchor": "start",
     "visibility": "visible",
     "marker-start": "none",
     "marker-mid": "none",
     "marker-end": "none",
-    "white-space": "normal",
-    "word-spacing": "normal",
-    "writing-mode": "horizontal-tb",
 }
 """Properties that pass to what an element holds, with what they are at first."""
 
 OWN = {
-    "baseline-shift": "0",
     "clip-path": "none",
     "display": "inline",
     "filter": "none",
-    "inline-size": "auto",
     "mask": "none",
     "mix-blend-mode": "normal",
     "opacity": "1",
     "overflow": "",
-    "shape-inside": "auto",
     "stop-color": "#000000",
     "stop-opacity": "1",
-    "text-decoration": "none",
-    "text-decoration-line": "none",
     "transform": "",
     "vector-effect": "none",
 }
@@ -77,13 +60,6 @@ MAX_MATCHES = 5_000_000
 
 _KNOWN = frozenset((*INHERITED, *OWN))
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
-_FONT = re.compile(
-    r"(?P<style>(?:(?:normal|italic|oblique|small-caps|bold|bolder|lighter|[1-9]00)\s+)*)"
-    r"(?P<size>[\d.]+[a-z%]*|[a-z]+-?[a-z]+)(?:\s*/\s*\S+)?\s+(?P<family>.+)",
-    re.IGNORECASE | re.DOTALL,
-)
-"""A font with all in one."""
-
 _HARMLESS = ("font-face", "charset", "namespace", "keyframes")
 
 _Declared = tuple[str, str, bool]
@@ -168,25 +144,6 @@ def _named(nodes: Iterable[Any]) -> Iterator[_Declared]:
         if node.type != "declaration":
             continue
         name, value = node.lower_name, tinycss2.serialize(node.value).strip()
-        if name == "font":
-            for each, said in _font_of(value).items():
-                yield each, said, node.important
         for each in _MARKERS if name == "marker" else (name,):
             if each in _KNOWN:
                 yield each, value, node.important
-
-
-def _font_of(value: str) -> dict[str, str]:
-    """Return the properties that a font in one declares; none of what is not understood."""
-    match = _FONT.fullmatch(value)
-    if match is None:
-        return {}
-    words = match["style"].lower().split()
-    return {
-        "font-style": next((each for each in words if each in ("italic", "oblique")), "normal"),
-        "font-weight": next(
-            (each for each in words if each[:4] in ("bold", "ligh") or each.isdigit()), "400"
-        ),
-        "font-size": match["size"],
-        "font-family": match["family"],
-    }

@@ -50,9 +50,9 @@ class Drawn:
 
 
 def is_seen(drawn: Drawn) -> bool:
-    """Whether a path has a paint, or is the frame of something."""
-    style, form = drawn.path.look.style, drawn.path.form
-    return style.has_stroke or style.has_fill or (form is not None and form.is_content)
+    """Whether a path has a paint."""
+    style = drawn.path.look.style
+    return style.has_stroke or style.has_fill
 
 
 def with_line(drawn: Drawn) -> Drawn:

@@ -6,10 +6,22 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
 
 from ..errors import ExchangeError
-from ..missed import Missed
+from ..missed import LEFT_OUT, Missed
 from .flaw import Flaw
 from .names import shown_name
 from .xml_tree import tag_of
+
+_MOTION = Flaw("motion is not taken over", "it comes in as it begins")
+_TEXT = Flaw("texts are not read", LEFT_OUT)
+NOT_READ = {
+    "text": _TEXT,
+    "flowRoot": _TEXT,
+    "image": Flaw("pictures are not read", LEFT_OUT),
+    "foreignObject": Flaw("it is of another kind than SVG", LEFT_OUT),
+    "script": Flaw("programs are not run", LEFT_OUT),
+    **dict.fromkeys(("animate", "set", "animateMotion", "animateTransform"), _MOTION),
+}
+"""Elements that show something else than curves, and why they do not come in."""
 
 _EFFECTS = {
     "filter": Flaw("a filter changes it", "it comes in without"),

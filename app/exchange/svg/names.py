@@ -12,7 +12,6 @@ INKSCAPE_SPACE = "http://www.inkscape.org/namespaces/inkscape"
 SODIPODI_SPACE = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
 """Name spaces of what only Inkscape takes note of."""
 
-XLINK_SPACE = "http://www.w3.org/1999/xlink"
 """That of references, as programs read them that do not know those without."""
 
 SODIPODI = f"{{{SODIPODI_SPACE}}}"

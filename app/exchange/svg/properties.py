@@ -19,27 +19,11 @@ from .gradients import Ground
 from .lengths import Viewport, length
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
-DECORATIONS = ("underline", "line-through")
-"""Lines that letters may have."""
-
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _COVERED = Flaw("its fill covers its line", "its line covers its fill")
 _MARKED = Flaw("it has markers", "it comes in without them")
-_SIZES = {
-    "xx-small": 9.0,
-    "x-small": 10.0,
-    "small": 13.0,
-    "medium": 16.0,
-    "large": 18.0,
-    "x-large": 24.0,
-    "xx-large": 32.0,
-}
-"""Sizes of fonts that have a name."""
-
-_RELATIVE = {"em": 1.0, "ex": 0.5, "%": 0.01, "smaller": 1 / 1.2, "larger": 1.2}
-"""Units of the size of the font around."""
 _Kind = TypeVar("_Kind", bound=Enum)
 
 
@@ -55,14 +39,11 @@ class Properties:
         Its own, and that of all around it up to the next group, which is seen through as a whole.
     is_displayed
         Whether neither it nor a group around it is `display: none`.
-    decorated
-        By which lines its letters are: nothing within takes away what is around.
     """
 
     values: Mapping[str, str] = field(default_factory=lambda: INHERITED)
     opacity: float = 1.0
     is_displayed: bool = True
-    decorated: frozenset[str] = frozenset()
 
     def entered(self, declared: Mapping[str, str]) -> Properties:
         """Return the properties within an element that declares these."""
@@ -73,7 +54,6 @@ class Properties:
             {**self.values, **new},
             self.opacity * share_of(declared.get("opacity", "1")),
             self.is_displayed and declared.get("display") != "none",
-            self.decorated | _lines_declared(declared),
         )
 
     @property
@@ -87,10 +67,6 @@ class Properties:
             return self.values[name]
         if word == "initial":
             return INHERITED[name]
-        if name == "font-size":
-            return font_size(word, self.values[name])
-        if name == "font-weight" and word in ("bolder", "lighter"):
-            return "700" if word == "bolder" else "300"
         if name == "color":
             return value if colour_of(value) else self.values[name]
         # What is no paint is passed over, as if it did not stand there.
@@ -106,27 +82,6 @@ class Properties:
         """Whether a line of no length is seen, by its caps."""
         has_caps = self.values["stroke-linecap"].lower() in ("round", "square")
         return self.is_visible and has_caps and self.values["stroke"].lower() != "none"
-
-
-def _lines_declared(declared: Mapping[str, str]) -> frozenset[str]:
-    said = declared.get("text-decoration-line", declared.get("text-decoration", ""))
-    return frozenset(word for word in said.lower().split() if word in DECORATIONS)
-
-
-def font_size(word: str, around: str) -> str:
-    """Return the size of a font in user units, where it is this around."""
-    outer = float(around)
-    unit = next((each for each in _RELATIVE if word.endswith(each)), "")
-    try:
-        if word in _SIZES:
-            size = _SIZES[word]
-        elif unit:
-            size = outer * _RELATIVE[unit] * float(word.removesuffix(unit) or 1)
-        else:
-            size = length(word) or 0.0
-    except (ValueError, ExchangeError):
-        size = 0.0
-    return repr(size if 0 < size <= MAX_MAGNITUDE else outer)
 
 
 class StyleReader:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from zlib import crc32
 
 import msgspec
 import numpy as np
@@ -22,7 +21,6 @@ from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
 from ..missed import LEFT_OUT, Missed, named_by_place
 from ..node_types import parted
-from . import own_data
 from .cascade import Cascade
 from .clips import Clips
 from .elements import Elements
@@ -43,17 +41,14 @@ from .matrices import (
     shifting,
     transform_of,
 )
-from .missing import Missing, effects_on
-from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, label_of, name_of
+from .missing import NOT_READ, Missing, effects_on
+from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, name_of
 from .our_own import OurOwn
-from .own_data import NOTHING
 from .paint import Paints, share_of
 from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
-from .shown import CONTENTS, NO_CURVES, Shown
 from .state import Anchor, Group, State, Window
-from .text_paths import linked
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
 MAX_PATHS = 10_000
@@ -92,8 +87,7 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = SvgReader(root, tolerance)
-    # Those of one file are no others' when something of both comes into one document.
-    drawn, guides = reader.all_paths(f"{crc32(data):08x}-"), reader.guides()
+    drawn, guides = reader.all_paths(), reader.guides()
     found = imported(drawn.paths, missed=reader.missed)
     document = msgspec.structs.replace(
         found.document,
@@ -127,28 +121,20 @@ class SvgReader:
         self._elements = elements = Elements.within(root, self._cascade.of)
         paints = Paints(elements)
         self._styles = StyleReader(paints)
-        self._shown = Shown(paints, elements)
         self._clips = Clips(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
         self.layers: list[tuple[Group, ...]] = []
 
-    def all_paths(self, key: str) -> Settled:
-        """Return the paths of the file; of those that nobody painted only where there are no others.
-
-        The identities of what texts lie along begin with `key`.
-        """
+    def all_paths(self) -> Settled:
+        """Return the paths of the file; of those that nobody painted only where there are no others."""
         drawn = self.drawn()
         seen = [each for each in drawn if is_seen(each)]
         instead = LEFT_OUT if seen else "it comes in as a line"
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._missing.note(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        found = seen or [with_line(each) for each in drawn]
-        paths = linked(found, [each.path for each in found], key)
-        return settled(
-            [replace(each, path=path) for each, path in zip(found, paths, strict=True)], self.layers
-        )
+        return settled(seen or [with_line(each) for each in drawn], self.layers)
 
     @property
     def missed(self) -> tuple[Missed, ...]:
@@ -182,10 +168,8 @@ class SvgReader:
         anchor = state.anchor or Anchor(element, state)
         state = self._entered(element, declared, state)
         first, found = len(self._shapes), _NOTHING
-        if tag in CONTENTS:
-            found = self._content(element, tag, state, anchor)
-        elif tag in NO_CURVES and state.properties.is_visible:
-            self._missing.note(element, NO_CURVES[tag])
+        if tag in NOT_READ and state.properties.is_visible:
+            self._missing.note(element, NOT_READ[tag])
         elif tag in SHAPES:
             found = self._shape(element, tag, declared, state, anchor)
         elif tag == "use":
@@ -213,7 +197,7 @@ class SvgReader:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             matrix = combined(matrix, shifting(x, y))
         if (box := self._clips.box(declared, state.viewport)) is not None:
-            windows = (*windows, Window(box, matrix, is_clip=True))
+            windows = (*windows, Window(box, matrix))
         else:
             clips = (*clips, *(self._clips.of(declared, matrix, state.viewport) or ()))
         return replace(
@@ -310,7 +294,6 @@ class SvgReader:
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         controls = [each.controls for each in drawn]
-        own = own_data.read(element.get(own_data.ATTRIBUTE), controls) if state.anchor is None else NOTHING
         look = self._look(element, state, scale, controls, keeps_width=keeps_width)
         look = replace(look, shape=name) if len(drawn) > 1 else look
         clips = self._clips.of_shape(declared, state, controls, look.style)
@@ -326,28 +309,9 @@ class SvgReader:
                 subpath.closed,
                 subpath.deviation * stretch,
                 subpath.form,
-                own.text_of(index),
                 letters[index],
             )
             yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, index))
-
-    def _content(self, element: ET.Element, tag: str, state: State, anchor: Anchor) -> Iterator[Drawn]:
-        """Yield the frame of a text or of a picture."""
-        found = self._shown.found(tag, element, state)
-        flaw = self._shown.why_not(tag) if found is None else found.flaw
-        if flaw is not None and state.properties.is_visible:
-            self._missing.note(element, flaw)
-        if found is None:
-            return
-        self._shapes.append(element)
-        self._count()
-        scale, inner = (
-            mean_scale(found.matrix),
-            replace(state, properties=found.properties, matrix=found.matrix),
-        )
-        look = self._look(element, inner, scale, [found.frame], keeps_width=not found.is_painted)
-        path = found.path(state.copied or label_of(element), look)
-        yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, 0))
 
     def _count(self) -> None:
         self._found += 1

@@ -27,13 +27,10 @@ class Window:
         In the units of some element.
     matrix
         From those to the document's plane.
-    is_clip
-        Whether it is a clip path that somebody set, and no view box.
     """
 
     box: Box
     matrix: FloatArray
-    is_clip: bool = False
 
     def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
         """Whether points (n, 2) of the document, and what is in reach of them, lie in it.

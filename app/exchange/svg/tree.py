@@ -10,18 +10,13 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.content import Lettering
-from ...document.contents import plane_of, shortened
 from ...document.style import Style
 from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
 from ..node_types import guessed, joined
-from . import own_data
 from .clip_elements import ClipElements
-from .content_elements import content_element, in_units_of, refers, uncut
-from .course_elements import CourseElements
 from .escapes import quoted
 from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
@@ -69,22 +64,12 @@ class Tree:
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self._gradients = GradientElements(style, self._ids)
         self.clips = ClipElements(self._ids)
-        self._courses = CourseElements(self._ids, self._carrier)
-        contents = (shape[0].content for shape in shapes)
-        texts = (each for each in contents if isinstance(each, Lettering) and each.along is not None)
-        self._courses_of_texts = {text.along.of for text in texts if text.along} - {""}
         self.lines: list[str] = []
-
-    @property
-    def has_links(self) -> bool:
-        """Whether anything is referred to by XLink."""
-        return any(map(_has_link, self._shapes))
 
     @property
     def definitions(self) -> list[str]:
         """What paints what was written and cuts it, in an element of their own."""
         found = [*self._gradients.lines, *self.clips.lines]
-        found += self._courses.lines
         return ["  <defs>", *found, "  </defs>"] if found else []
 
     def add(self, place: int) -> None:
@@ -96,22 +81,18 @@ class Tree:
         around = [self._layers[name] for name in self._layers_of(first)]
         locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
         called, more = self._called(place), f"{unseen}{locked}"
-        if first.content is not None:
-            self._write(self._content(first, called, more))
-        else:
-            self._write(self._drawn(self._shapes[place], called, f"{more}/>"))
+        self._write(self._drawn(self._shapes[place], called, f"{more}/>"))
 
     def _drawn(self, shape: tuple[Outline, ...], called: str, end: str) -> str:
         """Return the element that draws a shape."""
         first = shape[0]
         style = self._styled(first.style, self._usual_width)
         clips = first.style.clips
-        # Texts lie along paths alone, as SVG 1.1 has it: browsers know no others.
-        tag, runs = _as_form(shape, as_path=first.identity in self._courses_of_texts) or ("path", "")
+        tag, runs = _as_form(shape) or ("path", "")
         if tag == "path":
             runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
-        runs = f"{called}{_own_data_of(shape)}{runs}"
+        runs = f"{called}{runs}"
         return self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
 
     def _is_unseen(self, outline: Outline) -> bool:
@@ -122,24 +103,6 @@ class Tree:
 
     def _styled(self, style: Style, usual_width: float) -> str:
         return style_attributes(style, self._style, usual_width, self._gradients)
-
-    def _content(self, frame: Outline, called: str, more: str) -> str:
-        """Return a text or a picture; what cuts it is around it, for that does not lie in its units."""
-        frame = uncut(frame)
-        assert frame.content is not None
-        content, plane, path = self._courses.under(frame.content, plane_of(frame.content, frame.corners))
-        style = in_units_of(plane, frame.style)
-        if content.has_paints:
-            painted = self._styled(style, self._usual_width / plane.scale)
-        else:
-            painted = f' opacity="{number(style.opacity)}"' if style.opacity < 1 else ""
-        element = content_element(content, plane, f"{called}{painted}{more}", path)
-        return self.clips.around(element, frame.style.clips)
-
-    def _carrier(self, identity: str) -> str:
-        """Return the id of the path that shows a curve; empty where none does."""
-        place = next((at for at, each in enumerate(self._shapes) if each[0].identity == identity), None)
-        return self._id_of(place) if place is not None else ""
 
     def close(self) -> None:
         """Close all groups."""
@@ -198,11 +161,7 @@ class Tree:
         return f' opacity="{number(self._opacities[name])}"' if name in self._opacities else ""
 
     def _called(self, place: int) -> str:
-        first, name, own = self._shapes[place][0], _name_of(self._shapes[place]), self._id_of(place)
-        if first.content is None:
-            return _named(name, own)
-        # It is called what it shows, and not by its id.
-        return _named("" if name == shortened(first.content.title) else name, own, is_id_no_name=True)
+        return _named(_name_of(self._shapes[place]), self._id_of(place))
 
     def _id_of(self, place: int) -> str:
         """Return the id of a shape, which others that show it may ask for first."""
@@ -211,25 +170,19 @@ class Tree:
         return self._own_ids[place]
 
 
-def _has_link(shape: tuple[Outline, ...]) -> bool:
-    content = shape[0].content
-    return content is not None and refers(content)
-
-
 def _name_of(shape: tuple[Outline, ...]) -> str:
     return shape[0].shape or shape[0].name
 
 
-def _named(name: str, own: str, *, is_id_no_name: bool = False) -> str:
+def _named(name: str, own: str) -> str:
     """Return an id and, where the name is another word, that as Inkscape's label."""
-    is_labelled = name and (is_id_no_name or name != own)
-    return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if is_labelled else "")
+    return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
 
 
-def _as_form(shape: tuple[Outline, ...], *, as_path: bool) -> tuple[str, str] | None:
-    """Return the tag and the attributes of a form, of a path without its course; None of what is no form."""
+def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
+    """Return the tag and the attributes of a form; None of what is no form."""
     outline, *others = shape
-    found = element_of(outline.form, as_path=as_path)
+    found = element_of(outline.form)
     if found is None or others:
         return None
     tag, attributes, matrix = found
@@ -253,12 +206,6 @@ def node_types(shape: Sequence[Outline], *, always: bool = False) -> str:
         return words
     taken = [(guessed(each.control_points, closed=each.closed), each.closed) for each in shape]
     return words if joined(taken) != words else ""
-
-
-def _own_data_of(shape: tuple[Outline, ...]) -> str:
-    """Return what we know of a shape beside what SVG says, as an attribute; nothing where that is all."""
-    words = own_data.words_of(own_data.of_shape(shape), [each.control_points for each in shape])
-    return f' {own_data.ATTRIBUTE}="{quoted(words)}"' if words else ""
 
 
 class _LayerState:

@@ -20,7 +20,7 @@ from ..parts import rounded_up
 from ..units import css_length, known_unit
 from .escapes import escaped
 from .guides import view_elements
-from .names import INKSCAPE_SPACE, SODIPODI_SPACE, XLINK_SPACE
+from .names import INKSCAPE_SPACE, SODIPODI_SPACE
 from .numbers import number
 from .our_own import MARK, PAGE
 from .style_attributes import dash_style
@@ -30,7 +30,6 @@ NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
 
 _ROUNDING = 1e-9
-_LINKS = f'xmlns:xlink="{XLINK_SPACE}"'
 _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
 
@@ -113,14 +112,13 @@ def svg_text(
     """
     frame = drawing.frame
     wide, high = _size_attributes(drawing, width, unit)
-    spaces = f"{_SPACES} {_LINKS}" if curves.has_links else _SPACES
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
     note = accuracy_of(drawing)
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {note} -->",
-        f'<svg{name} xmlns="http://www.w3.org/2000/svg" {spaces} '
+        f'<svg{name} xmlns="http://www.w3.org/2000/svg" {_SPACES} '
         f'width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
         f"  <metadata>{escaped(' '.join([note, *drawing.remarks]))}</metadata>",

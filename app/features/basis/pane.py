@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
-from ...document.contents import is_content
 from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
@@ -252,8 +251,6 @@ def _note(basis: BasisView | None, view: CurveView) -> str:
     """Return what is said of the functions drawn, or why there are none."""
     if basis is not None:
         return note_on_drawing(basis)
-    if is_content(view.source):
-        return view.problem
     if len(view.ticks):
         return _NO_CURVE
     return _NO_PARAMETERS if len(view.points) > 1 else ""

@@ -35,7 +35,6 @@ from ...view_model.pieces.pasting import (
     refuse_unordered,
 )
 from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, holds_picture
-from ...workbench.contents_here import as_here
 from ...workbench.context import WindowContext
 from .content import PointsContent, curves_in, points_in
 from .keys import give_keys_to_drawing
@@ -116,7 +115,7 @@ class PasteCommands:
             return True
         if (fragment := drawing_in(data)) is None:
             return False
-        self._bring(lambda report: as_here(exchange.svg.fragments.read_fragment(fragment, report)), place)
+        self._bring(lambda report: exchange.svg.fragments.read_fragment(fragment, report), place)
         return True
 
     # Curves

@@ -21,7 +21,6 @@ class Row(NamedTuple):
     visible: bool
     locked: bool
     facts: str
-    icon: str = ""
 
 
 class Entry(NamedTuple):
@@ -130,15 +129,11 @@ def rows_around(entries: Sequence[Entry]) -> Iterator[int | None]:
 
 def row_of_curve(curve: Curve) -> Row:
     """Return what the row of a curve shows."""
-    form, drawn = curve.form, ""
-    if form is not None and form.is_content:
-        facts, drawn = form.noun.capitalize(), form.icon
-    else:
-        family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
-        facts = f"{family}, {count_of(len(curve.points), 'point')}"
-        if curve.is_closed:
-            facts += ", closed"
-    return Row(curve.name, curve.style, curve.visible, curve.locked, facts, drawn)
+    family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
+    facts = f"{family}, {count_of(len(curve.points), 'point')}"
+    if curve.is_closed:
+        facts += ", closed"
+    return Row(curve.name, curve.style, curve.visible, curve.locked, facts)
 
 
 def state_of(row: Row, entry: Entry) -> str:

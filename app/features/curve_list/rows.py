@@ -79,8 +79,6 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         elif entry.node.kind is NodeKind.GROUP:
             # What is in a group need not look the same.
             self._paint_switch(painter, swatch, "group", True)
-        elif row.icon:
-            self._paint_switch(painter, swatch, row.icon, True)
         else:
             draw_style(painter, QRectF(swatch).center(), SWATCH, row.style, theme, self._parts.paper)
 

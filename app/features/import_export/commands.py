@@ -30,7 +30,6 @@ from ...session.next_style import Marked
 from ...storage.files import read
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
 from ...tasks.progress import Report
-from ...workbench.contents_here import as_here
 from ...workbench.context import WindowContext
 from .. import import_export
 from .copy_commands import CopyCommands
@@ -104,7 +103,7 @@ class ImportCommands:
         def work(report: Report) -> Imported | _OpenTable:
             form = exchange.reading.format_to_read(path)
             if form.kind is not ContentKind.TABLE:
-                return as_here(exchange.reading.import_file(path, report=report))
+                return exchange.reading.import_file(path, report=report)
             report(0.0, "Reading")
             data = read(path)
             if is_document(data):

@@ -13,7 +13,6 @@ from ... import exchange
 from ...actions.declaration import action
 from ...actions.needs import Need
 from ...actions.sections import EDIT_COPY_AS
-from ...document.contents import without_contents
 from ...document.model import Document
 from ...document.several_curves import alone, named
 from ...exchange.formats import Written
@@ -84,7 +83,7 @@ class CopyCommands:
             self._context.work.warn_of(written.remarks)
 
         def work(document: Document, report: Report) -> Written:
-            return exchange.svg_path_data(without_contents(document), exchange.options.Options(report=report))
+            return exchange.svg_path_data(document, exchange.options.Options(report=report))
 
         self._start("Writing path data", "The path data", work, put)
 

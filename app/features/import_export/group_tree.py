@@ -7,7 +7,6 @@ from collections import defaultdict
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
-from ...document.contents import content_of
 from ...document.model import Curve, Document
 from ...document.shapes import counted_shapes, shapes
 from ...document.words import count_of
@@ -78,9 +77,7 @@ class GroupTree(QTreeWidget):
                     self._item(group, group[-1], counted_shapes(held[group]))
             if len(found) <= _MOST_NAMED:
                 points = count_of(sum(len(curves[place].points) for place in places), "point")
-                content = content_of(first)
-                holds = points if content is None else content.noun
-                leaf = self._item((*chain, number), first.shape or first.name, holds)
+                leaf = self._item((*chain, number), first.shape or first.name, points)
             elif not chain or chain in inner:
                 leaf = self._item((*chain, -1), "in no group of its own", "")
             else:

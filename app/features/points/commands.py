@@ -9,21 +9,11 @@ from ...actions.sections import (
     CURVE_VELOCITIES,
     EDIT_SELECT,
 )
-from ...actions.state import ActionState
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import edits
-from ...document.contents import is_content, refusal_of
 from ...document.point_group import some_points
 from ...document.selection import NONE_FREE, all_points, free_curves
 from ...workbench.context import WindowContext
-
-
-def _why_not_edited(now: ActionState) -> str:
-    curve = now.session.active_curve
-    return refusal_of(curve) if is_content(curve) else ""
-
-
-_WITH_POINTS = Need("a curve with points", lambda state: state.can_edit, why=_why_not_edited)
 
 
 class PointCommands:
@@ -86,7 +76,6 @@ class PointCommands:
         CURVE_EDITING,
         icon="spline-pointer",
         checked=lambda state: state.is_editing,
-        needs=_WITH_POINTS,
         keywords="points nodes whole curves leave objects",
     )
     @also(CANVAS_MENU(13), CHOSEN_MENU(1), CURVE_LIST_MENU(1))

@@ -2,19 +2,11 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from curvecore.arrays import FloatArray
-
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_CLIPS
 from ...actions.state import ActionState
 from ...actions.strips import CHOSEN_MENU
-from ...document.content import Lettering
-from ...document.contents import corners_of
-from ...document.model import Curve
-from ...qt.contents import letters_of
 from ...view_model.shapes.clipping import with_clip_released, with_clip_set
 from ...workbench.context import WindowContext
 from .chosen_shapes import SEVERAL_SHAPES, meant
@@ -25,14 +17,6 @@ from .shape_work import ShapeWork
 def _is_clipped(now: ActionState) -> bool:
     curves = now.session.document.curves
     return any(curves[place].style.clips for place in meant(now.session))
-
-
-def _letters(curve: Curve) -> list[FloatArray]:
-    """Return the outlines of the letters of a text; none of anything else."""
-    if not isinstance(curve.form, Lettering):
-        return []
-    letters = letters_of(curve.form, corners_of(curve), curve.style)
-    return [contour for glyph, _style in letters for contour in glyph.contours]
 
 
 class ClipCommands:
@@ -67,10 +51,8 @@ class ClipCommands:
     )
     @also(CHOSEN_MENU(32))
     def _set(self) -> None:
-        """Cut the chosen shapes by the one in front, a text by its letters; Release Clip brings that back."""
-        document = self._session.committed
-        front = document.curves[max(meant(self._session))]
-        self._work.compute("Set clip", partial(with_clip_set, letters=_letters(front)))
+        """Cut the chosen shapes by the one in front; Release Clip brings that back."""
+        self._work.compute("Set clip", with_clip_set)
 
     @action(
         "releaseClip",

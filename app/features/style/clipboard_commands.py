@@ -14,7 +14,6 @@ from ...actions.declaration import action, also
 from ...actions.needs import CHOSEN
 from ...actions.sections import EDIT_STYLE
 from ...actions.strips import CHOSEN_MENU
-from ...document.contents import has_paints
 from ...document.gradient_edits import in_unit_box, out_of_unit_box, with_shape_styles
 from ...document.model import Document
 from ...document.several_curves import named
@@ -25,7 +24,6 @@ from ...storage.format_error import FormatError
 from ...view_model.boxes.shape_boxes import box_of_first_shape, box_of_shape
 from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard
 from ...workbench.context import WindowContext
-from .notes import NO_PAINTS
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
@@ -105,8 +103,6 @@ class StyleClipboardCommands:
 
         if session.change(words, lambda document: with_shape_styles(document, curves, fitted)):
             session.say(f"Pasted the style to {subject}.")
-        elif not any(has_paints(session.document.curves[place]) for place in curves):
-            session.say(NO_PAINTS)
 
 
 def _style_in(data: QMimeData) -> Style | None:

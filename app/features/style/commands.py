@@ -13,7 +13,6 @@ from ...actions.declaration import action, also
 from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
-from ...document.contents import has_paints
 from ...document.group_opacity import opacities_of, with_looks
 from ...document.model import Document, make_curve
 from ...document.several_curves import named
@@ -30,7 +29,7 @@ from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
-from .notes import HOW_TO_CHOOSE, NO_PAINTS, note_on
+from .notes import HOW_TO_CHOOSE, note_on
 from .subject import StyleSubject
 from .used_colours import UsedColours
 from .view_commands import StyleViewCommands
@@ -104,7 +103,7 @@ class StyleCommands:
         panel.show_recent(self._colours.recent, self._colours.in_document)
         unit = session.document.unit
         overall = opacities_of(session.document, curves) if curves else None
-        panel.render_styles(shown.words, styles, unit, note, shown.pictures, overall)
+        panel.render_styles(shown.words, styles, unit, note, overall)
 
     # Changes
 
@@ -140,8 +139,6 @@ class StyleCommands:
         change = session.change(self._words(fields, what), lambda document: edit(document, curves), run=run)
         if change.refusal and self._panel is not None:
             self._panel.refuse(change.refusal)
-        elif not change and not any(has_paints(session.document.curves[place]) for place in curves):
-            session.say(NO_PAINTS)
         self._render()
 
     def _set_next(self, edit: Callable[[Document, frozenset[int]], Document]) -> None:

@@ -10,14 +10,11 @@ from ...state.window_state import WindowState
 from ...view_model.look.palette import adjustment_of
 
 HOW_TO_CHOOSE = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
-NO_PAINTS = "A picture has neither fill nor stroke."
 _SHOWN_EXACTLY = "Paper as Printed (in View, Display Mode) shows it as it prints."
 
 
 def note_on(styles: Sequence[Style], state: WindowState, theme: Theme) -> str:
     """Return how the canvas shows styles on the paper of a theme, where it is not as they print."""
-    if not styles:
-        return NO_PAINTS
     if state.thin_lines:
         return "Thin Lines is on (in View, Display Mode): widths, dashes and fills are not shown."
     if state.as_printed:

@@ -194,17 +194,15 @@ class StylePanel(FieldForm):
         styles: Sequence[Style],
         unit: str,
         note: str,
-        pictures: Sequence[Style] = (),
         overall: Sequence[float] | None = None,
     ) -> None:
         """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn.
 
-        Of `pictures` only the opacity is one's choice. The `overall` opacities are those of groups as such,
-        and of shapes; without any those of the styles.
+        The `overall` opacities are those of groups as such, and of shapes; without any those of the styles.
         """
         if overall is None:
-            overall = [each.opacity for each in (*styles, *pictures)]
-        wanted = (subject, (tuple(styles), tuple(pictures), tuple(overall)), unit, note)
+            overall = [each.opacity for each in styles]
+        wanted = (subject, (tuple(styles), tuple(overall)), unit, note)
         if wanted == self._shown:
             return
         if self._shown and wanted[:2] != self._shown[:2]:
@@ -224,7 +222,7 @@ class StylePanel(FieldForm):
             field.render_value(values.get(name))
         self._render_numbers(values, unit)
         self._enable(styles)
-        self.opacities["opacity"].setEnabled(bool(styles or pictures))
+        self.opacities["opacity"].setEnabled(bool(styles))
         unseen = _UNSEEN_DOTS if any(map(_has_unseen_dots, styles)) else ""
         self._note.setText(note)
         self._note.setVisible(bool(note))

@@ -6,9 +6,6 @@ from collections.abc import Sequence
 
 import msgspec
 
-from ...document.content import Picture
-from ...document.contents import has_paints
-from ...document.model import Curve
 from ...document.several_curves import named
 from ...document.shapes import whole_shapes
 from ...document.style import Style
@@ -22,8 +19,8 @@ class Shown(msgspec.Struct, frozen=True):
     ----------
     curves
         The curves that have them, with all of their shapes; none where they are of what is drawn next.
-    styles, pictures
-        Those with paints, and those of pictures, which have none.
+    styles
+        The styles.
     is_next
         Whether they are of what is drawn next.
     words
@@ -32,7 +29,6 @@ class Shown(msgspec.Struct, frozen=True):
 
     curves: Sequence[int]
     styles: Sequence[Style]
-    pictures: Sequence[Style]
     is_next: bool
     words: str
 
@@ -66,16 +62,10 @@ class StyleSubject:
         """Return the styles that are meant now."""
         curves = sorted(whole_shapes(self._session.document, self.curves))
         chosen = [self._session.document.curves[place] for place in curves]
-        pictures = [each.style for each in chosen if isinstance(each.form, Picture)]
         is_next = not any(each.points for each in chosen)
-        styles = self._styles(chosen, has_pictures=bool(pictures))
-        return Shown(curves, styles, pictures, is_next, self._words(curves, is_next=is_next))
-
-    def _styles(self, chosen: Sequence[Curve], *, has_pictures: bool) -> list[Style]:
-        if not chosen:
-            # A gradient is laid over a shape, and there is none yet.
-            return [self._session.model.style.flat]
-        return [each.style for each in (filter(has_paints, chosen) if has_pictures else chosen)]
+        # A gradient is laid over a shape, and there is none yet.
+        styles = [each.style for each in chosen] or [self._session.model.style.flat]
+        return Shown(curves, styles, is_next, self._words(curves, is_next=is_next))
 
     def _words(self, curves: Sequence[int], *, is_next: bool) -> str:
         return self.next if is_next else named(self._session.document, curves)

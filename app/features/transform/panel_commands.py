@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
-from ...document.content import Lettering
 from ...document.edits import EditError
 from ...document.form import FormField
 from ...document.model import Document, Vector
@@ -20,7 +19,6 @@ from ...document.readings import Readings, readings_of
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
 from ...document.words import number
-from ...document.wrapping import words_about_room
 from ...state.window_state import WindowState
 from ...view_model.boxes.bounds import NINE
 from ...view_model.boxes.pivot import Turning
@@ -135,13 +133,7 @@ class TransformPanelCommands(QObject):
             self._chosen_place, self._angle(),
             session.document.unit, target.refusal_of_keys, self._readings,
             tuple(now.form for now in self._formed().values()),
-            " ".join(words_about_room(form) for form in self._texts()),
         )  # fmt: skip
-
-    def _texts(self) -> list[Lettering]:
-        """Return the text that alone is acted on, if it is one."""
-        forms = [now.form for now in self._formed().values()]
-        return [form for form in forms if isinstance(form, Lettering)] if len(forms) == 1 else []
 
     @property
     def _readings(self) -> Readings:

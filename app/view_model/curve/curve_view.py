@@ -41,17 +41,13 @@ _MOST_TOLERANCES = 2e4
 _CUBIC = 4
 """Size of a curve in tolerances up to which the whole of it is flattened to be carried along."""
 
-_LOOKS = ("stroke_bounds", "analysed")
+_LOOKS = ("stroke_bounds",)
 """What is kept with a view, and is another when the curve looks otherwise."""
 
 LINE = tuple(
     name
     for name in Curve.__struct_fields__
-    if name
-    not in (
-        *("name", "style", "shape", "groups", "group_looks", "visible", "locked", "other_settings", "text"),
-        "identity",
-    )
+    if name not in ("name", "style", "shape", "groups", "group_looks", "visible", "locked", "other_settings")
 )
 """Fields of a curve that decide where it runs."""
 
@@ -99,16 +95,6 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
     def _cardinal(self) -> Cardinal:
         assert self.basis_curve is not None
         return self._cardinals.of(self.source, self.at_knots, self.basis_curve, self.arrays)
-
-    @cached_property
-    def analysed(self) -> CurveView:
-        """What there is to analyse: this; of a text or picture nothing, for its frame is nobody's curve."""
-        form = self.source.form
-        if form is None or not form.is_content:
-            return self
-        arrays = arrays_of((), None)
-        empty = msgspec.structs.replace(self.source, points=())
-        return CurveView(empty, arrays.positions, arrays, Core(None, f"A {form.noun} has no curve."))
 
     @property
     def linearised(self) -> str:

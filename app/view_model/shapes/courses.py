@@ -1,4 +1,4 @@
-"""How curves run, as cubic pieces: what a text can lie along."""
+"""How curves run, as cubic pieces."""
 
 from __future__ import annotations
 
@@ -9,15 +9,9 @@ import numpy as np
 from curvecore import CurveError, cubic_path
 
 from ...document.form import Piece
-from ...document.model import Curve, Document
-from ...document.shapes import shape_of
+from ...document.model import Curve
 from ..curve.curve_view import view_of
 from .cubics import RELATIVE_TOLERANCE
-
-
-def course_at(document: Document, place: int) -> tuple[Piece, ...]:
-    """Return the pieces of the shape that a curve is a part of, in the plane; none where it has none."""
-    return tuple(piece for at in shape_of(document, place) for piece in course_of_curve(document.curves[at]))
 
 
 @lru_cache(maxsize=64)

@@ -11,7 +11,6 @@ from msgspec.structs import replace
 import curvecore
 from curvecore.arrays import FloatArray
 
-from ...document.contents import refuse_contents
 from ...document.curve_tree import Node, NodeKind
 from ...document.edits import EditError
 from ...document.model import Curve, Document
@@ -105,9 +104,8 @@ def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[Flo
     Raises
     ------
     EditError
-        If there is no curve, or if one is the frame of a text or a picture.
+        If there is no curve.
     """
-    refuse_contents([view.source for view in views])
     tolerance = max(RELATIVE_TOLERANCE * (size or size_of(views)), 1e-300)
     outlines, deviation = list[FloatArray](), 0.0
     for view in views:
