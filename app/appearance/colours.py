@@ -28,7 +28,7 @@ def curve_colour(code: str, theme: Theme) -> QColor:
     """Return the colour of a line in this theme: as chosen, or moved until it can be seen on the paper."""
     if code in ("", NO_PAINT):
         return QColor(theme.curve)
-    return QColor(code if theme.is_as_printed else colour_on(theme.paper.name(), code))
+    return QColor(colour_on(theme.paper.name(), code))
 
 
 def fill_colour(code: str, theme: Theme) -> QColor:

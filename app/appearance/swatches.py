@@ -34,8 +34,8 @@ def swatch(colour: str, size: int) -> QPixmap:
     return pixmap
 
 
-def paint_picture(paint: str, theme: Theme, paper: Theme, size: int = _SIDE) -> QPixmap:
-    """Return a square of a paint on a paper, as a style writes it; of none, one that is struck through."""
+def paint_picture(paint: str, theme: Theme, size: int = _SIDE) -> QPixmap:
+    """Return a square of a paint, as a style writes it; of none, one that is struck through."""
     picture = QPixmap(2 * size, 2 * size)
     picture.setDevicePixelRatio(2)
     picture.fill(Qt.GlobalColor.transparent)
@@ -43,7 +43,7 @@ def paint_picture(paint: str, theme: Theme, paper: Theme, size: int = _SIDE) -> 
     with QPainter(picture) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(rim(theme), 1.0))
-        painter.setBrush(theme.paper if paint == NO_PAINT else fill_colour(paint, paper))
+        painter.setBrush(theme.paper if paint == NO_PAINT else fill_colour(paint, theme))
         painter.drawRoundedRect(inner, 2.5, 2.5)
         if paint == NO_PAINT:
             painter.setPen(QPen(theme.warning, 1.5))
@@ -51,35 +51,20 @@ def paint_picture(paint: str, theme: Theme, paper: Theme, size: int = _SIDE) -> 
     return picture
 
 
-def draw_style(
-    painter: QPainter, centre: QPointF, size: float, style: Style, theme: Theme, paper: Theme
-) -> None:
-    """Draw a disc of the fill within a ring of the stroke, as on a paper; of a line alone, a disc.
-
-    Where the paper is not that of the theme, a rim keeps in sight what is as dark, or light, as the theme.
-    """
-    _draw_disc(painter, centre, size, style, theme, paper)
-    if paper.name != theme.name and (style.has_fill or style.has_stroke):
-        painter.setPen(QPen(rim(theme), 1.0))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawEllipse(centre, size / 2, size / 2)
-
-
-def _draw_disc(
-    painter: QPainter, centre: QPointF, size: float, style: Style, theme: Theme, paper: Theme
-) -> None:
+def draw_style(painter: QPainter, centre: QPointF, size: float, style: Style, theme: Theme) -> None:
+    """Draw a disc of the fill within a ring of the stroke; of a line alone, a disc."""
     painter.setPen(Qt.PenStyle.NoPen)
-    line, stroke = curve_colour(style.stroke, paper), style.stroke_gradient
+    line, stroke = curve_colour(style.stroke, theme), style.stroke_gradient
     if not style.has_fill:
         if style.has_stroke:
-            painter.setBrush(line if stroke is None else _across(stroke, style.stroke, centre, size, paper))
+            painter.setBrush(line if stroke is None else _across(stroke, style.stroke, centre, size, theme))
         else:
             painter.setPen(QPen(theme.muted, 1.0))
             painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawEllipse(centre, size / 2, size / 2)
         return
     ring = size / 4
-    painter.setBrush(_across(style.fill_gradient, style.fill, centre, size, paper))
+    painter.setBrush(_across(style.fill_gradient, style.fill, centre, size, theme))
     if style.has_stroke:
         painter.setPen(QPen(line, ring))
     else:

@@ -48,8 +48,6 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
         Words in the accent, on paper.
     warning : QColor
         Orange; always shown together with a sign or a word.
-    is_as_printed : bool
-        Whether lines have the colours that were chosen, also such as can hardly be seen on the paper.
     """
 
     name: str
@@ -65,7 +63,6 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     accent: QColor
     accent_text: QColor
     warning: QColor
-    is_as_printed: bool = False
 
 
 def mix(over: QColor, under: QColor, share: float) -> QColor:
@@ -99,10 +96,6 @@ def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
 
 LIGHT: Final = _theme("light", surface="#f0f1f3", muted="#5b636d", warning="#b25000")
 DARK: Final = _theme("dark", surface="#22272d", muted="#9aa3ad", warning="#ffab52")
-PRINTED: Final = msgspec.structs.replace(
-    LIGHT, paper=QColor("#ffffff"), ghost=LIGHT.handle, is_as_printed=True
-)
-"""The paper of a picture that is printed, whatever the theme."""
 
 
 def theme_of(palette: QPalette) -> Theme:

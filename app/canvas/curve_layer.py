@@ -19,7 +19,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve.curve_view import CurveView, Polyline
 from .group_sheets import GroupSheets
-from .looks import Looks, Shape, line_of, paint_shape
+from .looks import Shape, is_plain, line_of, paint_shape
 
 CASING = 1.0
 """Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
@@ -42,14 +42,8 @@ class EditedShapeLayer(Layer):
         super().__init__(plot)
         self._shape: Shape = ()
         self._line = RoundLine()
-        self._looks = Looks()
         self.groups = GroupSheets(plot, lambda: self.update())  # noqa: PLW0108
         self.set_visible(False)
-
-    def set_looks(self, looks: Looks) -> None:
-        """Draw lines so from the next paint on."""
-        self._looks = looks
-        self.update()
 
     def render(self, shape: Shape) -> None:
         """Draw the curves of the shape from the next paint on; without any, nothing."""
@@ -61,9 +55,9 @@ class EditedShapeLayer(Layer):
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the shape."""
         if self._shape:
-            usual, looks = _WIDTH * self.scale, self._looks
+            usual = _WIDTH * self.scale
             print_shape = paint_shape if not self._shape[0].source.group_looks else self.groups.paint
-            print_shape(painter, self._shape, looks, shown, self.theme, usual, self._line)
+            print_shape(painter, self._shape, shown, self.theme, usual, self._line)
 
 
 class CurveLayer(Layer):
@@ -83,7 +77,6 @@ class CurveLayer(Layer):
         self._line, self._ghost_stroke = WideLine(), Stroke()
         self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = self._is_covered = False
-        self._looks = Looks()
         # The pen of the last frame, and what it was made for.
         self._made_for: tuple[object, ...] = ()
         self._made = QPen()
@@ -165,18 +158,13 @@ class CurveLayer(Layer):
         self._is_cased = cased
         self.update()
 
-    def set_looks(self, looks: Looks) -> None:
-        """Draw the line so from the next paint on."""
-        self._looks = looks
-        self.update()
-
     def set_covered(self, covered: bool) -> None:
         """Show where a curve runs that prints below others."""
         self._is_covered = covered
         self.update()
 
     def _paints_line(self, view: CurveView) -> bool:
-        return is_faint(view) or self._looks.is_line(view)
+        return is_faint(view) or is_plain(view)
 
     def _pens(self, view: CurveView) -> Sequence[QPen]:
         """Return what the line is drawn with, one over the other."""

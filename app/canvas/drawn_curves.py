@@ -16,7 +16,7 @@ from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
 from .group_sheets import drawn_together
 from .line_finder import LineFinder, is_on_line
-from .looks import Looks, Shape
+from .looks import Shape, is_plain
 from .other_curves_layer import OtherCurvesLayer
 from .selected_curves_layer import SelectedCurvesLayer, SiblingCurvesLayer
 
@@ -41,8 +41,6 @@ class DrawnCurves:
         The shape that is edited, as it prints; the line of the active curve.
     areas
         The insides of what is filled.
-    looks
-        How lines are drawn.
     """
 
     def __init__(self, plot: PlotWidget) -> None:
@@ -54,7 +52,6 @@ class DrawnCurves:
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
         self._locked = LineFinder()
-        self.looks = Looks()
         # The places of the curves of the edited shape, where it is no plain line.
         self._edited_places = range(0)
         self._shown: tuple[Sequence[CurveView], int | None, frozenset[int], frozenset[int]]
@@ -109,7 +106,7 @@ class DrawnCurves:
             for place in other
             if place not in selected and views[place].source.visible and views[place].has_curve
         ]
-        units = drawn_together(views, is_apart=self.looks.is_thin)
+        units = drawn_together(views)
         below, shape, above = self._in_order(views, units, active, selected)
         self.others.render_shapes(below, found)
         seen = ((place, views[place]) for place in other if views[place].source.visible)
@@ -135,7 +132,7 @@ class DrawnCurves:
         edited: Shape = ()
         is_layered, marked = False, {active, *selected}
         for places in units:
-            is_line = self.looks.is_line(views[places.start])
+            is_line = is_plain(views[places.start])
             if active in places and not is_line and not is_faint(views[active]):
                 edited, is_layered = tuple(views[place] for place in places), True
                 continue
@@ -155,10 +152,10 @@ class DrawnCurves:
         return (below, edited, above) if is_layered else (below | above, edited, {})
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
-        """Return the curve at `pixel`, neither edited nor locked; lines that are thin have no insides."""
+        """Return the curve at `pixel`, neither edited nor locked."""
         _, active, *_ = self._shown
         line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
-        return line if self.looks.is_thin else self.areas.hit(pixel, shown, active, line)
+        return self.areas.hit(pixel, shown, active, line)
 
     def locked_at(self, pixel: Vector, shown: PixelMap) -> int:
         """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
@@ -171,29 +168,16 @@ class DrawnCurves:
         It is the one whose line is hit, or else the first.
         """
         views, *_ = self._shown
-        areas = set() if self.looks.is_thin else {each.start for each in self.areas.all_at(pixel, shown)}
+        areas = {each.start for each in self.areas.all_at(pixel, shown)}
         found = []
         for places in reversed([*shapes([view.source for view in views])]):
             if views[places.start].source.locked:
                 continue
-            on_line = (
-                place
-                for place in places
-                if is_on_line(views[place], pixel, shown, is_whole=self.looks.is_thin)
-            )
+            on_line = (place for place in places if is_on_line(views[place], pixel, shown))
             place = next(on_line, places.start if places.start in areas else None)
             if place is not None:
                 found.append(place)
         return found
-
-    def set_looks(self, looks: Looks) -> None:
-        """Draw lines so."""
-        if looks == self.looks:
-            return
-        self.looks = looks
-        for layer in (self.others, self.edited, self.above, self.selected, self.curve):
-            layer.set_looks(looks)
-        self._render_all()
 
     def set_cased(self, cased: bool) -> None:
         """Keep plain lines apart from what lies below them, a picture to trace, or not."""

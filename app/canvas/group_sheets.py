@@ -22,7 +22,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.wide_line import RoundLine
 from ..view_model.curve.carried_views import common_way
 from ..view_model.curve.curve_view import CurveView
-from .looks import Looks, Shape, paint_shape
+from .looks import Shape, paint_shape
 
 _FEW = 8
 """Parts of a group that are painted in every frame, whether they move or not."""
@@ -104,7 +104,6 @@ class GroupSheets:
         self,
         painter: QPainter,
         group: Shape,
-        looks: Looks,
         shown: PixelMap,
         theme: Theme,
         usual: float,
@@ -114,9 +113,9 @@ class GroupSheets:
         ratio = painter.device().devicePixelRatioF()
 
         def paint_part(inner: QPainter, part: Shape) -> None:
-            paint_shape(inner, part, looks, shown, theme, usual, line)
+            paint_shape(inner, part, shown, theme, usual, line)
 
-        way = _Way(shown, looks, usual, ratio, paint_part, self)
+        way = _Way(shown, usual, ratio, paint_part, self)
         views = [view for view in group if view.source.visible and view.has_curve]
         if not views:
             return
@@ -124,7 +123,7 @@ class GroupSheets:
         if len(parts) <= _FEW:
             sheet = way.sheet(parts, 1)
         else:
-            sheet = self._sheet_of_many(look.name, parts, (theme, shown, looks, usual, ratio), way)
+            sheet = self._sheet_of_many(look.name, parts, (theme, shown, usual, ratio), way)
         if sheet is not None:
             painter.save()
             painter.setOpacity(painter.opacity() * look.opacity)
@@ -165,7 +164,6 @@ class _Way(msgspec.Struct, frozen=True, eq=False):
     """How sheets are made in one frame."""
 
     shown: PixelMap
-    looks: Looks
     usual: float
     ratio: float
     paint: PaintShape
@@ -230,11 +228,11 @@ class _Way(msgspec.Struct, frozen=True, eq=False):
         return place
 
 
-def drawn_together(views: Sequence[CurveView], *, is_apart: bool = False) -> list[range]:
-    """Return the places of what is painted as one: shapes, and clear outermost groups unless `is_apart`."""
+def drawn_together(views: Sequence[CurveView]) -> list[range]:
+    """Return the places of what is painted as one: shapes, and clear outermost groups."""
     curves = [view.source for view in views]
     found = list(shapes(curves))
-    if is_apart or not any(map(_group_looks, curves)):
+    if not any(map(_group_looks, curves)):
         return found
     units = list[range]()
     for look, run in together(found, lambda places: curves[places.start].group_looks):

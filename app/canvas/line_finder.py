@@ -34,16 +34,13 @@ class LineFinder:
         """Find these curves from now on."""
         self._views, self._outline = views, None
 
-    def hit(self, pixel: Vector, shown: PixelMap, *, are_whole: bool = False) -> Hit | None:
-        """Return the curve at `pixel`, the last one where several lie; what is clipped away is none.
-
-        If they are whole, nothing is clipped away.
-        """
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return the curve at `pixel`, the last one where several lie; what is clipped away is none."""
         if not self._views:
             return None
         if self._outline is None or self._outline.shown is not shown:
             self._outline = _Outline(self._views, shown)
-        return self._outline.hit(pixel, are_whole=are_whole)
+        return self._outline.hit(pixel)
 
 
 class _Outline:
@@ -57,23 +54,22 @@ class _Outline:
         self._segments: PixelOutline | None = None
         self._places = np.empty(0, dtype=np.intp)
 
-    def hit(self, pixel: Vector, *, are_whole: bool) -> Hit | None:
+    def hit(self, pixel: Vector) -> Hit | None:
         """Return the curve within reach that is nearest."""
-        self._look_near(pixel, are_whole=are_whole)
+        self._look_near(pixel)
         nearest = None if self._segments is None else self._segments.nearest(pixel)
         if nearest is None or nearest.distance > CURVE_REACH:
             return None
         return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
 
-    def _look_near(self, pixel: Vector, *, are_whole: bool) -> None:
+    def _look_near(self, pixel: Vector) -> None:
         place, reach = (
             self.shown.plane(*pixel),
             (CURVE_REACH + 1.0) / np.array([self.shown.sx, self.shown.sy]),
         )
         low, high = self._boxes[:, 0] - reach, self._boxes[:, 1] + reach
         near = np.flatnonzero(((low <= place) & (place <= high)).all(axis=1)).tolist()
-        if not are_whole:
-            near = [each for each in near if leave(self._views[each][1].source.style.clips, place)]
+        near = [each for each in near if leave(self._views[each][1].source.style.clips, place)]
         if near != self._near:
             self._near = near
             polylines = [pixels_of(self._views[each][1], self.shown) for each in near]
@@ -89,11 +85,11 @@ def _box_of(view: CurveView) -> tuple[FloatArray, float]:
     return view.known_box or (_ANYWHERE, 0.0)
 
 
-def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap, *, is_whole: bool = False) -> bool:
-    """Whether the line of a curve that is seen, there or if it is whole, lies within reach of a pixel."""
+def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
+    """Whether the line of a curve that is seen there lies within reach of a pixel."""
     if not (view.source.visible and view.has_curve):
         return False
-    if not is_whole and not leave(view.source.style.clips, shown.plane(*pixel)):
+    if not leave(view.source.style.clips, shown.plane(*pixel)):
         return False
     nearest = PixelOutline([pixels_of(view, shown)]).nearest(pixel)
     return nearest is not None and nearest.distance <= CURVE_REACH

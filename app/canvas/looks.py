@@ -1,10 +1,9 @@
-"""Looks of curves on the canvas: as they print, or as thin lines to edit."""
+"""Looks of curves on the canvas, as they print."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-import msgspec
 import numpy as np
 from PySide6.QtGui import QPainter
 
@@ -34,27 +33,11 @@ Shape = tuple[CurveView, ...]
 """The curves of a shape, in order."""
 
 
-class Looks(msgspec.Struct, frozen=True):
-    """How curves look: as they print, or as lines to edit.
-
-    Attributes
-    ----------
-    is_thin
-        Whether all of them are thin lines.
-    """
-
-    is_thin: bool = False
-
-    def is_line(self, view: CurveView) -> bool:
-        """Whether a curve is a line of the same width at every zoom: it has no looks but a colour."""
-        if self.is_thin:
-            return True
-        if view.source.group_looks:
-            return False
-        return _is_plain(view.source.style)
-
-
-def _is_plain(style: Style) -> bool:
+def is_plain(view: CurveView) -> bool:
+    """Whether a curve is a line of the same width at every zoom: it has no looks but a colour."""
+    if view.source.group_looks:
+        return False
+    style = view.source.style
     return style is PLAIN_STYLE or (
         style.width is None
         and style.fill == NO_PAINT
@@ -91,7 +74,6 @@ def printed_width(style: Style, shown: PixelMap, usual: float) -> float:
 def paint_shape(
     painter: QPainter,
     shape: Sequence[CurveView],
-    looks: Looks,
     shown: PixelMap,
     theme: Theme,
     usual: float,

@@ -24,7 +24,7 @@ from ..view_model.look.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
 from .group_sheets import GroupSheets
 from .line_finder import LineFinder, pixels_of
-from .looks import Looks, Shape, line_of, paint_shape
+from .looks import Shape, is_plain, line_of, paint_shape
 from .sections import Section, loose_places, sections_of
 
 _SLOW = 0.008
@@ -65,7 +65,6 @@ class OtherCurvesLayer(Layer):
     def __init__(self, plot: PlotWidget, *, z: float | None = None) -> None:
         super().__init__(plot, z=z)
         self._is_cased = False
-        self.looks = Looks()
         self._views: list[tuple[int, CurveView]] = []
         self._drawn: dict[int, Shape] = {}
         self._shapes: list[Shape] = []
@@ -146,12 +145,6 @@ class OtherCurvesLayer(Layer):
         self._picture = None
         self._kept.clear()
         self.update()
-
-    def set_looks(self, looks: Looks) -> None:
-        """Draw lines so."""
-        if looks != self.looks:
-            self.looks = looks
-            self._repaint()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible.
@@ -257,13 +250,13 @@ class OtherCurvesLayer(Layer):
         """Paint the shapes into the picture."""
         stroke, line = Stroke(), RoundLine()
         for shape in shapes:
-            if self.looks.is_line(shape[0]):
+            if is_plain(shape[0]):
                 for view in shape:
                     self._paint_line(painter, stroke, view, shown)
             else:
                 usual = FAINT_WIDTH * self.scale
                 print_shape = paint_shape if not shape[0].source.group_looks else self.groups.paint
-                print_shape(painter, shape, self.looks, shown, self.theme, usual, line)
+                print_shape(painter, shape, shown, self.theme, usual, line)
 
     def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         stroke.show(line_of(view, shown).points, shown)
@@ -281,7 +274,7 @@ class OtherCurvesLayer(Layer):
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return the curve at `pixel` that is not locked, the last one where several lie."""
-        return self._finder.hit(pixel, shown, are_whole=self.looks.is_thin)
+        return self._finder.hit(pixel, shown)
 
 
 class FileLayer(OtherCurvesLayer):

@@ -157,7 +157,7 @@ class PointInk:
     def __init__(self, theme: Theme, scale: float, fonts: Sizes, *, over_picture: bool) -> None:
         self.scale = scale
         # What is drawn over pictures and fills of whatever colour has paper beneath it.
-        self.has_paper_beneath = over_picture or theme.is_as_printed
+        self.has_paper_beneath = over_picture
         # In the grey of a faded letter grey handles cannot be seen.
         ink = theme.curve if over_picture else theme.handle
         self._theme, self._rim, self._ring = (

@@ -18,7 +18,7 @@ from ..plotting.stamps import RingStamps
 from ..view_model.boxes.bounds import seen_line_box
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
-from .looks import Looks, Shape, line_of, printed_width
+from .looks import Shape, is_plain, line_of, printed_width
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
@@ -82,7 +82,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def _is_line(self, view: CurveView) -> bool:
         """Whether a curve is drawn here as a line, and not what it prints marked."""
-        return self.looks.is_line(view) or not view.source.visible
+        return is_plain(view) or not view.source.visible
 
     def _paint_line_of(self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool) -> None:
         """Paint the line of a curve that has no looks of its own, or is hidden."""
@@ -124,7 +124,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(self.theme.accent, max(round(self.scale), 1)))
-        painter.drawRects(_frames_of(views, self.looks, shown, self.scale))
+        painter.drawRects(_frames_of(views, shown, self.scale))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
 
     def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
@@ -158,7 +158,7 @@ def _ring(painter: QPainter, radius: float, _form: int) -> None:
     painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
 
 
-def _frames_of(views: Sequence[CurveView], looks: Looks, shown: PixelMap, scale: float) -> list[QRect]:
+def _frames_of(views: Sequence[CurveView], shown: PixelMap, scale: float) -> list[QRect]:
     """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
     corners = shown.points(np.concatenate([seen_line_box(view) for view in views])).reshape(-1, 2, 2)
     widths = [printed_width(view.source.style, shown, _WIDTH * scale) for view in views]

@@ -41,4 +41,4 @@ class UnitLayer(Layer):
         if text := self.words(shown):
             # In the colours of the axes, which it belongs to: white paper on a dark desk would be a blot.
             plate = QRectF(QPointF(3, 4), size_of(painter, text, 8.0, 2.0))
-            write_on_plate(painter, plate, text, self.frame.surface, self.frame.muted)
+            write_on_plate(painter, plate, text, self.theme.surface, self.theme.muted)

@@ -57,11 +57,6 @@ class Layer:
         return self._stack.theme
 
     @property
-    def frame(self) -> Theme:
-        """The theme of what lies beside the plot area."""
-        return self._stack.frame
-
-    @property
     def scale(self) -> float:
         """The size of lines and numbers; 1 as usual."""
         return self._stack.scale
@@ -119,8 +114,6 @@ class LayerStack:
     ----------
     theme, scale, fonts
         Those of all that is drawn.
-    frame
-        The theme of what lies beside the plot area: not that of the paper where this is as it prints.
     is_due
         Whether Qt has been told to paint them all anew.
 
@@ -143,7 +136,6 @@ class LayerStack:
         self._layers: list[Layer] = []
         self._ground: QPixmap | None = None
         self.theme, self.scale, self.fonts = LIGHT, 1.0, Sizes(viewport.font())
-        self.frame = LIGHT
 
     def add(self, layer: Layer) -> None:
         """Add a layer; of those of one height the later one is nearer to the eye."""
@@ -203,7 +195,7 @@ class LayerStack:
         """Return the paper, the axes and the layers that are still: one picture for the frames of a drag."""
         ground = QPixmap((QSizeF(self._viewport.size()) * ratio).toSize())
         ground.setDevicePixelRatio(ratio)
-        ground.fill(self.frame.paper)
+        ground.fill(self.theme.paper)
         with QPainter(ground) as painter:
             painter.fillRect(self._area(), self.theme.paper)
             painter.translate(origin)

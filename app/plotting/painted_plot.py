@@ -109,12 +109,7 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        self.layers.frame = theme
         self._axes.set_theme(theme)
-        self.set_paper(theme)
-
-    def set_paper(self, theme: Theme) -> None:
-        """Take the colours of `theme` for the plot area alone."""
         self.layers.theme = theme
         self.setBackground(theme.paper)
         self._repaint_all()
@@ -145,7 +140,7 @@ class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph 
         with QPainter(self.viewport()) as painter:
             self.layers.paint_ground(painter, shown, origin, region)
             painter.translate(origin)
-            self.rulers.paint(painter, shown, self.layers.frame)
+            self.rulers.paint(painter, shown, self.layers.theme)
             if region.intersects(area):
                 painter.setClipRect(QRectF(area).translated(-origin))
                 self.layers.paint(painter, shown)

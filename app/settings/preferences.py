@@ -181,9 +181,6 @@ class Preferences:
     rulers = SwitchOfAction("view/rulers", default=True)
     """Whether the axes of the canvas are rulers."""
 
-    as_printed = SwitchOfAction("view/as_printed", default=False)
-    """Whether the canvas shows white paper and the very colours that were chosen."""
-
     recent_colours = SavedText("style/recent_colours")
     """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
 

@@ -6,7 +6,7 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from ..appearance.theme import PRINTED, Theme, ThemeMode
+from ..appearance.theme import ThemeMode
 from ..document.paper import DocumentKind
 from ..document.transforms import Reference
 from ..settings.arrangement import Arrangement
@@ -59,10 +59,6 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the grid, the panels at the side and the lessons are shown.
     rulers, guides_shown
         Whether the axes of the canvas are rulers; whether guides are shown.
-    thin_lines
-        Whether curves are thin lines without fills.
-    as_printed
-        Whether paper and colours are as they print.
     presentation
         Whether everything but canvas and basis functions is hidden.
     scale
@@ -101,8 +97,6 @@ class WindowState(msgspec.Struct, frozen=True):
     lessons: bool = False
     rulers: bool = True
     guides_shown: bool = True
-    thin_lines: bool = False
-    as_printed: bool = False
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False
@@ -157,10 +151,6 @@ class WindowState(msgspec.Struct, frozen=True):
         if self.kind is DocumentKind.DRAWING:
             return Snapping(self.page_snap_on, self.page_snap_kinds)
         return Snapping(self.snap_on, self.snap_kinds)
-
-    def paper(self, theme: Theme) -> Theme:
-        """Return the theme that paper and paints of the document are shown in, within a window of `theme`."""
-        return PRINTED if self.as_printed else theme
 
     def uses(self, tool: ToolRecord) -> bool:
         """Whether the mouse has this tool; while it moves the image, it has none for points."""

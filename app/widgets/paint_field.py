@@ -77,7 +77,6 @@ class PaintField(FollowsTheme, QWidget):
         self.setObjectName(name)
         self._label, self._other = label, other
         self._value: object = None
-        self._paper: Theme | None = None
         self._recent: tuple[str, ...] = ()
         self._swatches: dict[str, QToolButton] = {}
         self._popup: ColourPopup | None = None
@@ -107,7 +106,7 @@ class PaintField(FollowsTheme, QWidget):
         button.setIconSize(QSize(_PICTURE, _PICTURE))
         # The field takes colours from the keyboard; so many stops would only be in the way.
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        button.setIcon(QIcon(paint_picture(paint, self.theme, self.paper)))
+        button.setIcon(QIcon(paint_picture(paint, self.theme)))
         button.clicked.connect(lambda: self._choose_swatch(paint))
         self._swatches[paint] = button
         row.insertWidget(row.count() - 1, button)
@@ -151,22 +150,10 @@ class PaintField(FollowsTheme, QWidget):
         for colour in recent:
             self._add_swatch(self._used, colour, colour)
 
-    @property
-    def paper(self) -> Theme:
-        """The theme in which paints are shown: what the drawing has."""
-        return self._paper or self.theme
-
-    def show_paper(self, paper: Theme) -> None:
-        """Show paints as they are drawn on this paper."""
-        if paper is not self._paper:
-            self._paper = paper
-            self.set_theme(self.theme)
-
     def _show_button(self) -> None:
-        theme = theme_of(QApplication.palette())
         one = self._value if isinstance(self._value, str) else None
         self._button.setIcon(
-            QIcon() if one is None else QIcon(paint_picture(one, theme, self._paper or theme))
+            QIcon() if one is None else QIcon(paint_picture(one, theme_of(QApplication.palette())))
         )
         self._button.setText("…" if one is None else "")
 
@@ -174,14 +161,14 @@ class PaintField(FollowsTheme, QWidget):
         """Take the colours of `theme`."""
         self._show_button()
         for paint, button in self._swatches.items():
-            button.setIcon(QIcon(paint_picture(paint, theme, self._paper or theme)))
+            button.setIcon(QIcon(paint_picture(paint, theme)))
 
     # What the person did
 
     def open_popup(self) -> ColourPopup:
         """Open the choice of colours below the button."""
         begin = self._value if isinstance(self._value, str) else INK
-        self._popup = ColourPopup(f"{self.objectName()}Popup", fill_colour(begin, self.paper).name(), self)
+        self._popup = ColourPopup(f"{self.objectName()}Popup", fill_colour(begin, self.theme).name(), self)
         self._popup.colour_changed.connect(self.previewed)
         self._popup.chosen.connect(self._choose)
         self._popup.cancelled.connect(self.cancelled)

@@ -84,7 +84,6 @@ _WAYS = {
     "a motion": lambda editor: editor.trigger("playMotion"),
     "a palette": lambda editor: editor.find_command("fit"),
     "a guide": draw_a_guide,
-    "thin lines": lambda editor: editor.trigger("thinLines"),
     "a style": lambda editor: editor.trigger("showStyle"),
     "a place that is typed": type_a_guide,
     "a zoom": lambda editor: editor.trigger("zoom200"),

@@ -566,35 +566,13 @@ def test_dashes_that_cannot_be_told_apart_are_as_pale_as_their_share(editor):
 # Views
 
 
-def test_thin_lines_show_what_lies_below(editor):
-    below = square(1, 1, 2, "Below", style=Style(stroke=RED, width=0.2))
-    above = square(0, 0, 4, "Above", style=Style(fill=BLUE, stroke="none"))
-    begin(editor, below, above, active=1)
-    assert seen(editor, 1, 2) == BLUE
-    editor.key(Qt.Key.Key_5, Qt.KeyboardModifier.ControlModifier)
-    editor.select([])
-    assert seen(editor, 2, 2) == LIGHT.paper.name()
-    assert seen(editor, 1, 2) != LIGHT.paper.name()
-    assert seen(editor, 1.1, 2) == LIGHT.paper.name()
-    editor.key(Qt.Key.Key_5, Qt.KeyboardModifier.ControlModifier)
-    assert seen(editor, 1, 2) == BLUE
-
-
-def test_paper_as_printed_has_the_very_colours_in_the_dark(editor, panel):
+def test_a_colour_that_is_moved_in_the_dark_is_told(editor, panel):
     dim = "#202020"
     begin(editor, square(0, 0, 4, "Leaf", style=Style(stroke=dim, width=0.5)))
     editor.window.context.store.change(theme_mode=ThemeMode.DARK)
     editor.settle()
     assert seen(editor, 0, 2.5) not in (dim, LIGHT.paper.name())
     assert f"drawn lighter than its {dim}" in child(panel, QLabel, "styleNote").text()
-    place = child(panel, QLineEdit, "strokeWidth").mapTo(panel, QPoint())
-    editor.trigger("paperAsPrinted")
-    assert seen(editor, 0, 2.5) == dim
-    assert seen(editor, 2, 2) == "#ffffff"
-    editor.settle()
-    assert child(panel, QLabel, "styleNote").isHidden()
-    assert child(panel, QLineEdit, "strokeWidth").mapTo(panel, QPoint()) == place
-    editor.trigger("paperAsPrinted")
     editor.window.context.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
@@ -701,8 +679,6 @@ def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor,
     enter(editor, panel, "fillPaintHex", BLUE)
     QTest.keyClick(child(panel, QSlider, "styleOpacitySlider"), Qt.Key.Key_Home)
     enter(editor, panel, "fillOpacity", "50 %")
-    click(panel, "fillKind_linear")
-    assert editor.status == "A gradient or a pattern is laid over a shape; draw or choose one first."
     assert editor.session.document is before
     assert editor.session.undo_stack.count() == steps
     editor.trigger("rectangleTool")
@@ -741,13 +717,10 @@ def test_a_fine_line_is_drawn_without_qt_s_stroker_and_not_made_for_the_edited_c
 # Swapped
 
 
-def test_fill_and_stroke_change_places_with_their_gradients_and_opacities_for_all_that_is_chosen(
-    editor, panel
-):
-    fading = Gradient((Stop(0.0, RED), Stop(1.0, BLUE, 0.5)), end=(3.0, 0.0))
+def test_fill_and_stroke_change_places_with_their_opacities_for_all_that_is_chosen(editor, panel):
     looks = (
         Style(fill=RED, fill_opacity=0.5, stroke=BLUE, width=0.3, opacity=0.8),
-        Style(stroke=GREEN).with_gradient("fill", fading),
+        Style(stroke=GREEN, fill=BLUE),
         Style(fill=RED, stroke=NO_PAINT),
     )
     curves = tuple(
@@ -758,7 +731,7 @@ def test_fill_and_stroke_change_places_with_their_gradients_and_opacities_for_al
     click(panel, "swapFillAndStrokeButton")
     first, second, third = (curve.style for curve in editor.session.document.curves)
     assert first == Style(fill=BLUE, stroke=RED, stroke_opacity=0.5, width=0.3, opacity=0.8)
-    assert (second.stroke_gradient, second.fill, second.fill_gradient) == (fading, GREEN, None)
+    assert (second.stroke, second.fill) == (BLUE, GREEN)
     assert (third.fill, third.stroke) == (NO_PAINT, RED)
     assert editor.session.undo_stack.undoText() == "Swap fill and stroke of 3 curves"
     editor.key(Qt.Key.Key_X, Qt.KeyboardModifier.ShiftModifier)

@@ -30,7 +30,6 @@ from app.appearance.icons import app_icon, icon
 from app.appearance.theme import (
     DARK,
     LIGHT,
-    PRINTED,
     ThemeMode,
     apply_theme,
     palette_of,
@@ -113,12 +112,9 @@ def test_the_curve_is_the_strongest_thing_and_the_grid_the_faintest(theme):
     assert strength[1] < 1.6
 
 
-@pytest.mark.parametrize("theme", [LIGHT, DARK, PRINTED], ids=lambda each: each.paper.name())
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda each: each.name)
 def test_marks_are_seen_on_the_paper(theme):
     marks = [theme.accent, theme.handle, theme.warning]
-    if theme.is_as_printed:
-        # Elsewhere what was is meant to be faint.
-        marks.append(theme.ghost)
     for mark in marks:
         assert contrast(mark, theme.paper) >= 3.0, mark.name()
     for words in (theme.accent_text, theme.muted, theme.ink):

@@ -64,7 +64,6 @@ REMEMBERED = {
     "keep_proportions",
     "with_estimates",
     "theme_mode",
-    "as_printed",
     "sketches",
     "drawings",
 }
@@ -76,20 +75,20 @@ def test_fields_that_preferences_of_the_same_name_remember_are_remembered(qapp, 
         name for name, each in vars(Preferences).items() if isinstance(each, Setting)
     } & fields == REMEMBERED
     store = store_of(tmp_path)
-    store.change(snap_on=True, as_printed=True, theme_mode=ThemeMode.DARK, grid=False)
+    store.change(snap_on=True, rulers=False, theme_mode=ThemeMode.DARK, grid=False)
     again = store_of(tmp_path).state
-    assert (again.snap_on, again.as_printed, again.theme_mode) == (True, True, ThemeMode.DARK)
+    assert (again.snap_on, again.rulers, again.theme_mode) == (True, False, ThemeMode.DARK)
     assert again.grid
 
 
 def test_what_another_one_has_remembered_is_taken_over_when_asked(qapp, tmp_path):
     store = store_of(tmp_path)
     other = store_of(tmp_path)
-    other.change(as_printed=True)
-    assert not store.state.as_printed
+    other.change(snap_on=True)
+    assert not store.state.snap_on
     store._preferences.file._settings.sync()
     store.read_preferences()
-    assert store.state.as_printed
+    assert store.state.snap_on
 
 
 @pytest.mark.parametrize(

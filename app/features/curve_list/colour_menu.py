@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from ...appearance.colours import CURVE_COLOURS
 from ...appearance.swatches import paint_picture
-from ...appearance.theme import Theme, theme_of
+from ...appearance.theme import theme_of
 from ...document.style import NO_PAINT, Style
 from ...view_model.look.palette import adjustment_of
 
@@ -22,7 +22,6 @@ def colour_menu(
     paint: Callable[[str], object],
     fill: Callable[[str], object],
     choose_other: Callable[[], object],
-    paper: Theme,
     parent: QWidget,
 ) -> QMenu:
     """Return the menu for curves of a style; what is chosen is told to `paint`, or to `fill`."""
@@ -30,7 +29,7 @@ def colour_menu(
     menu.setObjectName("colourMenu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     menu.setToolTipsVisible(True)
-    _add_paints(menu, "colour", CURVE_COLOURS, style.colour, paint, paper)
+    _add_paints(menu, "colour", CURVE_COLOURS, style.colour, paint)
     menu.addSeparator()
     other = menu.addAction("Other Colour…", choose_other)
     other.setObjectName("colour_Other")
@@ -38,19 +37,18 @@ def colour_menu(
     inside = menu.addMenu("Fill")
     inside.setObjectName("fillMenu")
     inside.setToolTipsVisible(True)
-    _add_paints(inside, "fill", {"None": NO_PAINT, **CURVE_COLOURS}, style.fill, fill, paper)
+    _add_paints(inside, "fill", {"None": NO_PAINT, **CURVE_COLOURS}, style.fill, fill)
     return menu
 
 
 def _add_paints(
-    menu: QMenu, name: str, paints: dict[str, str], now: str, choose: Callable[[str], object], paper: Theme
+    menu: QMenu, name: str, paints: dict[str, str], now: str, choose: Callable[[str], object]
 ) -> None:
     theme = theme_of(menu.palette())
     for word, paint in paints.items():
-        action = menu.addAction(QIcon(paint_picture(paint, theme, paper, _PICTURE)), word)
+        action = menu.addAction(QIcon(paint_picture(paint, theme, _PICTURE)), word)
         action.setObjectName(f"{name}_{word.replace(' ', '_')}")
-        may_move = name == "colour" and not paper.is_as_printed
-        moved = adjustment_of(paper.paper.name(), paint) if may_move else ""
+        moved = adjustment_of(theme.paper.name(), paint) if name == "colour" else ""
         action.setToolTip(f"{word} {moved}".strip())
         action.setCheckable(True)
         action.setChecked(paint == now)

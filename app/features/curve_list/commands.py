@@ -25,7 +25,6 @@ from ...actions.strips import (
     CURVE_MENU,
     LAYER_MENU,
 )
-from ...appearance.theme import LIGHT, Theme
 from ...document.curve_tree import Node, NodeKind, whole_nodes
 from ...document.layers import all_shown, all_unlocked, begun_again, layer_node
 from ...document.paper import DocumentKind, kind_of
@@ -64,7 +63,6 @@ class CurveListCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session, self._actions = context, context.session, context.actions
         self._dock, self._rows = context.docks["curvesDock"], RowEdits(context.session)
-        self._theme = LIGHT
 
     @Panel("curvesDock", "Curves", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
@@ -79,17 +77,7 @@ class CurveListCommands:
         session.interrupted.connect(self.panel.abandon)
         session.selected_curves_changed.connect(self._render)
         session.layer_changed.connect(self._render)
-        self._context.store.changed.connect(self.show_document)
         return self.panel
-
-    def set_theme(self, theme: Theme) -> None:
-        """Show the styles as on the paper of `theme`."""
-        self._theme = theme
-        self.show_document()
-
-    def show_document(self, *_: object) -> None:
-        """Show the styles as on the paper of the document."""
-        self.panel.view.show_paper(self._context.store.state.paper(self._theme))
 
     def _open_menu(self, place: QPoint, node: Node | None) -> None:
         is_layer = node is not None and node.kind is NodeKind.LAYER

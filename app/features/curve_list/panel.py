@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
 from ...appearance.colours import fill_colour
+from ...appearance.theme import theme_of
 from ...document.curve_tree import Node
 from ...document.model import Document
 from ...document.style import Style
@@ -99,7 +100,6 @@ class CurveList(Guarded, QWidget):
             lambda paint: self.colour_chosen.emit(places, paint),
             lambda paint: self.fill_chosen.emit(places, paint),
             lambda: self._open_choice(places, style, place),
-            self.view.parts.paper,
             self,
         )
         menu.popup(place)
@@ -107,7 +107,7 @@ class CurveList(Guarded, QWidget):
 
     def _open_choice(self, places: frozenset[int], style: Style, place: QPoint) -> None:
         """Open the choice of any colour at a place of the screen."""
-        colour = fill_colour(style.colour, self.view.parts.paper).name()
+        colour = fill_colour(style.colour, theme_of(self.palette())).name()
         popup = self._choice = ColourPopup("otherColour", colour, self)
         popup.colour_changed.connect(lambda paint: self.colour_looked_at.emit(places, paint))
         popup.chosen.connect(lambda paint: self.colour_chosen.emit(places, paint))

@@ -7,7 +7,7 @@ from enum import Enum
 from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QListView
 
-from ...appearance.theme import LIGHT, Theme
+from ...appearance.theme import Theme, theme_of
 from ...document.curve_tree import Node
 from ...view_model.look.palette import adjustment_of
 from .entries import Row
@@ -51,8 +51,6 @@ class RowParts:
 
     def __init__(self, view: QListView, model: CurveListModel) -> None:
         self._view, self._model = view, model
-        # The theme that styles are shown in: that of the drawing.
-        self.paper = LIGHT
 
     def entry_rect(self, row: int) -> QRect:
         """Return where a row has its parts."""
@@ -102,11 +100,12 @@ class RowParts:
         row, entry = self._model.row(number), self._model.entries[number]
         if self.is_on_opener(place):
             return f"{'Fold' if entry.is_open else 'Open'} “{row.name}” (Left, Right)"
-        return _spot_tip(self.spot_at(place), row, self.paper)
+        theme = theme_of(self._view.palette())
+        return _spot_tip(self.spot_at(place), row, theme)
 
 
-def _spot_tip(spot: Spot, row: Row, paper: Theme) -> str:
-    moved = "" if paper.is_as_printed else adjustment_of(paper.paper.name(), row.style.colour)
+def _spot_tip(spot: Spot, row: Row, theme: Theme) -> str:
+    moved = adjustment_of(theme.paper.name(), row.style.colour)
     tips = {
         Spot.SWATCH: f"Choose the colour of “{row.name}”" + (f"; it is {moved}" if moved else ""),
         Spot.NAME: f"“{row.name}”: {row.facts}. Double-click to rename, drag to reorder;"

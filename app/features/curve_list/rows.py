@@ -80,7 +80,7 @@ class RowDelegate(Guarded, QStyledItemDelegate):
             # What is in a group need not look the same.
             self._paint_switch(painter, swatch, "group", True)
         else:
-            draw_style(painter, QRectF(swatch).center(), SWATCH, row.style, theme, self._parts.paper)
+            draw_style(painter, QRectF(swatch).center(), SWATCH, row.style, theme)
 
     @staticmethod
     def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:

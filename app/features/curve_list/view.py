@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...appearance.theme import Theme
 from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...qt.labels import tip_of
 from ...widgets.controls import named
@@ -89,12 +88,6 @@ class CurveListView(ClaimsKeys, QListView):
         self.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
-
-    def show_paper(self, paper: Theme) -> None:
-        """Show styles as they are drawn on this paper."""
-        if paper is not self.parts.paper:
-            self.parts.paper = paper
-            self.viewport().update()
 
     def follow(self) -> None:
         """Mark the rows of what the model says is chosen, and go on from there."""

@@ -1,8 +1,7 @@
-"""Style: stroke and fill of all selected curves, copied and pasted, and how the canvas shows them.
+"""Style: stroke and fill of all selected curves, copied and pasted.
 
 - ``commands``: the panel in the window, and Swap Fill and Stroke.
 - ``clipboard_commands``: Copy Style and Paste Style.
-- ``view_commands``: thin lines, and paper as it prints.
 - ``notes``: what the form says below its fields.  ``used_colours``: those that one may want again.
 - ``subject``: whose style is meant.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.

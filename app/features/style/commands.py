@@ -32,7 +32,6 @@ from .clipboard_commands import StyleClipboardCommands
 from .notes import HOW_TO_CHOOSE, note_on
 from .subject import StyleSubject
 from .used_colours import UsedColours
-from .view_commands import StyleViewCommands
 
 if TYPE_CHECKING:
     from .panel import StylePanel
@@ -93,13 +92,12 @@ class StyleCommands:
         self._render()
 
     def _render(self, *_: object) -> None:
-        panel, session, state = self._panel, self._session, self._context.store.state
+        panel, session = self._panel, self._session
         if panel is None or not panel.isVisibleTo(self._context.window):
             return
-        shown, paper = self._subject.now(), state.paper(self._theme)
+        shown = self._subject.now()
         curves, styles = shown.curves, shown.styles
-        note = HOW_TO_CHOOSE if not curves else note_on(styles, state, self._theme)
-        panel.show_paper(paper)
+        note = HOW_TO_CHOOSE if not curves else note_on(styles, self._theme)
         panel.show_recent(self._colours.recent, self._colours.in_document)
         unit = session.document.unit
         overall = opacities_of(session.document, curves) if curves else None
@@ -216,5 +214,4 @@ class StyleCommands:
 COMMAND_SETS = (
     StyleCommands,
     StyleClipboardCommands,
-    StyleViewCommands,
 )

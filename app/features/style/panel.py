@@ -183,11 +183,6 @@ class StylePanel(FieldForm):
 
     # Rendering: nothing here writes back
 
-    def show_paper(self, paper: Theme) -> None:
-        """Show paints as they are drawn on the paper of the document."""
-        for paint in (self.fill, self.stroke):
-            paint.show_paper(paper)
-
     def render_styles(
         self,
         subject: str,

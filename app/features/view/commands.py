@@ -12,7 +12,6 @@ from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...actions.sections import (
     EDIT_TOOLS,
     VIEW_DRAWING,
-    VIEW_MODE,
     VIEW_SHOWN,
     VIEW_SIZE,
     VIEW_THEME,
@@ -229,7 +228,7 @@ class ViewCommands:
         "numbered",
         "numberPoints",
         "Numbers of Points",
-        VIEW_MODE,
+        VIEW_SHOWN,
         icon="number-points",
         keywords="labels indices colours plain nodes index",
     )
