@@ -78,8 +78,6 @@ class MarksLayer(Layer):
         """Draw what there is."""
         marks = self.marks
         painter.setFont(self.fonts.times(0.95 * self.scale))
-        for mark in reversed(marks.forms):
-            self._paint_form_mark(painter, *shown.point(*mark.place), is_round=mark.is_round)
         if marks.box is not None:
             self._paint_box(painter, shown, marks.box, has_grips=True)
         if marks.frame is not None:
@@ -144,21 +142,6 @@ class MarksLayer(Layer):
             painter.drawPolygon(slant.map(corners).translated(pixel))
         else:
             painter.drawRect(square)
-
-    def _paint_form_mark(self, painter: QPainter, x: float, y: float, *, is_round: bool) -> None:
-        """Draw a handle of a form, on paper: it lies on the line and often on a point."""
-        if not _is_drawable(x, y):
-            return
-        half = (_GRIP + 0.5) * self.scale
-        square = QRectF(x - half, y - half, 2 * half, 2 * half)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        for pen, brush in (
-            (QPen(self.theme.paper, 4.0 * self.scale), self.theme.paper),
-            (self._pen(1.6), self.theme.paper),
-        ):
-            painter.setPen(pen)
-            painter.setBrush(brush)
-            (painter.drawEllipse if is_round else painter.drawRect)(square)
 
     def _paint_pivot(self, painter: QPainter, x: float, y: float) -> None:
         """Draw a cross in a ring, with paper below its lines: it often lies on a curve."""

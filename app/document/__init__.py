@@ -27,8 +27,7 @@
 - ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.  ``readings``: how their coordinates are told.
-- ``form``, ``forms``: what closed curves were drawn as: rectangles, ellipses.  ``box_form``: those in a box.
-  ``form_edits``: curves made of such.
+- ``box_edits``: rectangles and ellipses drawn into a box.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.

@@ -14,7 +14,6 @@ from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, J
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, at_least, between, printed
-from .forms import AnyForm
 from .group_look import GroupLooks
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
@@ -210,8 +209,6 @@ class Curve(Value, frozen=True, dict=True):
         Those of the family's settings that are not at their defaults.
     other_settings
         The same of other families, which the curve had before and may have again.
-    form
-        What it was drawn as: a rectangle, an ellipse; see ``view_model.formed`` for what it is of that now.
     """
 
     name: str
@@ -229,7 +226,6 @@ class Curve(Value, frozen=True, dict=True):
     locked: bool = False
     settings: ChosenSettings = NO_SETTINGS
     other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
-    form: AnyForm | None = None
     group_looks: GroupLooks = ()
 
     def with_family(self, family: Family) -> Curve:

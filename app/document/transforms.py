@@ -113,12 +113,6 @@ def turn_of(by: Affine) -> float:
     return round(math.degrees(math.atan2(yx - by.xy, xx + 1.0 + by.yy)), 9) + 0.0
 
 
-def least_turn(by: Affine) -> float:
-    """Return the degrees by which a map turns; of one that mirrors the smaller turn of the two."""
-    degrees = turn_of(by)
-    return degrees - 180.0 * math.ceil(degrees / 180.0 - 0.5) + 0.0 if mirrors(by) else degrees
-
-
 LARGEST_SKEW = 89.0
 """Degrees of a skew, to either side; at 90 nothing would be left of a shape."""
 

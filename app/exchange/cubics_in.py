@@ -13,7 +13,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document.forms import AnyForm
 from ..document.group_look import GroupLooks
 from ..document.limits import EditError
 from ..document.model import (
@@ -141,8 +140,6 @@ class ImportedPath:
         Whether the last piece ends where the first begins, on purpose.
     deviation
         Largest distance from what the file describes.
-    form
-        What it is drawn as, wherever it lies; None for what is no more than a path.
     letters
         Of what kind its points are meant to be; see ``node_types``.
     """
@@ -152,7 +149,6 @@ class ImportedPath:
     pieces: FloatArray
     closed: bool
     deviation: float = 0.0
-    form: AnyForm | None = None
     letters: str = ""
 
 
@@ -236,7 +232,6 @@ def _made(
         group_looks=look.group_looks,
         visible=look.visible,
         locked=look.locked,
-        form=path.form if isinstance(path, ImportedPath) else None,
     )
 
 

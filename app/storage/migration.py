@@ -107,6 +107,8 @@ def _begins_text(line: object) -> bool:
 
 DROPPED: list[Dropped] = [
     *(Dropped(Place.GUIDE, field) for field in ("lean", "across", "locked")),
+    # A rectangle, an ellipse or a star is what its points say.
+    Dropped(Place.CURVE, "form"),
     Dropped(Place.DOCUMENT, "kept_texts", "text", is_loss=_begins_text),
     Dropped(Place.DOCUMENT, "kept_pictures", "picture", is_loss=lambda _picture: True),
     Dropped(Place.CURVE, "clone", "clone link"),

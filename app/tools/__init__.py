@@ -12,7 +12,6 @@
 - ``transform``, ``transform_box``: move, scale and rotate; the box with grips.  ``typed_amount``: the number,
   or the two, typed meanwhile.  ``target``: what these act on: selected points, or curves.
   ``transform_drags``: how the drags that do begin.  ``move_pivot``: the mark of what they are about.
-- ``form_tool``: the tools that draw rectangles, ellipses …, and drag the handles of these.
 - ``inserting``: a point inserted on the curve, and what is said about its shape.  ``segment_click``: the
   ends of a segment, selected by a click on its line.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.

@@ -33,13 +33,6 @@ class Ruler(msgspec.Struct, frozen=True):
     text: str
 
 
-class FormMark(msgspec.Struct, frozen=True):
-    """A handle of a form: a disc, or a square for what is its size."""
-
-    place: Vector
-    is_round: bool
-
-
 class GestureMarks(msgspec.Struct, frozen=True):
     """All marks at once; None for what is not there.
 
@@ -73,8 +66,6 @@ class GestureMarks(msgspec.Struct, frozen=True):
         The guide under the pointer, or that is dragged: its place in the document.
     kept
         The lines of the text, or the picture, of another program that is chosen.
-    forms
-        The handles of forms.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -91,7 +82,6 @@ class GestureMarks(msgspec.Struct, frozen=True):
     line: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
-    forms: tuple[FormMark, ...] = ()
 
     def above(self, below: GestureMarks) -> GestureMarks:
         """Return both; of what both have, this."""

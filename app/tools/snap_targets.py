@@ -7,7 +7,6 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 import numpy as np
 from msgspec.structs import replace
 
-from ..document.forms import Ellipse, Rectangle
 from ..document.lines import ends_of, is_line
 from ..document.model import Vector
 from ..document.point_group import PointGroup
@@ -162,7 +161,7 @@ def _box_edge(name: str, at: tuple[int, int]) -> str:
 
 
 def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, moving: Moving) -> Targets:
-    """Return the targets with midpoints of segments and centres of forms; those of what moves are none."""
+    """Return the targets with midpoints of segments; those of what moves are none."""
     found = list(_middles(views[curve], frozenset(moving.get(curve, ()))))
     for place, view in enumerate(views):
         if place != curve and view.source.visible:
@@ -171,7 +170,7 @@ def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, movi
 
 
 def _middles(view: CurveView, own: Collection[int] | None, of: str = "") -> Iterator[SnapPlaces]:
-    """Yield midpoints of segments and the centre of a curve; of the one worked on those that stay.
+    """Yield midpoints of segments of a curve; of the one worked on those that stay.
 
     `own` are its points that move; None for another curve, none of which does.
     """
@@ -194,7 +193,3 @@ def _middles(view: CurveView, own: Collection[int] | None, of: str = "") -> Iter
         places.append(view.curve.evaluate((t[bent] + t[[each + 1 for each in bent]]) / 2))
         numbers += bent
     yield SnapPlaces(np.concatenate(places), lambda place: f"midpoint of {of or f'segment {numbers[place]}'}")
-    if not own and isinstance(source.form, (Ellipse, Rectangle)):
-        # Whatever it was mapped by: its points lie alike about its centre.
-        centre = (view_points.min(axis=0) + view_points.max(axis=0)) / 2
-        yield SnapPlaces(centre[None], lambda _: f"centre of {of or source.seen_name}")

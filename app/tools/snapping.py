@@ -30,7 +30,7 @@ class SnapKind(NamedEnum):
     GUIDES = "guides", "Guides"
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
-    MIDDLES = "middles", "Midpoints and centres"
+    MIDDLES = "middles", "Midpoints of segments"
     BOXES = "boxes", "Boxes of whole objects"
     LEVEL = "level", "Level or plumb with the neighbours"
 

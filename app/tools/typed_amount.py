@@ -1,4 +1,4 @@
-"""An amount typed into a drag: one number, or with Tab one for x, one for y, and what else there is."""
+"""An amount typed into a drag: one number, or with Tab one for x and one for y."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class TypedAmount(msgspec.Struct, frozen=True):
     Attributes
     ----------
     fields
-        The text of the one number, or those of x and y, and of a further one.
+        The text of the one number, or those of x and y.
     at
         Which of them is typed.
     """
@@ -55,11 +55,10 @@ class TypedAmount(msgspec.Struct, frozen=True):
         fields = (*self.fields[: self.at], text, *self.fields[self.at + 1 :])
         return replace(self, fields=fields)
 
-    def after_tab(self, axis: int | None, count: int = 2) -> TypedAmount:
-        """Go on to the next of `count` numbers; one typed along a locked `axis` stays that of this axis."""
+    def after_tab(self, axis: int | None) -> TypedAmount:
+        """Go on to the other number; one typed along a locked `axis` stays that of this axis."""
         if self.is_pair:
-            at = (self.at + 1) % count
-            return TypedAmount((*self.fields, ""), at) if at == len(self.fields) else replace(self, at=at)
+            return replace(self, at=1 - self.at)
         return TypedAmount(("", self.fields[0]), 0) if axis == 1 else TypedAmount((self.fields[0], ""), 1)
 
     def joined(self, axis: int = 0) -> TypedAmount:
@@ -75,11 +74,6 @@ class TypedAmount(msgspec.Struct, frozen=True):
     def pair(self, default: float) -> Vector:
         """Return the numbers for x and y, `default` for what is none yet."""
         return (_number(self.fields[0], default), _number(self.fields[1], default))
-
-    @property
-    def further(self) -> float:
-        """The number behind those for x and y, 0 while it is none yet."""
-        return _number(self.fields[2], 0.0) if len(self.fields) > 2 else 0.0
 
     @property
     def unfinished(self) -> str:

@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from app.document.clip import Clip, ring_of
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
-from app.document.forms import Rectangle
 from app.document.gradient import Gradient, Stop, Tile
 from app.document.group_look import GroupLook
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
@@ -39,25 +38,21 @@ OPEN = replace(
 )
 
 
-def full(form, curve=OPEN):
-    """A curve with a number wherever one may have one."""
-    return replace(
-        curve,
-        style=Style(
-            width=1.0,
-            dash=(1.0, 2.0),
-            fill_gradient=GRADIENT,
-            stroke_gradient=GRADIENT,
-            clips=(CLIP,),
-        ),
-        form=form,
-        groups=("Group 1",),
-        group_looks=(GroupLook("Group 1", 0.5),),
-    )
-
+FULL_CURVE = replace(
+    OPEN,
+    style=Style(
+        width=1.0,
+        dash=(1.0, 2.0),
+        fill_gradient=GRADIENT,
+        stroke_gradient=GRADIENT,
+        clips=(CLIP,),
+    ),
+    groups=("Group 1",),
+    group_looks=(GroupLook("Group 1", 0.5),),
+)
 
 FULL = Document(
-    (full(Rectangle(1.0, 2.0, 3.0, 4.0, 0.5, 0.5)),),
+    (FULL_CURVE,),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
     guides=(Guide(Axis.X, 1.0),),
     page=Page(0.0, 0.0, 1.0, 1.0),

@@ -182,29 +182,3 @@ def test_width_and_height_are_typed_while_it_is_dragged(drawing):
     drawing.escape()
     drawing.release((5.0, 2.0))
     assert drawing.session.document is before
-
-
-def test_the_radius_of_its_corners_is_typed_after_its_height(drawing):
-    """A rectangle of 6 × 2 with corners of 0.5: live, one step; Tab goes round all three."""
-    before = drawing.session.document
-    drawing.trigger("rectangleTool")
-    drawing.press(FROM)
-    drawing.move((2.0, -2.0))
-    drawing.key(Qt.Key.Key_6)
-    drawing.key(Qt.Key.Key_Tab)
-    drawing.key(Qt.Key.Key_2)
-    assert "digits: its height, Tab: the radius of its corners" in drawing.status
-    drawing.key(Qt.Key.Key_Tab)
-    drawing.type_amount("0.5")
-    assert drawing.status.startswith("6 × 2 mm · radius 0.5| mm")
-    assert len(drawing.curve.points) == 8  # live
-    drawing.key(Qt.Key.Key_Tab)
-    assert drawing.status.startswith("6| × 2 mm · radius 0.5 mm")
-    drawing.release((2.0, -2.0))
-    left, top = at(drawing, FROM)
-    assert box_of(drawing.curve) == pytest.approx([left, top - 2, left + 6, top], abs=1e-12)
-    assert [is_line(drawing.curve, segment) for segment in range(8)] == [True, False] * 4
-    first = drawing.curve.points[0].position
-    assert first == pytest.approx((left + 0.5, top), abs=1e-12)
-    drawing.trigger("undo")
-    assert drawing.session.document == before

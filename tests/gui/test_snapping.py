@@ -10,8 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document import edits
-from app.document.form_edits import with_form_drawn
-from app.document.forms import Ellipse, Rectangle
+from app.document.box_edits import ellipse_in, rectangle_in, with_pieces_drawn
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.readings import PLAIN
 from app.document.style import PLAIN_STYLE
@@ -448,15 +447,15 @@ def test_percent_switches_snapping_and_leaves_shift_s_to_smooth_points(pair):
     assert pair.action("toggleSnap").isChecked() is not before
 
 
-# Midpoints, centres and boxes
+# Midpoints and boxes
 
 
 @pytest.fixture
 def boxes(editor):
     """A rectangle and an ellipse, and a line to drag; points snap to no grid."""
     document = Document((make_curve(((3.0, -2.0), (4.6, -1.0)), name="Line", family=HERMITE),))
-    for form in (Rectangle(0.0, 0.0, 2.0, 1.0), Ellipse(5.0, 2.0, 1.0, 1.5)):
-        document = with_form_drawn(document, 0, form, PLAIN_STYLE)
+    for pieces in (rectangle_in((0.0, 0.0), (2.0, 1.0)), ellipse_in((5.0, 2.0), (6.0, 3.5))):
+        document = with_pieces_drawn(document, 0, "Curve", pieces, PLAIN_STYLE)
     names = ("Line", "Card", "Egg")
     curves = [replace(each, name=name) for each, name in zip(document.curves, names, strict=True)]
     editor.session.commit(replace(document, curves=tuple(curves)), "Begin")
@@ -466,11 +465,8 @@ def boxes(editor):
     return editor
 
 
-@pytest.mark.parametrize(
-    ("place", "label"),
-    [((1.0, 0.0), "midpoint of Card"), ((1.0, 0.5), "centre of Card"), ((5.5, 2.75), "centre of Egg")],
-)
-def test_a_point_finds_midpoints_and_centres(boxes, place, label):
+def test_a_point_finds_midpoints(boxes):
+    place, label = (1.0, 0.0), "midpoint of Card"
     boxes.session.selected.edit_chosen()
     boxes.window.store.change(snap_kinds=frozenset({SnapKind.MIDDLES}))
     boxes.press(boxes.point(0))

@@ -206,7 +206,7 @@ def test_one_button_has_the_tools_without_a_button_and_keeps_the_last_one_used(e
     button = editor.window.findChild(QToolButton, "shapesButton")
     assert button.visibleRegion().boundingRect() == button.rect()
     assert editor.window.toolbar.sizeHint().width() <= width
-    names = ["rectangleTool", "ellipseTool", "starTool", "measureTool"]
+    names = ["rectangleTool", "ellipseTool", "measureTool"]
     assert [each.objectName() for each in button.menu().actions()] == names
     assert (button.defaultAction(), button.isChecked()) == (editor.action("rectangleTool"), False)
     left = QPoint(12, button.height() // 2)

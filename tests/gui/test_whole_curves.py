@@ -99,7 +99,7 @@ def page(three):
     three.settle()
 
 
-@pytest.mark.parametrize("tool", ["rectangleTool", "ellipseTool", "starTool"])
+@pytest.mark.parametrize("tool", ["rectangleTool", "ellipseTool"])
 @pytest.mark.parametrize("leave", [Qt.Key.Key_V, Qt.Key.Key_Escape])
 def test_on_a_page_what_was_drawn_is_chosen_whole_and_a_drag_within_moves_it(page, tool, leave):
     """It was a rubber band among its points."""

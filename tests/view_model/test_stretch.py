@@ -179,5 +179,5 @@ def test_the_angle_is_read_off_the_points(degrees):
     group = points_of(0, range(5))
     before = anchored(views_of(document), group)
     new = mapped(mapped(document, group, rotation(degrees, (3.0, 3.0))), group, scaling(2.0, 2.0, (0.0, 1.0)))
-    turned = Turning(before, 0.0).at(anchored(views_of(moved(new, group, (1.0, 1.0))), group))
+    turned = Turning(before).at(anchored(views_of(moved(new, group, (1.0, 1.0))), group))
     assert turned % 360.0 == pytest.approx(degrees % 360.0, abs=1e-9)

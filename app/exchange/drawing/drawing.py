@@ -22,7 +22,6 @@ from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.curve.refusals import in_words
 from ...view_model.geometry.extents import extent_of
 from ...view_model.shapes.cubics import RELATIVE_TOLERANCE
-from ...view_model.shapes.formed import formed
 from ..errors import ExchangeError
 from ..node_types import letters_of
 from .frames import LARGEST, MARGIN, Frame, frame_around, frame_of, frame_with
@@ -150,7 +149,6 @@ class Drawing(msgspec.Struct, frozen=True):
                 control_points=moved(outline.control_points),
                 points=moved(outline.points),
                 style=_scaled(outline.style, scale).mapped(lambda place: _pair(moved(np.array(place)))),
-                form=None,
             )
             for outline in self.outlines
         )
@@ -311,7 +309,6 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.groups,
         curve.visible,
         curve.locked,
-        formed(curve),
         letters_of(curve, path.control_points),
         curve.group_looks,
     )

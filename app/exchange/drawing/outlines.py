@@ -13,7 +13,6 @@ from curvecore.arrays import FloatArray
 
 from ...document.group_look import GroupLooks
 from ...document.style import PLAIN_STYLE, Style
-from ...view_model.shapes.formed import Formed
 
 
 class Outline(msgspec.Struct, frozen=True):
@@ -35,8 +34,6 @@ class Outline(msgspec.Struct, frozen=True):
         Stroke and fill; its width is in the unit of the control points.
     shape, groups, visible, locked
         As in `Curve`.
-    form
-        What it is of the form that it was drawn as; None where it is none, or lies elsewhere.
     letters
         Of what kind each point is; see ``node_types``. None where pieces do not end at points.
     group_looks
@@ -53,7 +50,6 @@ class Outline(msgspec.Struct, frozen=True):
     groups: tuple[str, ...] = ()
     visible: bool = True
     locked: bool = False
-    form: Formed | None = None
     letters: str = ""
     group_looks: GroupLooks = ()
 

@@ -4,7 +4,6 @@
   ``style_attributes``, ``gradient_elements``, ``clip_elements``,
   ``numbers``: styles and numbers as text.
   ``defined_elements``: what those that are referred to have in common.
-  ``form_elements``: rectangles and ellipses as such.  ``inkscape_forms``: stars, as Inkscape notes them.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``elements``: those that others refer to.
   ``names``, ``groups``: what they are called.

@@ -18,7 +18,6 @@ from svgelements import SVGLexicalParser
 
 from curvecore.arrays import FloatArray
 
-from ...document.forms import AnyForm
 from ..arcs import arc_between
 from ..cubics_in import lines
 from ..errors import ExchangeError
@@ -46,15 +45,12 @@ class Subpath:
         Whether it ends in Z, or exactly where it begins.
     deviation
         How far the pieces of arcs are from them.
-    form
-        What it is drawn as, y up; None for what is no more than a path.
     """
 
     start: FloatArray
     pieces: list[FloatArray] = field(default_factory=list)
     closed: bool = False
     deviation: float = 0.0
-    form: AnyForm | None = None
 
     @property
     def end(self) -> FloatArray:

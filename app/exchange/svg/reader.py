@@ -308,7 +308,6 @@ class SvgReader:
                 moved(subpath.controls, state.matrix),
                 subpath.closed,
                 subpath.deviation * stretch,
-                subpath.form,
                 letters[index],
             )
             yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, index))

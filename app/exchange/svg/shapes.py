@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from dataclasses import replace
 
 from ..errors import ExchangeError
 from .basic_shapes import LENGTHS, polyline, shape_of_lengths
-from .form_elements import form_of_lengths
-from .inkscape_forms import as_forms
 from .lengths import Viewport, length
 from .path_data import Subpath, read_path_data
 from .xml_tree import tag_of
@@ -33,15 +30,14 @@ def subpaths_of(element: ET.Element, viewport: Viewport, tolerance: float | None
     """
     tag = tag_of(element)
     if tag == "path":
-        return as_forms(element, read_path_data(element.get("d", ""), tolerance))
+        return read_path_data(element.get("d", ""), tolerance)
     if tag not in LENGTHS:
         return polyline(element.get("points", ""), closed=tag == "polygon")
     lengths = [length_of(element, name, viewport) for name in LENGTHS[tag]]
     for name, value in zip(LENGTHS[tag], lengths, strict=True):
         if value is None and element.get(name, "auto").strip() not in ("", "auto"):
             raise UnknownLengthError
-    form = form_of_lengths(tag, lengths)
-    return [replace(each, form=form) for each in shape_of_lengths(tag, lengths, tolerance)]
+    return shape_of_lengths(tag, lengths, tolerance)
 
 
 def length_of(element: ET.Element, name: str, viewport: Viewport) -> float | None:

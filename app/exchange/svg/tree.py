@@ -18,7 +18,6 @@ from ..naming import Names
 from ..node_types import guessed, joined
 from .clip_elements import ClipElements
 from .escapes import quoted
-from .form_elements import element_of, matrix_text
 from .gradient_elements import GradientElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
@@ -88,12 +87,9 @@ class Tree:
         first = shape[0]
         style = self._styled(first.style, self._usual_width)
         clips = first.style.clips
-        tag, runs = _as_form(shape) or ("path", "")
-        if tag == "path":
-            runs += f' d="{path_data(shape)}"{"" if runs else _node_types_of(shape)}'
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
-        runs = f"{called}{runs}"
-        return self.clips.around(f"<{tag}{runs}{style}{cut}{end}", clips[1:])
+        runs = f' d="{path_data(shape)}"{_node_types_of(shape)}'
+        return self.clips.around(f"<path{called}{runs}{style}{cut}{end}", clips[1:])
 
     def _is_unseen(self, outline: Outline) -> bool:
         """Whether a shape itself is hidden, and not a layer around it."""
@@ -177,20 +173,6 @@ def _name_of(shape: tuple[Outline, ...]) -> str:
 def _named(name: str, own: str) -> str:
     """Return an id and, where the name is another word, that as Inkscape's label."""
     return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
-
-
-def _as_form(shape: tuple[Outline, ...]) -> tuple[str, str] | None:
-    """Return the tag and the attributes of a form; None of what is no form."""
-    outline, *others = shape
-    found = element_of(outline.form)
-    if found is None or others:
-        return None
-    tag, attributes, matrix = found
-    if matrix is not None and outline.style.is_placed:
-        # A gradient would turn with it.
-        return None
-    turned = {} if matrix is None else {"transform": matrix_text(matrix)}
-    return tag, "".join(f' {name}="{value}"' for name, value in {**attributes, **turned}.items())
 
 
 def _node_types_of(shape: tuple[Outline, ...]) -> str:

@@ -296,15 +296,13 @@ class CurveListCommands:
 
 
 def _curves(now: ActionState) -> str:
-    """Return what the highlight is, as a title: "3 Curves", "Star"; of a shape one alone is a contour."""
+    """Return what the highlight is, as a title: "3 Curves", "Group"; of a shape one alone is a contour."""
     document, selected = now.session.document, now.session.selected
     meant = selected.highlight(whole_curves=True).curves or selected.whole
     nodes = whole_nodes(document.curves, meant, document.layers)
     if len(nodes) > 1:
         return counted(document, meant).title()
     (node,) = nodes
-    if node.kind is NodeKind.CURVE and (form := document.curves[node.places.start].form) is not None:
-        return form.word.title()
     is_contour = node.kind is NodeKind.CURVE and node.around.shape
     return "Contour" if is_contour else node.kind.name.title()
 

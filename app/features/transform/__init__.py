@@ -2,7 +2,6 @@
 
 - ``commands``: the actions.  ``align_commands``: those that align and distribute.
 - ``panel``: the same in numbers.  ``panel_commands``: keeps it in step.  ``pivot_chooser``: nine places.
-  ``form_row``: the numbers of a rectangle, an ellipse, a star.
 """
 
 import lazy_loader as lazy

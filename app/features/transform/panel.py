@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
-from ...document.forms import AnyForm
 from ...document.model import Vector
 from ...document.readings import PLAIN, Readings
 from ...document.transforms import Reference
@@ -25,7 +24,6 @@ from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.field_form import FieldForm
 from ...widgets.length_text import read_length
 from ...widgets.tool_buttons import ICON, action_button, tool_button
-from .form_row import FormRow
 from .pivot_chooser import PivotChooser
 
 _CORNER = (
@@ -58,15 +56,11 @@ class Situated(msgspec.Struct, frozen=True):
     place
         Which of the nine places is chosen; None for none of them.
     angle
-        Degrees by which a form is turned, and all else was since it was selected.
+        Degrees by which it was turned since it was selected.
     unit
         That of the document.
     problem
         Why it cannot be changed; empty where it can.
-    forms
-        The forms that it is, such as rectangles, all of one kind; none where it is anything else.
-    remark
-        What is to be known of them; empty for nothing.
     """
 
     what: str
@@ -77,8 +71,6 @@ class Situated(msgspec.Struct, frozen=True):
     unit: str
     problem: str
     readings: Readings
-    forms: tuple[AnyForm, ...] = ()
-    remark: str = ""
 
 
 class PanelActions(msgspec.Struct, frozen=True):
@@ -101,8 +93,6 @@ class TransformPanel(FieldForm):
         It shall stand at this angle; it shall be turned by one.
     skewed
         It shall be skewed along an axis, by this angle.
-    number_entered
-        A number of the forms shall be another one: its field, and the number.
     pivot_chosen
         One of nine places: −1, 0 or 1 across, and up.
     reference_chosen
@@ -114,7 +104,6 @@ class TransformPanel(FieldForm):
     turned_to = Signal(float)
     turned_by = Signal(float)
     skewed = Signal(int, float)
-    number_entered = Signal(object, float)
     pivot_chosen = Signal(int, int)
     reference_chosen = Signal(object)
 
@@ -128,8 +117,7 @@ class TransformPanel(FieldForm):
         self.y_edit = self._length("Y", _CORNER.format("y"), 1)
         self.width_edit = self._length("Width", "Width", 2)
         self.height_edit = self._length("Height", "Height", 3)
-        turned = "Degrees that a rectangle, ellipse or star is turned; else since it was selected"
-        self.angle_edit = _angle("transformAngle", "Angle", turned)
+        self.angle_edit = _angle("transformAngle", "Angle", "Degrees that it is turned since it was selected")
         self.turn_edit = _angle("transformTurn", "Rotate by", _EACH_TIME.format(PLAIN.sense))
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
@@ -139,7 +127,6 @@ class TransformPanel(FieldForm):
             _skew_button("Across", "horizontally"),
             _skew_button("Up", "vertically"),
         )
-        self.form_row = FormRow(self._read)
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
         self.reference = choice_box(
             "alignReference",
@@ -194,8 +181,6 @@ class TransformPanel(FieldForm):
             ),
             align,
             row_of(*rest, 1, spacing=8),
-            # What comes and goes with what is chosen moves no row.
-            self.form_row,
             self.problem,
             1,
         ]
@@ -203,8 +188,7 @@ class TransformPanel(FieldForm):
 
     def _connect(self) -> None:
         edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit)
-        self.watch(*edits, self.turn_edit, self.skew_edit, *self.form_row.edits)
-        self.form_row.number_entered.connect(self.number_entered)
+        self.watch(*edits, self.turn_edit, self.skew_edit)
         self.x_edit.entered.connect(partial(self.placed.emit, 0))
         self.y_edit.entered.connect(partial(self.placed.emit, 1))
         self.width_edit.entered.connect(partial(self.sized.emit, 0))
@@ -263,8 +247,7 @@ class TransformPanel(FieldForm):
         for part in (*turns, self.chooser):
             part.setEnabled(is_there)
         self.chooser.render_place(shown.place if bounds is not None else None)
-        self.form_row.render_forms(shown.forms, shown.problem)
-        self.show_problem(shown.problem or shown.remark)
+        self.show_problem(shown.problem)
 
     def render_reference(self, reference: Reference) -> None:
         """Show what chosen curves are aligned to."""

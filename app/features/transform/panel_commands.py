@@ -11,8 +11,6 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
-from ...document.edits import EditError
-from ...document.form import FormField
 from ...document.model import Document, Vector
 from ...document.paper import DocumentKind, kind_of
 from ...document.readings import Readings, readings_of
@@ -24,7 +22,6 @@ from ...view_model.boxes.bounds import NINE
 from ...view_model.boxes.pivot import Turning
 from ...view_model.boxes.resizing import SIDES, resized
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.shapes.formed import Formed, formed, with_form
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
@@ -34,9 +31,6 @@ if TYPE_CHECKING:
     from .panel import Situated, TransformPanel
 
 _HEIGHT = 360
-
-_MOST_FORMS = 200
-"""Forms whose numbers are shown together: to find more of them is felt."""
 
 
 class TransformPanelCommands(QObject):
@@ -48,7 +42,6 @@ class TransformPanelCommands(QObject):
         self._target = context.central.canvas.tools.target
         self._panel: TransformPanel | None = None
         self._turning: Turning | None = None
-        self._forms_then: dict[int, Formed] = {}
         self._dock = context.docks["transformDock"]
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
@@ -72,7 +65,6 @@ class TransformPanelCommands(QObject):
         panel.turned_to.connect(self._turn_to)
         panel.turned_by.connect(self._turn_by)
         panel.skewed.connect(self._skew)
-        panel.number_entered.connect(self._set_number)
         panel.pivot_chosen.connect(self._choose_pivot)
         panel.reference_chosen.connect(lambda reference: self._store.change(align_to=reference))
         panel.refused.connect(self._session.refuse)
@@ -132,7 +124,6 @@ class TransformPanelCommands(QObject):
             what, bounds, self._told_place,
             self._chosen_place, self._angle(),
             session.document.unit, target.refusal_of_keys, self._readings,
-            tuple(now.form for now in self._formed().values()),
         )  # fmt: skip
 
     @property
@@ -159,31 +150,11 @@ class TransformPanelCommands(QObject):
         places = [at for at in NINE if bounds.place(*at) == pivot]
         return places[len(places) // 2] if places else None
 
-    def _formed(self) -> dict[int, Formed]:
-        """Return the curves that are acted on, with what they are of the forms that they were drawn as.
-
-        None where one is not acted on whole, is of no form, or of another kind than the first.
-        """
-        parts, curves = self._target.for_keys.parts, self._session.document.curves
-        if len(parts) > 1 and self._session.is_previewing:
-            # To find them takes longer than a frame; what is dragged is shown when it is let go.
-            return self._forms_then
-        self._forms_then = found = dict[int, Formed]()
-        for curve, points in parts if len(parts) <= _MOST_FORMS else ():
-            now = formed(curves[curve]) if len(points) == len(curves[curve].points) else None
-            if now is None or any(type(now.form) is not type(other.form) for other in found.values()):
-                found.clear()
-                break
-            found[curve] = now
-        return found
-
     def _angle(self) -> float:
         now = self._target.anchored()
         angle = self._turning.at(now) if self._turning is not None else None
         if angle is None:
-            angles = {form.angle for form in self._formed().values()}
-            angle = angles.pop() if len(angles) == 1 else 0.0
-            self._turning = Turning(now, angle)
+            angle, self._turning = 0.0, Turning(now)
         return angle
 
     # What the person did
@@ -208,27 +179,6 @@ class TransformPanelCommands(QObject):
         forgets = (across, up) == (0, 0) and kind_of(self._session.committed) is DocumentKind.SKETCH
         self._target.pivot = None if forgets else self._target.bounds.place(across, up)
         self._render()
-
-    def _set_number(self, field: FormField, value: float) -> None:
-        formed_now = self._formed()
-        try:
-            forms = {curve: now.form.with_number(field.name, value) for curve, now in formed_now.items()}
-        except EditError as reason:
-            self._refuse(str(reason))
-            return
-
-        def edit(document: Document) -> Document:
-            for curve, form in forms.items():
-                document = with_form(document, curve, form, formed_now[curve].by)
-            return document
-
-        what = f"{field.words[0].lower()}{field.words[1:]}"
-        if len(forms) > 1:
-            what = f"{field.label} of {len(forms)} {type(next(iter(forms.values()))).noun}s"
-        is_share = field.name in {each.share for form in forms.values() for each in form.fields}
-        plain = f"{number(100 * value)}%" if is_share else number(value)
-        shown = self._length(value) if field.is_length else plain
-        self._change(f"Set {what} to {shown}", edit)
 
     def _place(self, axis: int, value: float) -> None:
         group = self._target.for_keys

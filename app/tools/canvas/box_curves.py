@@ -5,20 +5,29 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
+from typing import ClassVar, Self
 
 import msgspec
+from msgspec.structs import replace
 
 from ...document import words
+from ...document.box_edits import Piece, drawn_place, ellipse_in, rectangle_in, with_pieces_drawn
 from ...document.edits import EditError
-from ...document.forms import AnyForm, Ellipse, Rectangle
-from ...document.model import Vector
+from ...document.model import Document, Vector
+from ...document.style import Style
 from ...document.transforms import decimal_sum
-from ..form_tool import HANDLE_GESTURES, Begun, DrawForm, FormTool
-from ..pointer import Pointer
-from ..tool import GestureRow, ToolContext, ToolRecord
+from ..drag import Drag
+from ..marks import GestureMarks, Note
+from ..pointer import Hint, Pointer
+from ..snapping import Snapper
+from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+from ..typed_amount import TypedAmount
 
-_SIDES = ("its width", "its height", "the radius of its corners")
-"""What can be typed; the last only of what has corners."""
+_SIDES = ("its width", "its height")
+_TOO_LATE = (
+    "Type width and height while you drag; later they have fields (Ctrl+Shift+M). "
+    "The toolbar changes the family, or V and then the digit."
+)
 
 
 class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
@@ -34,23 +43,15 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
         Several of them.
     regular
         What it is in a square, with the article.
-    form
-        Returns it by its lower left corner, its size, and the radius of its corners.
-    has_corners
-        Whether they are corners between straight lines, which can be round.
+    pieces
+        Returns its pieces by the lower left and the upper right corner of the box.
     """
 
     name: str
     phrase: str
     plural: str
     regular: str
-    form: Callable[[Vector, Vector, float], AnyForm]
-    has_corners: bool = False
-
-    @property
-    def typed(self) -> Sequence[str]:
-        """What can be typed while it is dragged."""
-        return _SIDES if self.has_corners else _SIDES[:2]
+    pieces: Callable[[Vector, Vector], Sequence[Piece]]
 
     @property
     def hint(self) -> str:
@@ -63,12 +64,37 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
         return f"Ctrl: {self.regular} · Shift: about the centre"
 
 
-class DrawInBox(DrawForm, frozen=True, kw_only=True):
-    """A drag from one corner of the box, or with Shift from its middle, to the opposite corner."""
+class DrawInBox(Drag, frozen=True):
+    """A drag from one corner of the box, or with Shift from its middle, to the opposite corner.
+
+    Attributes
+    ----------
+    drawn
+        What it draws.
+    active, layer
+        The curve that was edited at the press, and the layer to draw in.
+    start
+        Where the press was.
+    unit
+        The name of the unit of length.
+    style
+        Of what is drawn.
+    typed
+        Width and height as typed so far.
+    typed_keys
+        What can be typed: keys of `TypedAmount`, and "tab".
+    """
 
     drawn: BoxCurve
+    active: int
+    layer: str
+    start: Vector
+    snapper: Snapper
+    unit: str
+    style: Style
+    typed: TypedAmount = TypedAmount()
 
-    typed_keys = DrawForm.typed_keys | {"-"}
+    typed_keys: ClassVar[frozenset[str]] = frozenset("0123456789.-") | {"backspace", "tab"}
 
     @property
     def name(self) -> str:
@@ -76,39 +102,37 @@ class DrawInBox(DrawForm, frozen=True, kw_only=True):
         return f"Draw {self.drawn.name}"
 
     @property
-    def modifiers(self) -> str:
-        """Effects of the modifier keys."""
-        return self.drawn.keys
+    def keys(self) -> str:
+        """Effects of the modifier keys, and what else can be typed."""
+        at = self.typed.at
+        return f"{self.drawn.keys} · digits: {_SIDES[at]}, Tab: {_SIDES[1 - at]}"
 
-    @property
-    def sides(self) -> Sequence[str]:
-        """Width and height, and the radius of its corners."""
-        return self.drawn.typed
+    def with_key(self, key: str) -> Self | None:
+        """Return the drag after a key that types; None for any other key."""
+        if key not in self.typed_keys:
+            return None
+        typed = self.typed.after_tab(None) if key == "tab" else self.typed.after(key)
+        return None if typed is None else replace(self, typed=typed)
 
-    def form_at(self, pointer: Pointer) -> AnyForm:
-        """Return the form in the box where that has an area."""
-        start, end = self._box(pointer)
-        (left, right), (low, high) = (sorted(ends) for ends in zip(start, end, strict=True))
-        size = _way((left, low), (right, high))
-        if not all(size):
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the curve in the box; raise EditError where that has no area."""
+        (left, right), (low, high) = (sorted(ends) for ends in zip(*self._box(pointer), strict=True))
+        if left == right or low == high:
             raise EditError("Drag to the side and up or down: the box has no area.")
-        return self.drawn.form((left, low), size, max(self.typed.further, 0.0))
+        pieces = self.drawn.pieces((left, low), (right, high))
+        name = self.drawn.name.capitalize()
+        return with_pieces_drawn(self.document, self.active, name, pieces, self.style, self.layer)
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
         sides = [words.number(abs(side)) for side in _way(*self._box(pointer))]
-        for at, text in enumerate(self.typed.fields[:2]):
+        for at, text in enumerate(self.typed.fields):
             if text or (self.typed.is_pair and at == self.typed.at):
                 sides[at] = f"{words.with_minus(text)}{'|' if at == self.typed.at else ''}"
-        size = f"{' × '.join(sides)} {self.begun.unit}".rstrip()
-        further = "".join(self.typed.fields[2:])
-        if not further and self.typed.at < len(sides):
-            return size
-        mark = "|" if self.typed.at == len(sides) else ""
-        return f"{size} · radius {words.with_minus(further)}{mark} {self.begun.unit}".rstrip()
+        return f"{' × '.join(sides)} {self.unit}".rstrip()
 
     def _box(self, pointer: Pointer) -> tuple[Vector, Vector]:
-        start, end = self.begun.start, self.begun.snapper.at(pointer)
+        start, end = self.start, self.snapper.at(pointer)
         way = _way(start, end)
         if pointer.ctrl:
             side = max(map(abs, way))
@@ -144,18 +168,59 @@ def _after(start: Vector, way: Vector) -> Vector:
     return (decimal_sum(start[0], way[0]), decimal_sum(start[1], way[1]))
 
 
-class BoxCurveTool(FormTool):
-    """Tool that draws a form in a box, and changes forms by their handles."""
-
-    too_late = "Type width and height while you drag; later they have fields"
+class BoxCurveTool(Tool):
+    """Tool that draws a curve in a box, whose width and height can be typed meanwhile."""
 
     def __init__(self, drawn: BoxCurve) -> None:
-        super().__init__()
-        self._drawn, self.how, self.modifiers = drawn, drawn.hint, drawn.keys
+        self._drawn = drawn
+        self._drag: DrawInBox | None = None
 
-    def drag(self, context: ToolContext, begun: Begun) -> DrawInBox:
-        """Return the drag of a box."""
-        return DrawInBox(context.host.document, begun, drawn=self._drawn)
+    def press(self, context: ToolContext) -> None:
+        """Begin to draw."""
+        host, snapper, drawn = context.host, context.snappers.for_new(-1), self._drawn
+        active, layer, start = host.active_index, host.selected.layer, snapper.at(context.pointer)
+        self._drag = DrawInBox(
+            host.document, drawn, active, layer, start, snapper, context.settings.unit, host.model.style
+        )
+        place = drawn_place(host.document, active, layer)
+        context.drags.press(context.pointer, self._drag, lambda: host.say(f"{drawn.hint}."), active=place)
+
+    def end(self) -> None:
+        """Drop the drag."""
+        super().end()
+        self._drag = None
+
+    def claims(self, context: ToolContext, key: str) -> bool:
+        """Whether a key is for its numbers: a digit also after the drag, when it would be a shortcut."""
+        drag = self._drag
+        return key.isdigit() or (drag is not None and (key == "enter" or key in drag.typed_keys))
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Take what is typed of its numbers while it is dragged; "enter" ends that."""
+        if self._drag is None:
+            if key.isdigit():
+                context.host.refuse(_TOO_LATE)
+            return key.isdigit()
+        if key == "enter":
+            context.drags.release(context.pointer)
+            return True
+        changed = self._drag.with_key(key)
+        if changed is not None:
+            self._drag = changed
+            context.drags.exchange(context.pointer, changed)
+        return changed is not None
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do."""
+        context.preview_snap(-1)
+        return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return what is snapped to, and the numbers of what is drawn."""
+        marks, drag, pointer = super().marks(context), self._drag, context.pointer
+        if drag is None or not context.drags.progress_at(pointer):
+            return marks
+        return replace(marks, note=Note(pointer.position, drag.readout(pointer), drag.start))
 
 
 def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) -> ToolRecord:
@@ -170,8 +235,7 @@ def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) ->
         gestures=(
             GestureRow("Drag", f"draw {drawn.phrase} from corner to corner of its box"),
             GestureRow("Ctrl, Shift", f"{drawn.regular}; about the centre"),
-            GestureRow("Digits, Tab while dragging", f"type {words.enumerated(drawn.typed)}"),
-            *HANDLE_GESTURES,
+            GestureRow("Digits, Tab while dragging", f"type {words.enumerated(_SIDES)}"),
         ),
         place=place,
         action=f"{drawn.name}Tool",
@@ -192,8 +256,7 @@ RECTANGLE = _tool(
         phrase="a rectangle",
         plural="rectangles",
         regular="a square",
-        form=lambda place, size, radius: Rectangle(*place, *size, radius, radius),
-        has_corners=True,
+        pieces=rectangle_in,
     ),
     place=26,
     key="B",
@@ -206,7 +269,7 @@ ELLIPSE = _tool(
         phrase="an ellipse",
         plural="ellipses",
         regular="a circle",
-        form=lambda place, size, _radius: Ellipse(*place, *size),
+        pieces=ellipse_in,
     ),
     place=27,
     key="O",

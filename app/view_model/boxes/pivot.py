@@ -138,8 +138,8 @@ class Turning:
         The group as it was then.
     """
 
-    def __init__(self, anchor: Anchor, degrees: float) -> None:
-        self.anchor, self._then, self._last = anchor, degrees, degrees
+    def __init__(self, anchor: Anchor) -> None:
+        self.anchor, self._last = anchor, 0.0
         # The group as it was when it was asked for last.
         self._before = anchor
         # Whether it was a mirror image, and what is added since it became one, or none again.
@@ -154,9 +154,7 @@ class Turning:
         by = self.anchor.since(now)
         if by is None:
             return None
-        degrees = turn_of(by) + self._then
-        if mirrors(by):
-            degrees -= 2.0 * self._then
+        degrees = turn_of(by)
         if mirrors(by) is not self._is_mirrored:
             self._is_mirrored = not self._is_mirrored
             self._more = 180.0 if abs(_wrapped(degrees + self._last)) > 90.0 else 0.0

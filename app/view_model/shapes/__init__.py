@@ -6,5 +6,4 @@
 - ``clipping``: shapes cut by the outline of the one in front of them, and made whole again.
   ``clip_outlines``: the outlines of such clips as shapes, while they are edited.
 - ``simplifying``: curves of fewer points near others.
-- ``formed``: what curves are still of the rectangle, the ellipse that they were drawn as.
 """

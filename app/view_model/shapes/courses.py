@@ -8,7 +8,7 @@ import numpy as np
 
 from curvecore import CurveError, cubic_path
 
-from ...document.form import Piece
+from ...document.box_edits import Piece
 from ...document.model import Curve
 from ..curve.curve_view import view_of
 from .cubics import RELATIVE_TOLERANCE

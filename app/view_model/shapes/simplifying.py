@@ -94,7 +94,7 @@ def simplified(
 
 def _can_be_simpler(view: CurveView) -> bool:
     curve = view.source
-    return view.is_current and curve.form is None and len(curve.points) > 2
+    return view.is_current and len(curve.points) > 2
 
 
 def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, float]:
@@ -117,7 +117,7 @@ def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, 
     letters += "" if closed else CORNER
     points = points_of_cubics(np.concatenate(found), closed=closed, most_turned=_NEARLY_ON, letters=letters)
     rule = Parametrization(ParametrizationKind.MANUAL)
-    made = replace(view.source.with_family(HERMITE), points=points.points, parametrization=rule, form=None)
+    made = replace(view.source.with_family(HERMITE), points=points.points, parametrization=rule)
     return made, off + points.moved
 
 

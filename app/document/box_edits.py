@@ -1,0 +1,114 @@
+"""Closed curves drawn into a box: a rectangle, an ellipse. No Qt, no arrays."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+from msgspec.structs import replace
+
+from ..families import HERMITE
+from .curve_edits import free_name, fresh_curve, is_numbered, replace_curve
+from .layers import front_of, in_front, without
+from .limits import checked_vector
+from .model import Document, Parametrization, ParametrizationKind, Point, Vector
+from .style import Style
+from .ties import holds, tied
+
+Piece = tuple[Vector, Vector, Vector, Vector]
+"""The control points of a cubic piece."""
+
+_QUARTER = 4 / 3 * (math.sqrt(2) - 1)
+"""Length of the handles of a quarter of a circle, by its radius."""
+
+_SMOOTH = 1e-12
+"""Share of a velocity by which the two at a point differ where roundings alone make them two."""
+
+
+def rectangle_in(low: Vector, high: Vector) -> Sequence[Piece]:
+    """Return the sides of a box from its upper left corner on, clockwise, as in SVG."""
+    (left, bottom), (right, top) = low, high
+    corners = ((left, top), (right, top), (right, bottom), (left, bottom), (left, top))
+    return [
+        (start, _between(start, end, 1 / 3), _between(end, start, 1 / 3), end)
+        for start, end in pairwise(corners)
+    ]
+
+
+def ellipse_in(low: Vector, high: Vector) -> Sequence[Piece]:
+    """Return the quarters of the ellipse in a box from its right on, clockwise, as in SVG."""
+    (left, bottom), (right, top) = low, high
+    x, y = (left + right) / 2, (bottom + top) / 2
+    places = ((right, y), (x, bottom), (left, y), (x, top), (right, y))
+    corners = ((right, bottom), (left, bottom), (left, top), (right, top))
+    return [
+        (start, _between(start, corner, _QUARTER), _between(end, corner, _QUARTER), end)
+        for (start, end), corner in zip(pairwise(places), corners, strict=True)
+    ]
+
+
+def _between(start: Vector, end: Vector, share: float) -> Vector:
+    """Return the position that is a share of the way from one to another."""
+    return (start[0] + (end[0] - start[0]) * share, start[1] + (end[1] - start[1]) * share)
+
+
+def drawn_place(document: Document, active: int, layer: str = "") -> int:
+    """Return the place of a curve that is drawn: in front in a layer, an empty active curve left out."""
+    return front_of(_rest(document, active), layer).place
+
+
+def with_pieces_drawn(
+    document: Document, active: int, name: str, pieces: Sequence[Piece], style: Style, layer: str = ""
+) -> Document:
+    """Return the document with a closed cubic curve of pieces, each of which begins where the last one ends.
+
+    It has a style and the rules of the active curve, or is that one where it is empty; its parameters are
+    spaced by the chords of the pieces.
+    """
+    model, rest = document.curves[active], _rest(document, active)
+    if rest is not document:
+        curve = replace(model, parametrization=Parametrization(), visible=True)
+    else:
+        curve = fresh_curve(document, replace(model, style=style), Parametrization())
+    if is_numbered(curve.name):
+        curve = replace(curve, name=free_name(rest, name))
+    front = front_of(rest, layer)
+    made = in_front(rest, front, curve)
+    curve = made.curves[front.place]
+    rule = curve.parametrization
+    if rule.kind is not ParametrizationKind.CHORD_LENGTH:
+        rule = Parametrization()
+    curve = replace(curve.with_family(HERMITE), closed=True, parametrization=rule)
+    return replace_curve(made, front.place, replace(curve, points=_points(pieces, rule.end - rule.start)))
+
+
+def _rest(document: Document, active: int) -> Document:
+    """Return the document without the active curve where that is empty: it becomes the one that is drawn."""
+    curve = document.curves[active]
+    return document if curve.points or curve.locked else without(document, active)
+
+
+def _points(pieces: Sequence[Piece], span: float) -> tuple[Point, ...]:
+    """Return the points of pieces whose parameters span an interval by the lengths of the chords."""
+    chords = [math.dist(piece[0], piece[3]) for piece in pieces]
+    whole = sum(chords)
+    # A handle is p ± h v / 3.
+    factors = [3.0 * whole / (chord * span) for chord in chords]
+    return tuple(
+        _point(piece[0], _velocity(pieces[at - 1][2:], factors[at - 1]), _velocity(piece, factors[at]))
+        for at, piece in enumerate(pieces)
+    )
+
+
+def _velocity(ends: Sequence[Vector], factor: float) -> Vector:
+    (x, y), (to_x, to_y) = ends[:2]
+    return checked_vector((factor * (to_x - x), factor * (to_y - y)), "a velocity")
+
+
+def _point(position: Vector, before: Vector, after: Vector) -> Point:
+    x, y = checked_vector(position, "a point")
+    if math.dist(before, after) <= _SMOOTH * math.hypot(*after):
+        return Point(x, y, velocity=after)
+    corner = Point(x, y, velocity=before, corner=True, velocity_after=after)
+    return tied(corner, before, after) if holds(corner) else corner
