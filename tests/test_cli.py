@@ -119,8 +119,8 @@ def test_info_as_json(capsys):
         (Style("none", fill="#ffcc88", fill_opacity=0.5), "fill #ffcc88, 50% opaque"),
         (Style("none"), "none"),
         (
-            Style("#000000", 0.5, dash=(2.0, 1.0), opacity=0.25),
-            "stroke #000000, 0.5 mm, dashes 2 1; all 25% opaque",
+            Style("#000000", 0.5, dash=(2.0, 1.0), stroke_opacity=0.25),
+            "stroke #000000, 25% opaque, 0.5 mm, dashes 2 1",
         ),
     ],
 )

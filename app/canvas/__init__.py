@@ -10,7 +10,6 @@
   that are selected.  ``other_points_layer``: selected points of those that are edited with the active one.
 - ``grid_layer``, ``unit_layer``, ``guides_layer``: grid, unit and guides.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
-  ``group_sheets``: groups that are seen through.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other
   versions of the curve.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.

@@ -18,7 +18,6 @@ from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve.curve_view import CurveView, Polyline
-from .group_sheets import GroupSheets
 from .looks import Shape, is_plain, line_of, paint_shape
 
 CASING = 1.0
@@ -42,7 +41,6 @@ class EditedShapeLayer(Layer):
         super().__init__(plot)
         self._shape: Shape = ()
         self._line = RoundLine()
-        self.groups = GroupSheets(plot, lambda: self.update())  # noqa: PLW0108
         self.set_visible(False)
 
     def render(self, shape: Shape) -> None:
@@ -56,8 +54,7 @@ class EditedShapeLayer(Layer):
         """Draw the shape."""
         if self._shape:
             usual = _WIDTH * self.scale
-            print_shape = paint_shape if not self._shape[0].source.group_looks else self.groups.paint
-            print_shape(painter, self._shape, shown, self.theme, usual, self._line)
+            paint_shape(painter, self._shape, shown, self.theme, usual, self._line)
 
 
 class CurveLayer(Layer):

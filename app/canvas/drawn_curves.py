@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from itertools import compress
 from operator import is_not
 
@@ -14,7 +14,6 @@ from ..tools.pointer import Hit
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
-from .group_sheets import drawn_together
 from .line_finder import LineFinder, is_on_line
 from .looks import Shape, is_plain
 from .other_curves_layer import OtherCurvesLayer
@@ -90,7 +89,6 @@ class DrawnCurves:
             (style is other or (style.is_placed and other.is_placed))
             and new.source.visible is old.source.visible
             and new.source.shape == old.source.shape
-            and new.source.group_looks == old.source.group_looks
             # Under a drag there is a curve in every frame.
             and ((new.motion is not None and old.motion is not None) or is_faint(new) is is_faint(old))
         )
@@ -106,7 +104,7 @@ class DrawnCurves:
             for place in other
             if place not in selected and views[place].source.visible and views[place].has_curve
         ]
-        units = drawn_together(views)
+        units = list(shapes([view.source for view in views]))
         below, shape, above = self._in_order(views, units, active, selected)
         self.others.render_shapes(below, found)
         seen = ((place, views[place]) for place in other if views[place].source.visible)
@@ -120,12 +118,11 @@ class DrawnCurves:
         self.curve.set_covered(bool(above))
 
     def _in_order(
-        self, views: Sequence[CurveView], units: Iterable[range], active: int, selected: Collection[int]
+        self, views: Sequence[CurveView], units: Sequence[range], active: int, selected: Collection[int]
     ) -> tuple[dict[int, Shape], Shape, dict[int, Shape]]:
         """Return the shapes below the edited one, that where it is no plain line, and those over it.
 
-        Each stands at the place of its first curve; what is drawn together is one. With no edited
-        one, −1, all are below.
+        Each stands at the place of its first curve. With no edited one, −1, all are below.
         """
         below: dict[int, Shape] = {}
         above: dict[int, Shape] = {}

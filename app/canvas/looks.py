@@ -35,8 +35,6 @@ Shape = tuple[CurveView, ...]
 
 def is_plain(view: CurveView) -> bool:
     """Whether a curve is a line of the same width at every zoom: it has no looks but a colour."""
-    if view.source.group_looks:
-        return False
     style = view.source.style
     return style is PLAIN_STYLE or (
         style.width is None
@@ -45,7 +43,7 @@ def is_plain(view: CurveView) -> bool:
         and not style.dash
         and style.cap is LineCap.ROUND
         and style.join is LineJoin.ROUND
-        and style.stroke_opacity == style.opacity == 1.0
+        and style.stroke_opacity == 1.0
         and style.stroke_gradient is None
         and not style.clips
     )

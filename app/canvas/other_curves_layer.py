@@ -22,7 +22,6 @@ from ..view_model.curve.carried_views import common_way
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.look.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
-from .group_sheets import GroupSheets
 from .line_finder import LineFinder, pixels_of
 from .looks import Shape, is_plain, line_of, paint_shape
 from .sections import Section, loose_places, sections_of
@@ -85,7 +84,6 @@ class OtherCurvesLayer(Layer):
         self._next = QTimer(plot, singleShot=True, interval=0)
         self._next.timeout.connect(lambda: self.update())  # noqa: PLW0108
         self._finder = LineFinder()
-        self.groups = GroupSheets(plot, self._repaint)
         self.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
@@ -255,8 +253,7 @@ class OtherCurvesLayer(Layer):
                     self._paint_line(painter, stroke, view, shown)
             else:
                 usual = FAINT_WIDTH * self.scale
-                print_shape = paint_shape if not shape[0].source.group_looks else self.groups.paint
-                print_shape(painter, shape, shown, self.theme, usual, line)
+                paint_shape(painter, shape, shown, self.theme, usual, line)
 
     def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
         stroke.show(line_of(view, shown).points, shown)

@@ -152,8 +152,7 @@ def _style_text(style: Style, unit: str) -> str:
         dashes = f", dashes {' '.join(f'{each:g}' for each in style.dash)}" if style.dash else ""
         paint = _gradient_text(style.stroke_gradient) or style.stroke or "in ink"
         parts.insert(0, f"stroke {paint}{_opacity_text(style.stroke_opacity)}, {width}{dashes}")
-    whole = f"; all {style.opacity:.0%} opaque" if style.opacity < 1 else ""
-    return ("; ".join(parts) or NO_PAINT) + whole
+    return "; ".join(parts) or NO_PAINT
 
 
 def _gradient_text(gradient: Gradient | None) -> str:

@@ -23,7 +23,6 @@
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``layers``: groups that are layers; what is new comes into one.  ``layer_order``: theirs, with empty ones.
   ``empty_layer``: such a one.
-- ``group_look``: groups that are seen through.  ``group_opacity``: how much is seen of groups and shapes.
 - ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``paper``: documents that are drawn for paper.  ``readings``: how their coordinates are told.

@@ -184,7 +184,6 @@ def without_looks(curve: Curve) -> Curve:
         style=PLAIN_STYLE,
         shape="",
         groups=(),
-        group_looks=(),
         visible=True,
         locked=False,
     )

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from .fields import SHARE
 from .value import Value
 
 
@@ -19,12 +16,9 @@ class EmptyLayer(Value, frozen=True):
         Name of the layer that it is in, or empty.
     visible, locked
         Whether what is drawn is seen, and whether it is safe from that.
-    opacity
-        Of all that is drawn together.
     """
 
     name: str
     inside: str = ""
     visible: bool = True
     locked: bool = False
-    opacity: Annotated[float, SHARE] = 1.0

@@ -8,7 +8,6 @@ from itertools import takewhile
 from msgspec.structs import replace
 
 from .empty_layer import EmptyLayer
-from .group_look import opacity_of
 from .model import Curve, Document
 
 
@@ -66,8 +65,7 @@ def _left_empty(name: str, inside: str, before: Document | None) -> EmptyLayer:
     """Return what is known of a layer whose last curve has gone: it is seen and locked as that was."""
     curves = [curve for curve in before.curves if name in curve.groups] if before is not None else []
     visible = not curves or any(curve.visible for curve in curves)
-    opacity = opacity_of(curves[0].group_looks, name) if curves else 1.0
-    return EmptyLayer(name, inside, visible, bool(curves) and all(curve.locked for curve in curves), opacity)
+    return EmptyLayer(name, inside, visible, bool(curves) and all(curve.locked for curve in curves))
 
 
 def _is_in_itself(name: str, known: Mapping[str, EmptyLayer]) -> bool:

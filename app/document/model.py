@@ -14,7 +14,6 @@ from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, J
 from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, at_least, between, printed
-from .group_look import GroupLooks
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
@@ -201,8 +200,6 @@ class Curve(Value, frozen=True, dict=True):
         Name of the shape that it is a part of, or empty: see ``shapes``.
     groups
         Names of the groups that it is in, the outermost first.
-    group_looks
-        How those of them are drawn that are not drawn as usual.
     visible, locked
         Whether it is drawn, and whether it is safe from changes.
     settings
@@ -226,7 +223,6 @@ class Curve(Value, frozen=True, dict=True):
     locked: bool = False
     settings: ChosenSettings = NO_SETTINGS
     other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
-    group_looks: GroupLooks = ()
 
     def with_family(self, family: Family) -> Curve:
         """Return this curve with another family, and the settings that it had when it was of that one."""

@@ -15,8 +15,6 @@ from msgspec.structs import replace
 from .curve_edits import free_copy_name, with_each
 from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, layers_around, tree_of, whole_nodes
 from .edits import EditError
-from .group_look import opacity_of, with_names
-from .group_opacity import with_share
 from .layer_order import with_layer_named_anew
 from .model import Curve, Document
 from .selection import Choice
@@ -165,7 +163,6 @@ def combined(document: Document, curves: Collection[int], *, alternate: bool = F
         "style": style,
         "shape": name,
         "groups": parts[-1].groups,
-        "group_looks": parts[-1].group_looks,
         "visible": any(part.visible for part in parts),
         "locked": any(part.locked for part in parts),
     }
@@ -251,10 +248,7 @@ def ungrouped(document: Document, curves: Collection[int]) -> Document:
 
 
 def _without_group(curve: Curve, depth: int) -> Curve:
-    """Return a curve of a group that is taken apart; what is in it is seen as much as it was."""
-    curve = with_share(curve, depth + 1, opacity_of(curve.group_looks, curve.groups[depth]))
-    groups = (*curve.groups[:depth], *curve.groups[depth + 1 :])
-    return replace(curve, groups=groups)
+    return replace(curve, groups=(*curve.groups[:depth], *curve.groups[depth + 1 :]))
 
 
 def pressed(document: Document, curve: int, choice: Choice) -> frozenset[int]:
@@ -326,11 +320,7 @@ def named_anew(document: Document, node: Node, name: str) -> Document:
     return with_each(
         with_layer_named_anew(document, node.name, name),
         node.places,
-        lambda curve: replace(
-            curve,
-            groups=(*curve.groups[:at], name, *curve.groups[at + 1 :]),
-            group_looks=with_names(curve.group_looks, {node.name: name}),
-        ),
+        lambda curve: replace(curve, groups=(*curve.groups[:at], name, *curve.groups[at + 1 :])),
     )
 
 
@@ -348,12 +338,7 @@ def with_own_names(
             fresh[name] = free_copy_name(name, taken)
             taken.add(fresh[name])
     return [
-        replace(
-            curve,
-            shape=fresh[curve.shape],
-            groups=tuple(fresh[name] for name in curve.groups),
-            group_looks=with_names(curve.group_looks, fresh),
-        )
+        replace(curve, shape=fresh[curve.shape], groups=tuple(fresh[name] for name in curve.groups))
         if curve.shape or curve.groups
         else curve
         for curve in curves

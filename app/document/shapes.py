@@ -12,14 +12,12 @@ from operator import attrgetter, is_
 
 from msgspec.structs import replace
 
-from .empty_layer import EmptyLayer
-from .group_look import looks_of, with_names
 from .layer_order import with_tidy_layers
 from .model import Curve, Document
 from .steps import reshaped
 from .words import count_of
 
-SHARED = ("style", "groups", "group_looks", "visible", "locked")
+SHARED = ("style", "groups", "visible", "locked")
 """Values that all curves of a shape have in common."""
 
 _DEEPEST = 50
@@ -90,9 +88,9 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
         or (_layers(before) == _layers(document) and _look_the_same(before.curves, document.curves))
     ):
         return document
-    if not any(curve.shape or curve.groups or curve.group_looks for curve in document.curves):
+    if not any(curve.shape or curve.groups for curve in document.curves):
         return with_tidy_layers(document, before)
-    curves = _with_own_looks(_with_own_groups(_with_whole_shapes(document)), document.empty_layers)
+    curves = list(_with_own_groups(_with_whole_shapes(document)))
     if any(new is not old for new, old in zip(curves, document.curves, strict=True)):
         document = replace(document, curves=tuple(curves))
     return with_tidy_layers(document, before)
@@ -127,12 +125,12 @@ def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
     before: tuple[str, ...] = ()
     names: list[str] = []
     for curve in curves:
-        if not curve.groups and not curve.group_looks:
+        if not curve.groups:
             before, names = (), []
             yield curve
             continue
         groups = tuple(filter(None, curve.groups))[:_DEEPEST]
-        if groups == before == curve.groups == tuple(names) and not curve.group_looks:
+        if groups == before == curve.groups == tuple(names):
             yield curve
             continue
         names = names[: len(shared_start(groups, before))]
@@ -140,19 +138,7 @@ def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
             names.append(_free(name, used))
             used.add(names[-1])
         before = groups
-        looks = curve.group_looks and with_names(curve.group_looks, dict(zip(groups, names, strict=True)))
-        yield with_values(curve, {"groups": tuple(names), "group_looks": looks})
-
-
-def _with_own_looks(curves: Iterable[Curve], empty: Iterable[EmptyLayer]) -> list[Curve]:
-    """Return the curves, all of a group with the look that the first of them says, or that it had empty."""
-    curves = list(curves)
-    opacities = {each.name: each.opacity for each in empty if each.opacity < 1}
-    for look in (look for curve in curves for look in curve.group_looks):
-        opacities.setdefault(look.name, look.opacity)
-    if not opacities:
-        return curves
-    return [with_values(curve, {"group_looks": looks_of(curve.groups, opacities)}) for curve in curves]
+        yield with_values(curve, {"groups": tuple(names)})
 
 
 def shared_start(*groups: tuple[str, ...]) -> tuple[str, ...]:
@@ -199,6 +185,4 @@ def _problem_at(place: int, tidy: Sequence[Curve], bad: Curve) -> str:
     field = next(each for each in SHARED if getattr(good, each) != getattr(bad, each))
     if place and good.shape and good.shape == tidy[place - 1].shape:
         return f"{field} must be that of the curve before it, which is of the same shape"
-    if field == "group_looks":
-        return "group_looks must say of its groups that are seen through how much, as all curves in them do"
     return f"groups must name {_DEEPEST} groups at most, each of curves that follow each other"

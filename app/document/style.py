@@ -75,8 +75,6 @@ class Style(Value, frozen=True):
         Lengths of dashes and gaps in turn, and where the pattern begins, in multiples of the width.
     fill, fill_rule, fill_opacity
         Paint of the inside; an open curve is closed for it by a straight line.
-    opacity
-        Of stroke and fill together.
     fill_gradient, stroke_gradient
         What paints in place of the colour, which stands for it where there are no gradients.
     clips
@@ -94,7 +92,6 @@ class Style(Value, frozen=True):
     fill: Annotated[str, _PAINT, "Fill"] = NO_PAINT
     fill_rule: Annotated[FillRule, "Fill rule"] = FillRule.NONZERO
     fill_opacity: Annotated[float, SHARE, "Fill opacity"] = 1.0
-    opacity: Annotated[float, SHARE, "Opacity"] = 1.0
     fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
     stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
     clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
@@ -159,7 +156,7 @@ class Style(Value, frozen=True):
             (self.has_stroke, self.stroke_gradient, self.stroke_opacity),
         ]
         return any(
-            opacity * self.opacity * min(stop.opacity for stop in gradient.stops) < 1
+            opacity * min(stop.opacity for stop in gradient.stops) < 1
             for is_painted, gradient, opacity in painted
             if is_painted and gradient is not None and not gradient.is_flat
         )

@@ -13,7 +13,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document.group_look import GroupLooks
 from ..document.limits import EditError
 from ..document.model import (
     MAX_MAGNITUDE,
@@ -121,7 +120,6 @@ class Look:
     groups: tuple[str, ...] = ()
     visible: bool = True
     locked: bool = False
-    group_looks: GroupLooks = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,7 +227,6 @@ def _made(
         style=look.style,
         shape=look.shape,
         groups=look.groups,
-        group_looks=look.group_looks,
         visible=look.visible,
         locked=look.locked,
     )

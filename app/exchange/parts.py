@@ -152,16 +152,6 @@ def said_of_paints(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
     return tuple(sentence for each in said for sentence in each(named))
 
 
-def said_of_groups(document: Document) -> tuple[str, ...]:
-    """Return what a format has to say that knows no groups which are seen through as a whole."""
-    looks = (look for curve in document.curves if curve.visible for look in curve.group_looks)
-    names = list(dict.fromkeys(f"“{look.name}”" for look in looks))
-    if not names:
-        return ()
-    verb = "is" if len(names) == 1 else "are"
-    return (f"{names_of(names)} {verb} seen through as a whole; what is in it is, each by itself.",)
-
-
 def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
     names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.clips))
     if not names:

@@ -37,7 +37,7 @@ def _of_line(style: Style, width: float) -> list[str]:
 
 
 def _opacities(style: Style) -> list[str]:
-    shares = {"draw": style.stroke_opacity * style.opacity, "fill": style.fill_opacity * style.opacity}
+    shares = {"draw": style.stroke_opacity, "fill": style.fill_opacity}
     shown = {"draw": style.has_stroke, "fill": style.has_fill}
     return [f"{name} opacity={share:.4g}" for name, share in shares.items() if shown[name] and share < 1]
 

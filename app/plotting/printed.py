@@ -17,7 +17,6 @@ from ..qt.clips import clipped
 from ..qt.gradients import brush_of
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
-from .pictures import transparent
 from .pixel_map import PixelMap
 from .rings import ring_within
 from .wide_line import RoundLine
@@ -81,9 +80,6 @@ def paint_printed(
         with clipped(painter, style.clips, way, QRectF(0, 0, shown.width, shown.height)):
             paint_printed(painter, parts, whole, ink, shown, line)
         return
-    if style.opacity < 1.0 and style.has_stroke and style.has_fill:
-        _paint_together(painter, parts, style, ink, shown)
-        return
     is_lined = style.has_stroke and ink.width > 0
     path = _whole_path(parts, shown)
     if style.has_fill:
@@ -95,20 +91,6 @@ def paint_printed(
 def to_pixels(shown: PixelMap) -> QTransform:
     """Return the way from the plane to pixels."""
     return QTransform(shown.sx, 0, 0, -shown.sy, -shown.x0 * shown.sx, shown.y0 * shown.sy)
-
-
-def _paint_together(
-    painter: QPainter, parts: Sequence[Part], style: Style, ink: Ink, shown: PixelMap
-) -> None:
-    """Paint fill and line as one thing that can be looked through."""
-    picture = transparent(shown.width, shown.height, painter.device().devicePixelRatioF())
-    with QPainter(picture) as inner:
-        inner.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_printed(inner, parts, msgspec.structs.replace(style, opacity=1.0), ink, shown)
-    before = painter.opacity()
-    painter.setOpacity(before * style.opacity)
-    painter.drawPixmap(QRectF(0, 0, shown.width, shown.height), picture, QRectF(picture.rect()))
-    painter.setOpacity(before)
 
 
 def _smoothly(painter: QPainter, gradient: Gradient | None) -> None:
@@ -155,12 +137,11 @@ def _fill(
 ) -> None:
     area = _area(parts, shown) if whole is None else whole
     area.setFillRule(FILL_RULES[style.fill_rule])
-    opacity = style.fill_opacity * style.opacity
     if style.fill_gradient is None:
-        painter.fillPath(area, with_opacity(ink.fill, opacity))
+        painter.fillPath(area, with_opacity(ink.fill, style.fill_opacity))
     else:
         _smoothly(painter, style.fill_gradient)
-        painter.fillPath(area, _brush(style.fill_gradient, ink, opacity, shown))
+        painter.fillPath(area, _brush(style.fill_gradient, ink, style.fill_opacity, shown))
 
 
 def _area(parts: Sequence[Part], shown: PixelMap) -> QPainterPath:
@@ -227,7 +208,7 @@ def _line(parts: Sequence[Part], shown: PixelMap, reach: float) -> QPainterPath:
 def _pen(style: Style, ink: Ink, shown: PixelMap) -> QPen:
     """Return the pen of a line; where its dashes are too short to be seen it is paler in place of them."""
     width = min(ink.width, _WIDEST)
-    opacity = style.stroke_opacity * style.opacity
+    opacity = style.stroke_opacity
     is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
     if style.dash and not is_dashed:
         opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)

@@ -101,6 +101,25 @@ def _is_set(word: object) -> bool:
     return word != "none"
 
 
+def _fade(style: Values, share: object) -> None:
+    """Multiply the opacities of stroke and fill; what is no number is left for the decoder to refuse."""
+    for name in ("stroke_opacity", "fill_opacity"):
+        opacity = style.get(name, 1.0)
+        is_known = isinstance(share, (int, float)) and isinstance(opacity, (int, float))
+        style[name] = round(share * opacity, 6) if is_known else share
+
+
+def _fade_with_groups(curve: Values, looks: object) -> None:
+    style = curve.setdefault("style", {})
+    for look in _dicts(looks):
+        if isinstance(style, dict):
+            _fade(style, look.get("opacity", 1.0))
+
+
+def _is_clear(look: object) -> bool:
+    return isinstance(look, dict) and look.get("opacity", 1.0) != 1.0
+
+
 def _begins_text(line: object) -> bool:
     return not (isinstance(line, dict) and line.get("follows"))
 
@@ -126,6 +145,16 @@ DROPPED: list[Dropped] = [
     ),
     Dropped(Place.STYLE, "blur", "blur"),
     Dropped(Place.STYLE, "masks", "mask", is_shared=True),
+    Dropped(Place.STYLE, "opacity", mend=_fade),
+    Dropped(
+        Place.CURVE,
+        "group_looks",
+        "opacity of a group",
+        "opacities of groups",
+        is_loss=_is_clear,
+        is_shared=True,
+        mend=_fade_with_groups,
+    ),
 ]
 """The fields of version 2 that version 3 does not have."""
 

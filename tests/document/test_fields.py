@@ -12,7 +12,6 @@ from app.document.clip import Clip, ring_of
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
 from app.document.gradient import Gradient, Stop, Tile
-from app.document.group_look import GroupLook
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import GRADIENTS, Style
@@ -48,7 +47,6 @@ FULL_CURVE = replace(
         clips=(CLIP,),
     ),
     groups=("Group 1",),
-    group_looks=(GroupLook("Group 1", 0.5),),
 )
 
 FULL = Document(
@@ -57,7 +55,7 @@ FULL = Document(
     guides=(Guide(Axis.X, 1.0),),
     page=Page(0.0, 0.0, 1.0, 1.0),
     layers=("Layer 1",),
-    empty_layers=(EmptyLayer("Layer 1", opacity=0.5),),
+    empty_layers=(EmptyLayer("Layer 1"),),
 )
 """A number wherever a document may have one."""
 
@@ -135,15 +133,14 @@ def test_every_length_goes_with_the_unit():
         for way in NUMBERS
         if value_at(FULL, way) and value_at(twice, way) != 2.0 * value_at(FULL, way)
     }
-    of_styles = {"miter_limit", "dash", "stroke_opacity", "fill_opacity", "opacity"}
+    of_styles = {"miter_limit", "dash", "stroke_opacity", "fill_opacity"}
     of_stops = {"offset", "opacity"}
     of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
     # Between start, end and side of the pattern, which go with the unit.
     of_styles |= {f"{name}.tile.view" for name in GRADIENTS.values()}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
-    of_curves.add("group_looks.opacity")
     of_curves |= {f"style.{name}" for name in of_styles}
-    assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity", "empty_layers.opacity"}
+    assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity"}
 
 
 def test_every_field_of_a_style_has_words():

@@ -139,7 +139,7 @@ def test_what_was_written_is_read_as_the_same_curves(path):
         assert [point.position for point in new.points] == [near(p.position, rel=1e-12) for p in old.points]
         assert new.style.width == (None if old.style.width is None else near(old.style.width))
         assert new.style.dash == near(old.style.dash)
-        for field in ("stroke", "fill", "cap", "fill_rule", "opacity", "fill_opacity", "stroke_opacity"):
+        for field in ("stroke", "fill", "cap", "fill_rule", "fill_opacity", "stroke_opacity"):
             if old.style.has_stroke or field not in ("cap",):
                 assert getattr(new.style, field) == getattr(old.style, field), (old.name, field)
 

@@ -32,7 +32,7 @@ def test_a_plain_line_is_as_it_was():
 def test_all_of_a_style_is_written_at_true_size():
     style = Style(
         stroke="#0000ff", width=0.5, cap=LineCap.SQUARE, join=LineJoin.MITER, dash=(2.0,), dash_offset=1.0,
-        stroke_opacity=0.5, fill="#00ff00", fill_rule=FillRule.EVENODD, opacity=0.5,
+        stroke_opacity=0.25, fill="#00ff00", fill_rule=FillRule.EVENODD, fill_opacity=0.5,
     )  # fmt: skip
     text = tikz_picture(drawn(style), Options(unit="cm")).text
     assert options_of(text) == (

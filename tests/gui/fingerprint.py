@@ -41,8 +41,6 @@ PASSING = {
         "Cardinals._key",
         "Cardinal.growth",
         "FunctionLines._shown",
-        "GroupSheets._kept",
-        "GroupSheets.painted",
     ),
     *(
         "PixelMap._known_rows",

@@ -26,7 +26,6 @@ STYLES = {
     "dashes": Style(stroke="#d55e00", width=0.3, cap=LineCap.BUTT, dash=(2.0, 1.0)),
     "dots": Style(stroke="#d55e00", width=0.3, dash=(0.0, 2.0), dash_offset=0.5),
     "both": Style(stroke="#d55e00", width=0.3, fill="#f0e442"),
-    "through": Style(stroke="#d55e00", width=0.5, fill="#f0e442", opacity=0.5),
     "apart": Style(stroke="#d55e00", width=0.5, fill="#0072b2", stroke_opacity=0.5, fill_opacity=0.7),
     "even-odd": Style(stroke="none", fill="#009e73", fill_rule=FillRule.EVENODD),
     "nonzero": Style(stroke="none", fill="#009e73"),

@@ -25,7 +25,6 @@ STYLE = Style(
     fill="none",
     fill_rule=FillRule.EVENODD,
     fill_opacity=0.5,
-    opacity=0.75,
 )
 
 
@@ -52,7 +51,7 @@ def test_everything_comes_back():
 
 def test_defaults_are_left_out_however_they_were_computed():
     plain = make_curve([(0.0, 0.0), (1.0, 1.0)])
-    computed = replace(plain, style=Style(opacity=float("1"), miter_limit=float("4")))
+    computed = replace(plain, style=Style(fill_opacity=float("1"), miter_limit=float("4")))
     written = encode(Document((computed,), grid_spacing=float("0")))
     assert written == encode(Document((plain,)))
     assert json.loads(written)["curves"][0].keys() == {"name", "family", "parametrization", "points"}
@@ -76,7 +75,7 @@ def test_a_colour_of_version_1_is_that_of_the_stroke():
         ({"stroke": "red"}, '.stroke must be written as "#rrggbb" in lower case, or "none", not "red"'),
         ({"fill": "#FFFFFF"}, '.fill must be written as "#rrggbb" in lower case, or "none", not "#FFFFFF"'),
         ({"width": -1.0}, ".width must be 0 or greater, not -1.0"),
-        ({"opacity": 1.5}, ".opacity must lie between 0 and 1, not 1.5"),
+        ({"stroke_opacity": 1.5}, ".stroke_opacity must lie between 0 and 1, not 1.5"),
         ({"fill_opacity": -0.5}, ".fill_opacity must lie between 0 and 1, not -0.5"),
         ({"miter_limit": 0.5}, ".miter_limit must be 1 or greater, not 0.5"),
         ({"dash": (1.0, -1.0)}, ".dash[1] must be 0 or greater, not -1.0"),

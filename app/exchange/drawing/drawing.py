@@ -310,5 +310,4 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.visible,
         curve.locked,
         letters_of(curve, path.control_points),
-        curve.group_looks,
     )

@@ -11,7 +11,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.group_look import GroupLooks
 from ...document.style import PLAIN_STYLE, Style
 
 
@@ -36,8 +35,6 @@ class Outline(msgspec.Struct, frozen=True):
         As in `Curve`.
     letters
         Of what kind each point is; see ``node_types``. None where pieces do not end at points.
-    group_looks
-        As in `Curve`.
     """
 
     name: str
@@ -51,7 +48,6 @@ class Outline(msgspec.Struct, frozen=True):
     visible: bool = True
     locked: bool = False
     letters: str = ""
-    group_looks: GroupLooks = ()
 
     @property
     def colour(self) -> str:

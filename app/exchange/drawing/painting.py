@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable
 
 from msgspec.structs import replace
-from PySide6.QtCore import QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import (
     QBrush,
     QColor,
@@ -19,16 +18,14 @@ from PySide6.QtGui import (
 )
 
 from ...document.gradient import Gradient
-from ...document.group_look import GroupLook
 from ...document.style import Style
 from ...qt.clips import clipped
 from ...qt.gradients import brush_of
-from ...qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
+from ...qt.strokes import FILL_RULES, pen_of, with_opacity
 from ...tasks.progress import Report, told
 from .annotation_painting import paint_annotations, paint_points
-from .devices import do_any_meet, has_alpha, is_raster
+from .devices import has_alpha, is_raster
 from .drawing import Drawing
-from .grouped import units_of
 from .outlines import Outline, length_within
 from .styles import PictureStyle
 
@@ -38,11 +35,6 @@ _MOST_DASHES = 100_000
 
 _PICTURE = QImage.Format.Format_ARGB32_Premultiplied
 _SMOOTHLY = QPainter.RenderHint.SmoothPixmapTransform | QPainter.RenderHint.LosslessImageRendering
-
-_MOST_PIXELS = 16_000_000
-
-_GROUP_DPI = 300
-"""Dots an inch of a group that is a picture in a PDF."""
 
 FINEST = 1000
 """Pixels along the longer side of a gradient that goes into a PDF as a picture."""
@@ -77,62 +69,14 @@ class Painting:
         if self._style.paper:
             self._painter.fillRect(self._frame, QColor(self._style.paper))
         paint_annotations(self._painter, self._drawing, self._style, "grid")
-        for look, run in told(units_of(self._drawing.shapes, 0), report, "Painting"):
-            self._paint_unit(look, run, 0)
+        for shape in told(self._drawing.shapes, report, "Painting"):
+            self._paint_shape(shape)
         paint_annotations(self._painter, self._drawing, self._style, "handles")
         if points:
             paint_points(self._painter, self._drawing, self._style)
         paint_annotations(self._painter, self._drawing, self._style, "basis")
 
     # Shapes
-
-    def _paint_unit(self, look: GroupLook | None, shapes: Sequence[tuple[Outline, ...]], depth: int) -> None:
-        """Paint a shape, or a group that is seen through, as a whole, in so many others."""
-        if look is None:
-            self._paint_shape(shapes[0])
-        elif look.opacity > 0:
-            self._paint_group(shapes, look.opacity, depth + 1)
-
-    def _paint_group(self, shapes: Sequence[tuple[Outline, ...]], opacity: float, depth: int) -> None:
-        """Paint what is in a group as a picture, which all formats have; what is by itself as such.
-
-        A PDF of Qt's (6.11) has no groups.
-        """
-        painter = self._painter
-        boxes = [self._reach(shape) for shape in shapes]
-        if not is_raster(painter) and not do_any_meet(boxes):
-            for shape in shapes:
-                share = opacity * math.prod(each.opacity for each in shape[0].group_looks[depth:])
-                style = replace(shape[0].style, opacity=shape[0].style.opacity * share)
-                self._paint_shape(tuple(replace(each, style=style) for each in shape))
-            return
-        place = QRectF()
-        for box in boxes:
-            place = place.united(box.intersected(self._frame))
-        if place.isEmpty():
-            return
-        fine = 1.0 if is_raster(painter) else _GROUP_DPI / 72
-        place = QRectF(QRectF(place).toAlignedRect())
-
-        def paint(inner: QPainter) -> None:
-            within = Painting(self._drawing, inner, self._style)
-            for look, run in units_of(shapes, depth):
-                within._paint_unit(look, run, depth)
-
-        picture = _beside(painter, place, fine, paint)
-        painter.save()
-        painter.setOpacity(opacity)
-        painter.setRenderHints(_SMOOTHLY)
-        painter.drawImage(place, picture)
-        painter.restore()
-
-    def _reach(self, shape: tuple[Outline, ...]) -> QRectF:
-        """Return a box that a shape does not leave."""
-        style = shape[0].style
-        pen = self._pen(style, 0.0)
-        box = self._path(shape).controlPointRect()
-        reach = 1 + (overhang_of(pen) if pen is not None else 0.0)
-        return box.adjusted(-reach, -reach, reach, reach)
 
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
         if clips := shape[0].style.clips:
@@ -142,23 +86,9 @@ class Painting:
                 self._paint_shape((whole, *shape[1:]))
             return
         style, path = shape[0].style, self._path(shape)
-        is_together = style.opacity < 1 and style.has_fill and style.has_stroke
-        if is_raster(self._painter) and is_together:
-            self._paint_layer(path, replace(style, opacity=1.0), length_within(shape), style.opacity)
-            return
         pen = self._pen(style, length_within(shape))
         brush = self._brush(style) if style.has_fill else None
-        if is_together and pen is not None:
-            self._paint_apart(path, pen, brush)
-            return
         self._fill_and_stroke(self._painter, path, pen, brush)
-
-    def _paint_apart(self, path: QPainterPath, pen: QPen, brush: QBrush | QColor | None) -> None:
-        """Paint fill and stroke as outlines that do not overlap: both have one opacity."""
-        painter, line = self._painter, QPainterPathStroker(pen).createStroke(path)
-        if brush is not None:
-            self._fill(painter, path.subtracted(line), brush)
-        self._fill(painter, line, pen.brush())
 
     def _fill_and_stroke(
         self,
@@ -201,42 +131,6 @@ class Painting:
         painter.drawImage(place, picture)
         painter.restore()
 
-    def _paint_layer(self, path: QPainterPath, style: Style, length: float, opacity: float) -> None:
-        """Paint stroke and fill so that nothing of the fill is seen through the stroke."""
-        painter, pen = self._painter, self._pen(style, length)
-        place = self._bounds(path, pen or QPen(Qt.PenStyle.NoPen))
-        if not place.isEmpty():
-            brush = self._brush(style) if style.has_fill else None
-            painter.save()
-            painter.setOpacity(opacity)
-            painter.drawImage(place.topLeft(), self._layer(place, path, pen, brush, style))
-            painter.restore()
-
-    def _bounds(self, path: QPainterPath, pen: QPen) -> QRect:
-        """Return the pixels of the device that a shape can reach."""
-        reach = 1 + overhang_of(pen)
-        within = QRectF(0, 0, math.ceil(self._frame.width()), math.ceil(self._height))
-        return (
-            path.controlPointRect().adjusted(-reach, -reach, reach, reach).intersected(within).toAlignedRect()
-        )
-
-    def _layer(
-        self,
-        place: QRect,
-        path: QPainterPath,
-        pen: QPen | None,
-        brush: QBrush | QColor | None,
-        style: Style,
-    ) -> QImage:
-        """Return a picture of one shape in a part of the device."""
-        layer = QImage(place.size(), _PICTURE)
-        layer.fill(Qt.GlobalColor.transparent)
-        with QPainter(layer) as painter:
-            painter.setRenderHints(self._painter.renderHints())
-            painter.translate(-place.topLeft())
-            self._fill_and_stroke(painter, path, pen, brush)
-        return layer
-
     def _path(self, shape: Iterable[Outline]) -> QPainterPath:
         path = QPainterPath()
         for outline in shape:
@@ -254,33 +148,18 @@ class Painting:
         # A pen of no width would be one of a pixel.
         if not style.has_stroke or width <= 0:
             return None
-        colour = with_opacity(QColor(self._style.stroke_of(style)), style.stroke_opacity * style.opacity)
+        colour = with_opacity(QColor(self._style.stroke_of(style)), style.stroke_opacity)
         is_dashed = length <= _MOST_DASHES * sum(style.dash) * width
         pen = pen_of(style, colour, width, is_dashed=is_dashed)
         if style.stroke_gradient is not None:
-            pen.setBrush(self._served(style.stroke_gradient, style.stroke_opacity * style.opacity))
+            pen.setBrush(self._served(style.stroke_gradient, style.stroke_opacity))
         return pen
 
     def _brush(self, style: Style) -> QBrush | QColor:
-        # A painter's own opacity is nothing to the gradients of a PDF.
-        opacity = style.fill_opacity * style.opacity
         if style.fill_gradient is not None:
-            return self._served(style.fill_gradient, opacity)
-        return with_opacity(QColor(self._style.fill_of(style)), opacity)
+            return self._served(style.fill_gradient, style.fill_opacity)
+        return with_opacity(QColor(self._style.fill_of(style)), style.fill_opacity)
 
     def _served(self, gradient: Gradient, opacity: float) -> QBrush | QColor:
         ink = QColor(self._style.ink)
         return brush_of(gradient, ink, opacity, lambda place: (place[0], self._height - place[1]))
-
-
-def _beside(painter: QPainter, place: QRectF, fine: float, paint: Callable[[QPainter], None]) -> QImage:
-    """Return a picture of a place in the units of a painter, with so many pixels to each or fewer."""
-    fine *= min(1.0, math.sqrt(_MOST_PIXELS / (place.width() * place.height() * fine * fine)))
-    picture = QImage((place.size() * fine).toSize().expandedTo(QSize(1, 1)), _PICTURE)
-    picture.fill(Qt.GlobalColor.transparent)
-    with QPainter(picture) as inner:
-        inner.setRenderHints(painter.renderHints() | QPainter.RenderHint.Antialiasing)
-        inner.scale(picture.width() / place.width(), picture.height() / place.height())
-        inner.translate(-place.topLeft())
-        paint(inner)
-    return picture

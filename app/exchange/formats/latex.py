@@ -10,7 +10,6 @@ import numpy as np
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
-from ...document.group_opacity import without_groups_seen_through as by_itself
 from ...document.model import Document
 from ...tasks.progress import part, told
 from ...view_model.curve.curve_view import ParametricCurve
@@ -27,7 +26,6 @@ from ..parts import (
     beziers_of,
     measured,
     one_line,
-    said_of_groups,
     said_of_paints,
     sources_of,
 )
@@ -86,7 +84,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     ExchangeError
         If nothing can be drawn, or if TeX counts no lengths as large or as small.
     """
-    drawing = drawing_of(by_itself(document), options.tolerance, part(options.report, 0.0, 0.7))
+    drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     frame, known = drawing.frame, known_unit(options.unit)
     scale = MILLIMETRES[known] / 10 if known else PICTURE_SIDE / frame.side
     if not _LEAST_SIDE <= frame.side * scale <= _LARGEST_SIDE:
@@ -102,7 +100,6 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
     remarks = drawing.remarks + said_of_paints((each.name, each.style) for each in drawing.outlines)
-    remarks += said_of_groups(document)
     return _picture(lines, deviation, remarks, "tikz")
 
 
@@ -116,7 +113,7 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
     ExchangeError
         If nothing can be drawn.
     """
-    drawing = drawing_of(by_itself(document), options.tolerance, part(options.report, 0.0, 0.7))
+    drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
     for shape in told(drawing.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"    % {one_line(shape[0].shape or shape[0].name)}")
@@ -125,8 +122,7 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
         marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in points)
         lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
     lines.append("  \\end{axis}")
-    remarks = drawing.remarks + said_of_groups(document)
-    return _picture(lines, drawing.deviation, remarks, "pgfplots")
+    return _picture(lines, drawing.deviation, drawing.remarks, "pgfplots")
 
 
 # Formulas

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import xml.etree.ElementTree as ET
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from msgspec import structs
-
 from ...document.empty_layer import EmptyLayer
-from ...document.group_look import looks_of
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
 from ..naming import Names
@@ -60,30 +56,6 @@ def with_line(drawn: Drawn) -> Drawn:
     return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))
 
 
-def without_lone_groups(drawn: Sequence[Drawn]) -> list[Drawn]:
-    """Return paths with the opacities of those groups around them that no document has: see `settled`."""
-    if not any(group.opacity < 1 for each in drawn for group in each.groups):
-        return list(drawn)
-    held = _held(drawn)
-    lone = {group for group in held if group.opacity < 1 and not _is_one(group, held[group])}
-    return [_seen_through(each, lone) if not lone.isdisjoint(each.groups) else each for each in drawn]
-
-
-def _seen_through(drawn: Drawn, lone: Collection[Group]) -> Drawn:
-    """Return a path on which the opacity of some of its groups is put, as that of what is around it."""
-    share = math.prod(group.opacity for group in drawn.groups if group in lone)
-    look, around = drawn.path.look, drawn.anchor.around
-    style = structs.replace(look.style, opacity=round(look.style.opacity * share, 6))
-    outer = math.prod(group.opacity for group in around.groups if group in lone)
-    properties = replace(around.properties, opacity=around.properties.opacity * outer)
-    return replace(
-        drawn,
-        path=replace(drawn.path, look=replace(look, style=style)),
-        groups=tuple(replace(each, opacity=1.0) if each in lone else each for each in drawn.groups),
-        anchor=replace(drawn.anchor, around=replace(around, properties=properties)),
-    )
-
-
 def _held(drawn: Sequence[Drawn]) -> dict[Group, set[int]]:
     """Return which elements are in each group."""
     held: dict[Group, set[int]] = {}
@@ -113,7 +85,7 @@ def settled(drawn: Sequence[Drawn], layers: Sequence[tuple[Group, ...]] = ()) ->
     each with those around it.
     """
     held = _held(drawn)
-    kept = {group for group, elements in held.items() if _is_one(group, elements) or group.opacity < 1}
+    kept = {group for group, elements in held.items() if _is_one(group, elements)}
     names = _Given()
     paths = [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
     empty = tuple(names.empty(each) for each in layers if each[-1] not in held)
@@ -137,15 +109,12 @@ class _Given:
         """Return a layer without paths, the last of those within each other."""
         *around, own = self._chain(layers)
         last = layers[-1]
-        return EmptyLayer(own, around[-1] if around else "", last.visible, last.locked, last.opacity)
+        return EmptyLayer(own, around[-1] if around else "", last.visible, last.locked)
 
     def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
         """Return a path with names of its groups, and one of its shape, that no others have."""
         chain = self._chain(groups)
-        opacities = {name: group.opacity for name, group in zip(chain, groups, strict=True)}
-        look = replace(
-            drawn.path.look, shape=self._shape(drawn), groups=chain, group_looks=looks_of(chain, opacities)
-        )
+        look = replace(drawn.path.look, shape=self._shape(drawn), groups=chain)
         return replace(drawn.path, look=look)
 
     def _shape(self, drawn: Drawn) -> str:

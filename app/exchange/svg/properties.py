@@ -23,6 +23,7 @@ _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _COVERED = Flaw("its fill covers its line", "its line covers its fill")
+_TRANSPARENT = Flaw("its fill and line are transparent as a whole", "each of them is")
 _MARKED = Flaw("it has markers", "it comes in without them")
 _Kind = TypeVar("_Kind", bound=Enum)
 
@@ -36,7 +37,7 @@ class Properties:
     values
         The properties of `INHERITED`.
     opacity
-        Its own, and that of all around it up to the next group, which is seen through as a whole.
+        Its own times that of all around it.
     is_displayed
         Whether neither it nor a group around it is `display: none`.
     """
@@ -55,11 +56,6 @@ class Properties:
             self.opacity * share_of(declared.get("opacity", "1")),
             self.is_displayed and declared.get("display") != "none",
         )
-
-    @property
-    def share(self) -> float:
-        """The opacity without the noise of its last digits."""
-        return _rounded(self.opacity)
 
     def _computed(self, name: str, value: str) -> str:
         word = value.lower()
@@ -110,22 +106,24 @@ class StyleReader:
         is_both = "none" not in (fill.colour, stroke.colour)
         if is_both and _has_fill_above(values["paint-order"]):
             flaws.append(_COVERED)
+        if is_both and properties.opacity < 1:
+            flaws.append(_TRANSPARENT)
         style = Style(
             stroke=stroke.colour,
             fill=fill.colour,
             fill_rule=_one_of(FillRule, values["fill-rule"], FillRule.NONZERO),
-            fill_opacity=_rounded(fill.opacity * share_of(values["fill-opacity"])),
-            opacity=properties.share,
+            fill_opacity=_opacity(fill, properties, "fill-opacity"),
             fill_gradient=fill.gradient,
         )
         if stroke.colour == "none":
             return style, tuple(flaws)
-        return _with_stroke(style, values, stroke, width, scale, viewport), tuple(flaws)
+        return _with_stroke(style, properties, stroke, width, scale, viewport), tuple(flaws)
 
 
 def _with_stroke(
-    style: Style, values: Mapping[str, str], stroke: Paint, width: float, scale: float, viewport: Viewport
+    style: Style, properties: Properties, stroke: Paint, width: float, scale: float, viewport: Viewport
 ) -> Style:
+    values = properties.values
     dash = tuple(each * scale / width for each in _dashes(values["stroke-dasharray"], viewport))
     offset = _length(values, "stroke-dashoffset", viewport) * scale / width if dash else 0.0
     if max((abs(each) for each in (*dash, offset)), default=0.0) > MAX_MAGNITUDE:
@@ -138,7 +136,7 @@ def _with_stroke(
         miter_limit=_miter_limit(values["stroke-miterlimit"]),
         dash=dash,
         dash_offset=offset,
-        stroke_opacity=_rounded(stroke.opacity * share_of(values["stroke-opacity"])),
+        stroke_opacity=_opacity(stroke, properties, "stroke-opacity"),
         stroke_gradient=stroke.gradient,
     )
 
@@ -186,6 +184,8 @@ def _one_of(kind: type[_Kind], text: str, default: _Kind) -> _Kind:
     return next((each for each in kind if each.value == text.strip().lower()), default)
 
 
-def _rounded(opacity: float) -> float:
-    """Return a product of opacities without the noise of its last digits."""
-    return round(opacity, 6)
+def _opacity(paint: Paint, properties: Properties, name: str) -> float:
+    """Return the product of all opacities of a paint, without the noise of its last digits."""
+    if paint.colour == "none":
+        return 1.0
+    return round(properties.opacity * paint.opacity * share_of(properties.values[name]), 6)

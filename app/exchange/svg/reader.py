@@ -26,7 +26,7 @@ from .clips import Clips
 from .elements import Elements
 from .flaw import Flaw
 from .gradients import Ground
-from .groups import Drawn, Settled, is_seen, settled, with_line, without_lone_groups
+from .groups import Drawn, Settled, is_seen, settled, with_line
 from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
@@ -144,7 +144,7 @@ class SvgReader:
     def drawn(self) -> list[Drawn]:
         """Return all paths of the file, painted or not."""
         state = State(self.sheet.matrix, self.sheet.viewport)
-        return without_lone_groups(list(self._drawn(self._root, state, depth=0)))
+        return list(self._drawn(self._root, state, depth=0))
 
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
@@ -214,13 +214,11 @@ class SvgReader:
         self, element: ET.Element, tag: str, state: State, depth: int, anchor: Anchor | None
     ) -> Iterator[Drawn]:
         name, state = state.copied or name_of(element), replace(state, copied="")
-        share = state.properties.share
-        if tag == "g" or (depth > 0 and (name or share < 1)):
+        if tag == "g" or (depth > 0 and name):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
             visible = state.properties.is_displayed
-            group = Group(self._visited, name, is_layer, visible, state.is_locked, anchor, share)
-            inside = replace(state.properties, opacity=1.0)
-            state = replace(state, groups=(*state.groups, group), properties=inside)
+            group = Group(self._visited, name, is_layer, visible, state.is_locked, anchor)
+            state = replace(state, groups=(*state.groups, group))
             if is_layer:
                 self.layers.append(state.groups)
         if tag == "svg" and depth > 0:
@@ -348,6 +346,6 @@ class SvgReader:
         found = effects_on(declared)
         if not self._clips.is_known(declared, state, has_box=tag_of(element) in SHAPES):
             found.append(_CLIPPED)
-        if element is self._root and is_many and share_of(declared.get("opacity", "1")) < 1:
+        if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
         self._missing.note(element, *found)

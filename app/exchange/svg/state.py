@@ -69,8 +69,6 @@ class Group:
         What it says of a layer in which there is nothing.
     anchor
         What it is in the file.
-    opacity
-        Of all that is in it together.
     """
 
     number: int
@@ -79,7 +77,6 @@ class Group:
     visible: bool = True
     locked: bool = False
     anchor: Anchor | None = field(default=None, compare=False)
-    opacity: float = field(default=1.0, compare=False)
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,8 +22,6 @@ def style_attributes(
     paints = {name: served.get(GRADIENTS[name], colour) for name, colour in flat.items()}
     pairs = [("fill", paints["fill"] if style.has_fill else NO_PAINT), *_of_fill(style)]
     pairs += _of_stroke(style, paints["stroke"], usual_width)
-    if style.opacity < 1:
-        pairs.append(("opacity", number(style.opacity)))
     return "".join(f' {name}="{value}"' for name, value in pairs)
 
 

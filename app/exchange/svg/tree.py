@@ -55,9 +55,6 @@ class Tree:
         for outline in (each for shape in shapes for each in shape):
             for name in self._layers_of(outline):
                 self._layers[name].add(outline)
-        looks = (look for shape in shapes for look in shape[0].group_looks)
-        self._opacities = {look.name: look.opacity for look in looks}
-        self._opacities |= {each.name: each.opacity for each in self._empty if each.opacity < 1}
         self._open: tuple[str, ...] = ()
         self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
@@ -141,7 +138,7 @@ class Tree:
             tag += _LOCKED
         if state.is_hidden and not any(each.is_hidden for each in around):
             tag += ' style="display:none"'
-        return f"{tag}{self._clear(name)}>"
+        return f"{tag}>"
 
     def _layers_of(self, outline: Outline) -> Iterator[str]:
         return takewhile(self._layers.__contains__, outline.groups)
@@ -150,11 +147,7 @@ class Tree:
         self.lines.append("  " * (len(self._open) + 1) + element)
 
     def _group(self, name: str) -> str:
-        return _named(name, self._ids.different(stem(name, "curve"))) + self._clear(name)
-
-    def _clear(self, name: str) -> str:
-        """Return how much is seen of a group, as an attribute; empty of one that is seen whole."""
-        return f' opacity="{number(self._opacities[name])}"' if name in self._opacities else ""
+        return _named(name, self._ids.different(stem(name, "curve")))
 
     def _called(self, place: int) -> str:
         return _named(_name_of(self._shapes[place]), self._id_of(place))

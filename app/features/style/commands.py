@@ -13,7 +13,6 @@ from ...actions.declaration import action, also
 from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
-from ...document.group_opacity import opacities_of, with_looks
 from ...document.model import Document, make_curve
 from ...document.several_curves import named
 from ...document.style import GRADIENTS
@@ -100,14 +99,13 @@ class StyleCommands:
         note = HOW_TO_CHOOSE if not curves else note_on(styles, self._theme)
         panel.show_recent(self._colours.recent, self._colours.in_document)
         unit = session.document.unit
-        overall = opacities_of(session.document, curves) if curves else None
-        panel.render_styles(shown.words, styles, unit, note, overall)
+        panel.render_styles(shown.words, styles, unit, note)
 
     # Changes
 
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
         self._colours.remember(*(fields[name] for name in GRADIENTS if name in fields))
-        self._edit(fields, lambda document, curves: with_looks(document, curves, fields), is_step=is_step)
+        self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
         self._note_set(fields)
 
     def _note_set(self, fields: dict[str, object]) -> None:
@@ -167,7 +165,7 @@ class StyleCommands:
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
-        return with_looks(document, self._curves, {name: position / STEPS})
+        return with_style(document, self._curves, **{name: position / STEPS})
 
     def _take_share(self, name: str, position: int) -> None:
         share: dict[str, object] = {name: position / STEPS}

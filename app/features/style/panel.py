@@ -84,7 +84,6 @@ class StylePanel(FieldForm):
         self.opacities = {
             "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
             "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
-            "opacity": PercentField("styleOpacity", "Opacity", "How much is seen of line and fill together"),
         }
         self._shown: tuple[object, ...] = ()
         self._lay_out(buttons, swap)
@@ -122,9 +121,6 @@ class StylePanel(FieldForm):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         dashes = row_of((self._dash, 1), "from", self._offset, spacing=6)
         self._form = form_of(
-            # In sight in a small window, too.
-            ("Overall", self.opacities["opacity"]),
-            ("", _rule_line()),
             ("Fill", self.fill),
             ("Inside", self._rule),
             ("Opacity", self.opacities["fill_opacity"]),
@@ -189,22 +185,15 @@ class StylePanel(FieldForm):
         styles: Sequence[Style],
         unit: str,
         note: str,
-        overall: Sequence[float] | None = None,
     ) -> None:
-        """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn.
-
-        The `overall` opacities are those of groups as such, and of shapes; without any those of the styles.
-        """
-        if overall is None:
-            overall = [each.opacity for each in styles]
-        wanted = (subject, (tuple(styles), tuple(overall)), unit, note)
+        """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn."""
+        wanted = (subject, tuple(styles), unit, note)
         if wanted == self._shown:
             return
         if self._shown and wanted[:2] != self._shown[:2]:
             self.clear_refusal()
         self._shown, self._unit = wanted, unit
         values = common_values(styles)
-        values["opacity"] = overall[0] if len(set(overall)) == 1 else None
         self._subject.setText(subject)
         self._subject.setToolTip(tip_of(subject))
         self.fill.render_value(values.get("fill"))
@@ -217,7 +206,6 @@ class StylePanel(FieldForm):
             field.render_value(values.get(name))
         self._render_numbers(values, unit)
         self._enable(styles)
-        self.opacities["opacity"].setEnabled(bool(styles))
         unseen = _UNSEEN_DOTS if any(map(_has_unseen_dots, styles)) else ""
         self._note.setText(note)
         self._note.setVisible(bool(note))

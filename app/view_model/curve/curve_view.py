@@ -47,7 +47,7 @@ _LOOKS = ("stroke_bounds",)
 LINE = tuple(
     name
     for name in Curve.__struct_fields__
-    if name not in ("name", "style", "shape", "groups", "group_looks", "visible", "locked", "other_settings")
+    if name not in ("name", "style", "shape", "groups", "visible", "locked", "other_settings")
 )
 """Fields of a curve that decide where it runs."""
 

@@ -93,7 +93,7 @@ class Target(msgspec.Struct, frozen=True):
 def with_parts(document: Document, parts: Sequence[Curve], active: int) -> Arrival:
     """Add parts of curves in front of the active one and its shape, in the same groups."""
     first, model = shape_of(document, active).stop, document.curves[active]
-    alone = [replace(part, shape="", groups=model.groups, group_looks=model.group_looks) for part in parts]
+    alone = [replace(part, shape="", groups=model.groups) for part in parts]
     added = add_curves(document, alone, first, Container(model.groups))
     return Arrival(added, range(first, first + len(parts)))
 

@@ -107,7 +107,6 @@ def curves_of_clip(clip: Clip, model: Curve, name: str) -> list[Curve]:
             style=replace(PLAIN_STYLE, fill_rule=rule) if several else PLAIN_STYLE,
             shape=name if several else "",
             groups=model.groups,
-            group_looks=model.group_looks,
             visible=model.visible,
         )
         for number, pieces in enumerate(rings, start=1)
