@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -11,7 +10,7 @@ from ...document.empty_layer import EmptyLayer
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
 from ..naming import Names
-from .state import Anchor, Group, State
+from .state import Group
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,23 +25,11 @@ class Drawn:
         The number of its element, another one each time that this is drawn.
     groups
         Those around it.
-    anchor
-        What shows it.
-    state
-        That of its element.
-    scale
-        By how much its stroke is enlarged.
-    source
-        The element of its own that it is of, however often that is shown, and which path of it.
     """
 
     path: ImportedPath
     element: int
     groups: tuple[Group, ...]
-    anchor: Anchor
-    state: State
-    scale: float = 1.0
-    source: tuple[ET.Element, int] | None = None
 
 
 def is_seen(drawn: Drawn) -> bool:
@@ -70,12 +57,11 @@ def _is_one(group: Group, elements: Collection[int]) -> bool:
 
 
 class Settled(NamedTuple):
-    """Paths with the names of their groups, the layers, and the name of each group."""
+    """Paths with the names of their groups, and the layers."""
 
     paths: list[ImportedPath]
     layers: tuple[str, ...]
     empty_layers: tuple[EmptyLayer, ...]
-    names: Mapping[Group, str]
 
 
 def settled(drawn: Sequence[Drawn], layers: Sequence[tuple[Group, ...]] = ()) -> Settled:
@@ -90,14 +76,14 @@ def settled(drawn: Sequence[Drawn], layers: Sequence[tuple[Group, ...]] = ()) ->
     paths = [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
     empty = tuple(names.empty(each) for each in layers if each[-1] not in held)
     order = tuple(names.name(each[-1]) for each in layers)
-    return Settled(paths, order, empty, names.of_group)
+    return Settled(paths, order, empty)
 
 
 class _Given:
-    """Names that were given to groups, in `of_group`, and to shapes."""
+    """Names that were given to groups and to shapes."""
 
     def __init__(self) -> None:
-        self.of_group: dict[Group, str] = {}
+        self._of_group: dict[Group, str] = {}
         self._of_shape: dict[int, str] = {}
         self._groups, self._shapes = Names(), Names()
 
@@ -126,7 +112,7 @@ class _Given:
     def _chain(self, groups: Sequence[Group]) -> tuple[str, ...]:
         """Return the names of groups within each other."""
         for group in groups:
-            if group not in self.of_group:
+            if group not in self._of_group:
                 usual = "Layer" if group.is_layer else "Group"
-                self.of_group[group] = self._groups.different(group.name or usual)
-        return tuple(self.of_group[group] for group in groups)
+                self._of_group[group] = self._groups.different(group.name or usual)
+        return tuple(self._of_group[group] for group in groups)

@@ -48,7 +48,7 @@ from .paint import Paints, share_of
 from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
-from .state import Anchor, Group, State, Window
+from .state import Group, State, Window
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
 MAX_PATHS = 10_000
@@ -165,17 +165,16 @@ class SvgReader:
         if element.get("requiredExtensions") or self._ours.is_no_curve(element):
             return
         declared = self._cascade.of(element)
-        anchor = state.anchor or Anchor(element, state)
         state = self._entered(element, declared, state)
         first, found = len(self._shapes), _NOTHING
         if tag in NOT_READ and state.properties.is_visible:
             self._missing.note(element, NOT_READ[tag])
         elif tag in SHAPES:
-            found = self._shape(element, tag, declared, state, anchor)
+            found = self._shape(element, tag, declared, state)
         elif tag == "use":
-            found = self._used(element, replace(state, anchor=anchor), depth)
+            found = self._used(element, state, depth)
         elif tag in _CONTAINERS:
-            found = self._contained(element, tag, state, depth, anchor)
+            found = self._contained(element, tag, state, depth)
         yield from found
         count = len(self._shapes) - first
         if count and state.properties.is_visible:
@@ -207,17 +206,15 @@ class SvgReader:
             clips=clips,
             properties=state.properties.entered(declared),
             # What is locked where it is drawn is not so where it is used.
-            is_locked=state.is_locked or (state.anchor is None and element.get(INSENSITIVE) == "true"),
+            is_locked=state.is_locked or (not state.inside and element.get(INSENSITIVE) == "true"),
         )
 
-    def _contained(
-        self, element: ET.Element, tag: str, state: State, depth: int, anchor: Anchor | None
-    ) -> Iterator[Drawn]:
+    def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
         name, state = state.copied or name_of(element), replace(state, copied="")
         if tag == "g" or (depth > 0 and name):
             is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
             visible = state.properties.is_displayed
-            group = Group(self._visited, name, is_layer, visible, state.is_locked, anchor)
+            group = Group(self._visited, name, is_layer, visible, state.is_locked)
             state = replace(state, groups=(*state.groups, group))
             if is_layer:
                 self.layers.append(state.groups)
@@ -264,12 +261,12 @@ class SvgReader:
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (0.0, 0.0))
             entered = self._entered(target, self._cascade.of(target), state)
-            yield from self._contained(target, "symbol", entered, depth + 1, state.anchor)
+            yield from self._contained(target, "symbol", entered, depth + 1)
         else:
             yield from self._drawn(target, state, depth + 1)
 
     def _shape(
-        self, element: ET.Element, tag: str, declared: Mapping[str, str], state: State, anchor: Anchor
+        self, element: ET.Element, tag: str, declared: Mapping[str, str], state: State
     ) -> Iterator[Drawn]:
         stretch = largest_scale(state.matrix)
         tolerance = self._tolerance / stretch if self._tolerance is not None and stretch > 0 else None
@@ -308,7 +305,7 @@ class SvgReader:
                 subpath.deviation * stretch,
                 letters[index],
             )
-            yield Drawn(path, len(self._shapes), state.groups, anchor, state, scale, (element, index))
+            yield Drawn(path, len(self._shapes), state.groups)
 
     def _count(self) -> None:
         self._found += 1

@@ -45,14 +45,6 @@ class Window:
         return bool((points >= low).all() and (points <= high).all())
 
 
-@dataclass(frozen=True, eq=False)
-class Anchor:
-    """What in a file shows something: its element, or the outermost `use` of it; with the state around."""
-
-    element: ET.Element
-    around: State
-
-
 @dataclass(frozen=True)
 class Group:
     """A group around shapes.
@@ -67,8 +59,6 @@ class Group:
         Whether it is a layer of Inkscape's, in nothing but layers.
     visible, locked
         What it says of a layer in which there is nothing.
-    anchor
-        What it is in the file.
     """
 
     number: int
@@ -76,7 +66,6 @@ class Group:
     is_layer: bool = False
     visible: bool = True
     locked: bool = False
-    anchor: Anchor | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,8 +88,6 @@ class State:
         What else it is cut by, in the document's plane.
     is_locked
         Whether Inkscape keeps it from being touched.
-    anchor
-        The outermost `use` around it.
     copied
         What the element is called that a `use` copies; empty for any other.
     """
@@ -113,5 +100,4 @@ class State:
     windows: tuple[Window, ...] = ()
     clips: tuple[Clip, ...] = ()
     is_locked: bool = False
-    anchor: Anchor | None = None
     copied: str = ""
