@@ -70,8 +70,6 @@ class Action(msgspec.Struct, frozen=True):
         Where in the menus it stands.
     key
         One or more key sequences, comma separated; empty for none.
-    drawing_key
-        The same in drawings, where it differs: there other programs for drawing have their ways.
     icon
         A file of resources/icons, without suffix; empty for none.
     tip
@@ -83,9 +81,6 @@ class Action(msgspec.Struct, frozen=True):
         What must be there before it can be used.
     key_needs
         What its keys need besides, where a slip of the finger would do more than a click means.
-    key_asks
-        What its keys would do that may not be meant, as a sentence; the same key at once after it does it.
-        Empty where there is nothing to ask.
     checked
         Whether it is on; makes it a switch.
     field
@@ -115,7 +110,6 @@ class Action(msgspec.Struct, frozen=True):
     full_name: str = ""
     needs: Need = NOTHING
     key_needs: Need = NOTHING
-    key_asks: Callable[[ActionState], str] | None = None
     checked: Callable[[ActionState], bool] | None = None
     group: str = ""
     title: Callable[[ActionState], str] | None = None
@@ -124,7 +118,6 @@ class Action(msgspec.Struct, frozen=True):
     keywords: str = ""
     when_opened: Callable[[Session], Opened] | None = None
     field: str = ""
-    drawing_key: str | None = None
     choices: Strip | None = None
 
     def missing(self, state: ActionState) -> Need | None:

@@ -9,8 +9,6 @@ import msgspec
 from PySide6.QtCore import QKeyCombination, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence
 
-from ..document.paper import DocumentKind
-
 RESERVED = {
     Qt.Key.Key_Escape: "steps back from whatever is going on",
     Qt.Key.Key_Tab: "walks from one thing to the next",
@@ -39,19 +37,14 @@ class Binding(msgspec.Struct, frozen=True):
         The action itself; it carries the keys in force.
     text, menu
         What it is called, and the menu it stands in.
-    defaults, in_drawings
-        The keys it has unless the person changes them; in drawings, where those are others.
+    defaults
+        The keys it has unless the person changes them.
     """
 
     action: QAction
     text: str
     menu: str
     defaults: tuple[QKeySequence, ...]
-    in_drawings: tuple[QKeySequence, ...] | None = None
-
-    def keys_in(self, kind: DocumentKind) -> tuple[QKeySequence, ...]:
-        """Return the keys it comes with in documents of a kind."""
-        return self.defaults if kind is DocumentKind.SKETCH or self.in_drawings is None else self.in_drawings
 
 
 class Keymap(QObject):
@@ -69,10 +62,7 @@ class Keymap(QObject):
         super().__init__(parent)
         self._bindings: dict[str, Binding] = {}
         # By the key that it comes with: Qt tells of a key that two actions have only when it is pressed.
-        self._came_with: dict[tuple[DocumentKind, str], Binding] = {}
-        self._kind = DocumentKind.SKETCH
-        # Keys that the person chose where documents of the other kind have others, and of this one the same.
-        self._kept: dict[str, str] = {}
+        self._came_with: dict[str, Binding] = {}
 
     def add(self, binding: Binding) -> None:
         """Take in an action and give it its default keys.
@@ -82,29 +72,18 @@ class Keymap(QObject):
         ValueError
             If one of them belongs to the drawing, or is another action's.
         """
-        for kind, key in [(each, key) for each in DocumentKind for key in binding.keys_in(each)]:
+        for key in binding.defaults:
             if reason := refusal(key):
                 raise ValueError(f"“{binding.text}” cannot come with its key: {reason}")
-            other = self._came_with.setdefault((kind, key.toString()), binding)
+            other = self._came_with.setdefault(key.toString(), binding)
             if other is not binding:
                 raise ValueError(f"“{other.text}” and “{binding.text}” both come with {native(key)}.")
         self._bindings[binding.action.objectName()] = binding
-        _bind(binding.action, binding.keys_in(self._kind))
-
-    def use(self, kind: DocumentKind) -> None:
-        """Give the actions the keys that they have in documents of a kind; what the person chose stays."""
-        if kind is self._kind:
-            return
-        own, self._kind = self.overrides, kind
-        for name, binding in self._bindings.items():
-            if binding.in_drawings is not None:
-                _bind(binding.action, self.came_with(name))
-        self.load(own)
+        _bind(binding.action, binding.defaults)
 
     def remove(self, name: str) -> None:
         """Forget an action; its keys are free."""
         binding = self._bindings.pop(name)
-        self._kept.pop(name, None)
         self._came_with = {key: each for key, each in self._came_with.items() if each is not binding}
         _bind(binding.action, [])
 
@@ -118,8 +97,8 @@ class Keymap(QObject):
         return self._bindings[name].action.shortcuts()
 
     def came_with(self, name: str) -> tuple[QKeySequence, ...]:
-        """Return the keys that an action comes with, in documents as the one that is open."""
-        return self._bindings[name].keys_in(self._kind)
+        """Return the keys that an action comes with."""
+        return self._bindings[name].defaults
 
     def is_default(self, name: str) -> bool:
         """Whether an action has the keys it came with."""
@@ -148,7 +127,6 @@ class Keymap(QObject):
 
     def assign(self, name: str, keys: Sequence[QKeySequence]) -> None:
         """Give an action these keys, and take them from whoever has them."""
-        self._kept.pop(name, None)
         self._give(name, keys)
         self.changed.emit()
 
@@ -165,7 +143,6 @@ class Keymap(QObject):
 
     def reset_all(self) -> None:
         """Give every action the keys it came with."""
-        self._kept.clear()
         for name, binding in self._bindings.items():
             _bind(binding.action, self.came_with(name))
         self.changed.emit()
@@ -173,7 +150,7 @@ class Keymap(QObject):
     @property
     def overrides(self) -> dict[str, str]:
         """The keys that differ from the defaults, as text that does not depend on the language."""
-        return self._kept | {
+        return {
             name: QKeySequence.listToString(self.keys(name), QKeySequence.SequenceFormat.PortableText)
             for name in self._bindings
             if not self.is_default(name)
@@ -191,11 +168,6 @@ class Keymap(QObject):
             keys = QKeySequence.listFromString(text, QKeySequence.SequenceFormat.PortableText)
             free = [key for key in keys if not key.isEmpty() and own.keys().isdisjoint(self._owners_of(key))]
             self._give(name, free)
-        self._kept = {
-            name: text
-            for name, text in own.items()
-            if self._bindings[name].in_drawings is not None and self.is_default(name)
-        }
         self.changed.emit()
 
 

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
-from ..document.paper import kind_of
 from ..view_model.curve.curve_view import CurveView
 from .declaration import Action, Declared, all_declared
 from .key_gate import KeyGate
@@ -29,7 +28,7 @@ from .keymap import (
 from .needs import NOTHING, Need
 from .sections import MENUS, Menu, Section
 from .state import ActionFacts, ActionState
-from .strips import BARS, Bar, Place, Strip
+from .strips import Place, Strip
 
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
@@ -63,7 +62,6 @@ class Actions(QObject):
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
         self._sort_out()
         self._on = set[str]()
-        self._bars: tuple[Bar, ...] = ()
         self._opened = set[str]()
         self._opened_of: CurveView | None = None
 
@@ -83,10 +81,9 @@ class Actions(QObject):
                 self._groups[each.group] = QActionGroup(self._window)
             self._groups[each.group].addAction(action)
         name = full_name_of(action).removesuffix("…")
-        in_drawings = None if each.drawing_key is None else _sequences(each.drawing_key)
-        self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key), in_drawings))
-        if each.key_needs is not NOTHING or each.key_asks is not None:
-            self._gate.guard(action, each.key_needs, each.key_asks)
+        self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key)))
+        if each.key_needs is not NOTHING:
+            self._gate.guard(action, each.key_needs)
         return action
 
     def _sort_out(self) -> None:
@@ -221,10 +218,6 @@ class Actions(QObject):
         """Whether what an action switches is on; False of what is no switch, or is there no more."""
         return name in self._on
 
-    def is_shown(self, bar: Bar) -> bool:
-        """Whether a bar of the toolbar is the one to work with now."""
-        return bar.is_shown(self._state)
-
     def follow(self) -> None:
         """Render, when all is told of which there is news."""
         self._facts.session.telling.then(self.render)
@@ -235,7 +228,6 @@ class Actions(QObject):
         if state == self._rendered and (not self._opened or session.active_view is self._opened_of):
             return
         self._rendered = state
-        self.keymap.use(kind_of(session.document))
         self._take_back_opened()
         for needs, actions in self._alike.items():
             missing = next(
@@ -271,9 +263,8 @@ class Actions(QObject):
             action.setChecked(is_on)
             if is_on:
                 on.add(each.name)
-        bars = tuple(bar for bar in BARS if bar.is_shown(state))
-        if (on, bars) != (self._on, self._bars):
-            self._on, self._bars = on, bars
+        if on != self._on:
+            self._on = on
             self.switched.emit()
 
     def open_section(self, section: Section) -> None:

@@ -14,7 +14,6 @@ from msgspec.structs import replace
 
 from ..document.derivatives import EstimateRule
 from ..document.model import Document, ParametrizationKind
-from ..document.paper import object_word
 from ..document.point_group import NO_POINTS, PointGroup
 from ..document.several_curves import is_blank
 from ..document.shape_edits import are_in_groups, objects
@@ -82,8 +81,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         Whether there are guides.
     is_image_locked
         Whether the reference image is locked; None without one.
-    thing, things
-        What people call whatever is drawn, as it stands in titles: "Curve", on a page "Object".
     besides
         What else commands ask about.
     """
@@ -125,8 +122,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     has_copied_derivatives: bool
     has_guides: bool
     is_image_locked: bool | None
-    thing: str
-    things: str
     besides: Besides
 
     @property
@@ -218,8 +213,6 @@ class ActionFacts:
             ),
             has_guides=bool(document.guides),
             is_image_locked=document.image.locked if document.image is not None else None,
-            thing=object_word(document).title(),
-            things=object_word(document, many=True).title(),
             besides=Besides(session),
         )
 

@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import msgspec
-
-from ..document.paper import DocumentKind
-from .state import ActionState
 
 
 class Place(msgspec.Struct, frozen=True):
@@ -33,38 +28,8 @@ class Strip(msgspec.Struct, frozen=True):
         return Place(self, number)
 
 
-class Bar(Strip, frozen=True):
-    """A strip in the middle of the toolbar, for one kind of work.
-
-    Attributes
-    ----------
-    is_shown
-        Whether it is the one to work with now.
-    """
-
-    is_shown: Callable[[ActionState], bool]
-
-
-def _is_drawing(state: ActionState) -> bool:
-    return state.window.kind is DocumentKind.DRAWING
-
-
-def _are_points_meant(state: ActionState) -> bool:
-    """Whether a curve is edited; of several, whether points of them are selected."""
-    return state.is_editing and (state.active_selected_count > 0 or not state.session.selected.chosen)
-
-
 TOOLBAR = Strip("toolbar")
-FAMILY_BAR = Bar("families and parameters in the toolbar, for sketches", lambda state: not _is_drawing(state))
-OBJECT_BAR = Bar(
-    "commands for whole curves in the toolbar, for drawings",
-    lambda state: _is_drawing(state) and not _are_points_meant(state),
-)
-POINT_BAR = Bar(
-    "commands for points in the toolbar, for drawings",
-    lambda state: _is_drawing(state) and _are_points_meant(state),
-)
-BARS = (FAMILY_BAR, OBJECT_BAR, POINT_BAR)
+FAMILY_BAR = Strip("families and parameters in the toolbar")
 SHAPES_MENU = Strip("menu of further tools in the toolbar")
 SNAP_MENU = Strip("menu of the magnet in the toolbar")
 FAMILIES_MENU = Strip("menu of further families in the toolbar")

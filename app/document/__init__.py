@@ -6,7 +6,6 @@
 - ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
   ``patterns``: those that every document can use.
   ``clip``: what it is cut by.
-  ``drawn_kinds``: what begins in which.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
 - ``decimals``: numbers added as they are written.
@@ -25,7 +24,7 @@
   ``empty_layer``: such a one.
 - ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
-- ``paper``: documents that are drawn for paper.  ``readings``: how their coordinates are told.
+- ``readings``: how coordinates are told.
 - ``box_edits``: rectangles and ellipses drawn into a box.
 - ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
 - ``ties``: velocities before and after a point that go the same way.

@@ -14,7 +14,6 @@ from msgspec.structs import replace
 from .derivatives import DERIVATIVES
 from .edits import EditError, delete_points, freeze_parameters, interval, refuse_equal_parameters, set_points
 from .model import Curve, Document, Parametrization, Point, Vector
-from .paper import drawn_style
 from .style import PLAIN_STYLE
 from .words import enumerated
 
@@ -44,8 +43,7 @@ def remove_curve(document: Document, curve: int) -> Document:
     """Remove a curve; the last one leaves an empty curve of its family behind."""
     rest = (*document.curves[:curve], *document.curves[curve + 1 :])
     if not rest:
-        left = unstyled_model(document.curves[curve])
-        rest = (replace(left, style=drawn_style(document, left.style)),)
+        rest = (unstyled_model(document.curves[curve]),)
     return replace(document, curves=rest)
 
 

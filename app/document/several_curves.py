@@ -16,7 +16,6 @@ from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .edits import moving
 from .layers import front_of, within, without
 from .model import Curve, Document, Vector
-from .paper import DocumentKind, kind_of
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
@@ -274,10 +273,8 @@ def named(document: Document, curves: Collection[int]) -> str:
 
 
 def counted(document: Document, curves: Collection[int]) -> str:
-    """Return "3 curves"; on a page "2 objects"."""
+    """Return "3 curves"; with whole shapes or groups among them, "2 shapes"."""
     marked = [document.curves[curve] for curve in curves]
-    if kind_of(document) is DocumentKind.DRAWING:
-        return count_of(len(whole_nodes(document.curves, curves, document.layers)), "object")
     if [each for each in marked if each.shape or each.groups]:
         return counted_nodes(whole_nodes(document.curves, curves, document.layers))
     return count_of(len(curves), "curve")

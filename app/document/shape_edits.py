@@ -266,18 +266,6 @@ def pressed(document: Document, curve: int, choice: Choice) -> frozenset[int]:
     return frozenset(shape_of(document, curve))
 
 
-def entered(document: Document, curve: int, choice: Choice) -> frozenset[int]:
-    """Return what a press on a curve means within the group that is chosen whole; nothing where none is."""
-    outer = len(layers_around(document, curve))
-    for depth in range(outer, len(document.curves[curve].groups)):
-        if frozenset(group_around(document.curves, curve, depth)) == choice.chosen:
-            inner = depth + 1
-            if inner < len(document.curves[curve].groups):
-                return frozenset(group_around(document.curves, curve, inner))
-            return frozenset(shape_of(document, curve))
-    return frozenset()
-
-
 def next_pressed(document: Document, choice: Choice, step: int) -> frozenset[int]:
     """Return the shape or group in front (1) of what is chosen, or behind it (−1); all around at the ends.
 

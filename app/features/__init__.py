@@ -14,7 +14,6 @@ FEATURES = (
     "view",
     "guides",
     "snapping",
-    "pen",
     "import_export",
     "curves",
     "shapes",

@@ -15,7 +15,6 @@ from ..document.selection import (
     returned_curves,
     returned_points,
 )
-from ..document.several_curves import is_blank
 from ..document.steps import reshaped
 from .next_style import Marked
 
@@ -42,12 +41,11 @@ class Following:
     def begin_opened(self) -> None:
         """Begin with a document that was opened: nobody chose its curves.
 
-        None hidden or locked is edited, nor any on a page, where one chooses first.
+        None hidden or locked is edited.
         """
-        document, selected = self._session.document, self._session.selected
+        selected = self._session.selected
         selected.next_style.marked = Marked.OPENED
-        is_drawing = document.page is not None and not is_blank(document)
-        if is_drawing or not self._session.active_curve.is_free:
+        if not self._session.active_curve.is_free:
             selected.choose(())
             selected.next_style.marked = Marked.OPENED
 

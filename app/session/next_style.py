@@ -8,9 +8,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from ..document.drawn_kinds import SHAPES, DrawnKind
 from ..document.model import Document
-from ..document.paper import DocumentKind, drawn_style, kind_of, line_width
 from ..document.style import GRADIENTS, Style
 
 
@@ -24,48 +22,35 @@ class Marked(Enum):
     LENT = auto()
     """A tool took up the active curve while none was edited and none chosen."""
     BROUGHT = auto()
-    """They came from the clipboard or a file, a tool drew them in a style of its own, or a transform has
-    changed their looks: nobody chose these."""
+    """They came from the clipboard or a file, or a transform has changed their looks: nobody chose these."""
 
 
 class _Kept(NamedTuple):
-    """A style, and how wide new lines are where it was set: a width in another unit would be any width."""
+    """A style, and the unit of its width: in another one that would be any width."""
 
     style: Style
-    usual: float | None
+    unit: str
 
     def in_document(self, document: Document) -> Style:
         """Return it as it is there."""
-        return self.style if self.usual == line_width(document) else replace(self.style, width=None)
+        return self.style if self.unit == document.unit else replace(self.style, width=None)
 
 
 class NextStyle:
     """Style of what is drawn next: that which the person chose or set last, in any document.
 
-    In drawings some kinds have one of their own, which is set while a tool for them is in use.
     A gradient is laid over one shape alone: what is drawn next has the last colour from before it, or none.
 
     Attributes
     ----------
-    draws
-        What the tool in use draws.
     marked
         How what is selected came to be so.
     """
 
     def __init__(self) -> None:
-        self.draws = SHAPES
-        self._kept = dict[DrawnKind, _Kept]()
+        self._kept: _Kept | None = None
         self._flat = dict[str, str]()
         self.marked = Marked.OPENED
-
-    def kind_in(self, document: Document) -> DrawnKind:
-        """Return the kind of what is drawn next, as far as it has a style of its own there."""
-        return self.draws if kind_of(document) is DocumentKind.DRAWING else SHAPES
-
-    def is_own(self, document: Document) -> bool:
-        """Whether what is drawn next has a style of its own, whatever is chosen."""
-        return self.kind_in(document).begins is not None
 
     def is_of_active(self, marked: Collection[int]) -> bool:
         """Whether a style that is set now is that of what is selected, not only of what is drawn next."""
@@ -79,17 +64,16 @@ class NextStyle:
         self, document: Document, marked: Collection[int], active: int, blank: Callable[[], Document]
     ) -> Style:
         """Return the style of what is drawn next; `blank` tells that of new documents."""
-        curve, kind = document.curves[active], self.kind_in(document)
-        if kind.begins is None and not curve.points:
+        curve = document.curves[active]
+        if not curve.points:
             return curve.style
-        if kind.begins is None and self._is_as_active(marked):
+        if self._is_as_active(marked):
             style = curve.style
-        elif (kept := self._kept.get(kind)) is not None:
-            style = kept.in_document(document)
+        elif self._kept is not None:
+            style = self._kept.in_document(document)
         else:
-            usual = blank().curves[0].style
-            style = usual if kind.begins is None else kind.begins(usual)
-        return drawn_style(document, self._without_gradients(style, blank))
+            style = blank().curves[0].style
+        return self._without_gradients(style, blank)
 
     def _without_gradients(self, style: Style, blank: Callable[[], Document]) -> Style:
         """Return a style with the last flat paints, or those of new documents, in place of its gradients."""
@@ -123,10 +107,6 @@ class NextStyle:
         curve = after.curves[active]
         if self.marked is Marked.BROUGHT or any(each is curve for each in before.curves):
             return
-        is_begun = len(after.curves) > len(before.curves) or not before.curves[active].points
-        if is_begun and self.is_own(after):
-            self.marked = Marked.BROUGHT
-            return
         was_chosen, self.marked = self.marked is Marked.ASKED, Marked.ASKED
         if was_chosen and len(before.curves) == len(after.curves):
             old = before.curves[active]
@@ -135,18 +115,8 @@ class NextStyle:
                 self.marked = Marked.BROUGHT
 
     def take(self, document: Document, style: Style) -> None:
-        """Draw with a style of a document from now on, but for what has its own."""
-        self._keep(SHAPES, document, style)
+        """Draw with a style of a document from now on."""
+        self._kept = _Kept(style, document.unit)
         for paint, field in GRADIENTS.items():
             if field not in style.gradients:
                 self._flat[paint] = getattr(style, paint)
-
-    def set(self, document: Document, style: Style) -> None:
-        """Draw with a style from now on, what the tool in use draws."""
-        if self.is_own(document):
-            self._keep(self.draws, document, style)
-        else:
-            self.take(document, style)
-
-    def _keep(self, kind: DrawnKind, document: Document, style: Style) -> None:
-        self._kept[kind] = _Kept(style, line_width(document))

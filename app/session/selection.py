@@ -80,13 +80,6 @@ class Selection(Selected):
         others = self._chosen - whole_shapes(self._session.document, (active,))
         self._take((*self._chosen, active) if others else (active,), active, is_editing=True)
 
-    def leave_points(self) -> None:
-        """Choose the curves that are edited as wholes; nothing, where a tool took one up unasked."""
-        if self.is_editing and any(self._session.document.curves[at].points for at in self.curves):
-            marked = self.next_style.marked
-            self.choose(() if marked is Marked.LENT else self.curves)
-            self.next_style.marked = marked
-
     def go_to(self, index: int) -> None:
         """Make another of the curves that are edited the active one; the same points are selected."""
         group = self.group

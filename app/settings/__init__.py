@@ -2,5 +2,4 @@
 
 - ``preferences``: each of them, as a descriptor.
 - ``kinds``: the kinds of settings that there are.  ``file``: the ini file that holds them.
-- ``arrangement``: a value of one kind, what stands around the canvas.
 """

@@ -26,13 +26,12 @@ from typing import Any, Final, Generic, Protocol, TypeVar, overload
 import msgspec
 from PySide6.QtCore import QByteArray
 
-from ..document.model import Curve, Document, Page, empty_document
+from ..document.model import Curve, Document, empty_document
 from ..document.style import PLAIN_STYLE, Style
 from ..document.words import enumerated
 from ..storage.field_check import check_fields
 from ..storage.format import decode, encode
 from ..storage.format_error import FormatError
-from .arrangement import Arrangement
 from .file import SettingsFile
 
 Value = TypeVar("Value")
@@ -219,43 +218,6 @@ class SavedStyle(TextSetting[Style]):
         return style
 
     def _stored(self, value: Style) -> object:
-        return msgspec.json.encode(value).decode()
-
-
-class SavedPage(TextSetting[Page | None]):
-    """A page, as JSON; none where nothing is remembered."""
-
-    def __init__(self, key: str) -> None:
-        super().__init__(key, None)
-
-    def _parse(self, text: str) -> Page | None:
-        try:
-            page = msgspec.json.decode(text, type=Page | None)
-            if page is not None:
-                check_fields(page, "page")
-        except (msgspec.DecodeError, FormatError):
-            raise _UnusableError("it is no page") from None
-        return page
-
-    def _stored(self, value: Page | None) -> object:
-        return msgspec.json.encode(value).decode()
-
-
-class SavedArrangement(TextSetting[Arrangement]):
-    """What stands around the canvas, as JSON; what an older one does not say is as usual."""
-
-    def __init__(self, key: str, usual: Arrangement) -> None:
-        super().__init__(key, usual)
-        self._usual = msgspec.structs.asdict(usual)
-
-    def _parse(self, text: str) -> Arrangement:
-        try:
-            said = msgspec.json.decode(text, type=dict[str, object])
-            return msgspec.convert(self._usual | said, Arrangement)
-        except (msgspec.DecodeError, msgspec.ValidationError):
-            raise _UnusableError("it is no arrangement of a window") from None
-
-    def _stored(self, value: Arrangement) -> object:
         return msgspec.json.encode(value).decode()
 
 

@@ -10,11 +10,8 @@ from PySide6.QtCore import QSettings
 
 from .. import exchange
 from ..appearance.theme import ThemeMode
-from ..document.paper import DocumentKind
-from ..tools.pen_click import PenClick
 from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
-from .arrangement import Arrangement
 from .file import SettingsFile
 from .kinds import (
     Choice,
@@ -22,14 +19,11 @@ from .kinds import (
     Folder,
     Height,
     Keys,
-    SavedArrangement,
     SavedCurve,
     SavedLayout,
-    SavedPage,
     SavedStyle,
     SavedText,
     Several,
-    Switch,
     SwitchOfAction,
     Text,
 )
@@ -68,15 +62,6 @@ class Preferences:
     theme_mode = Choice("theme", ThemeMode.SYSTEM, "Theme", "Light or dark colours", "themeBox")
     """Light, dark, or as the system has it."""
 
-    begins_with = Choice(
-        "document/begins_with",
-        DocumentKind.SKETCH,
-        "Begin with",
-        "What the editor begins with where no file is opened: a plane with a curve, or a page to draw on",
-        "beginsWithBox",
-    )
-    """What the first window begins with."""
-
     unit_name = Text(
         "grid/unit",
         "Unit when new",
@@ -98,29 +83,10 @@ class Preferences:
     )
     """Distance of the lines of a new document's grid; 0 where it adapts to the zoom."""
 
-    y_down = Switch(
-        "grid/y_down",
-        default=True,
-        label="Y axis points down in new drawings",
-        tip="Tell y of new drawings downwards from the upper edge of the page, as SVG does "
-        "(File > Document… for this one)",
-    )
-    """Whether y of new drawings is told downwards."""
-
     snap_kinds = Several(
         "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"
     )
-    """Targets that dragged and added points snap to where there is no page."""
-
-    page_snap_kinds = Several(
-        "snap/page_kinds",
-        SnapKind,
-        "Snap on pages to",
-        "What is dragged in a document with a page snaps to this: {}",
-        "page_snap_{}",
-        usual=tuple(kind for kind in SnapKind if kind is not SnapKind.LEVEL),
-    )
-    """Targets that they snap to in drawings."""
+    """Targets that dragged and added points snap to."""
 
     pencil = Choice(
         "pencil/detail",
@@ -130,15 +96,6 @@ class Preferences:
         "pencilBox",
     )
     """The distance of a curve from what the pencil draws."""
-
-    pen = Choice(
-        "pen/click",
-        PenClick.BY_DOCUMENT,
-        "Pen",
-        "What a click makes; as the document is: corners where it has a page, or a unit of paper such as mm",
-        "penBox",
-    )
-    """Whether a click of the pen makes corners or smooth points."""
 
     nudge = Distance(
         "edit/nudge",
@@ -160,20 +117,17 @@ class Preferences:
     splitter_state = SavedLayout("window/splitter")
     """The result of ``QSplitter.saveState``."""
 
-    sketches = SavedArrangement("window/sketches", Arrangement())
-    """What stands around the canvas in documents without a page, lessons among them."""
+    basis = SwitchOfAction("window/basis", default=True)
+    """Whether the basis functions are shown."""
 
-    drawings = SavedArrangement("window/drawings", Arrangement(basis=False, numbered=False))
-    """What stands around it where there is a page to draw on."""
+    numbered = SwitchOfAction("window/numbered", default=True)
+    """Whether points have numbers, and colours that say which is which."""
 
     plot_height = Height("window/plots")
     """Height of the plots below the basis functions."""
 
     snap_on = SwitchOfAction("snap/on", default=False)
-    """Whether dragged and added points snap where there is no page."""
-
-    page_snap_on = SwitchOfAction("snap/page_on", default=False)
-    """Whether they snap in drawings."""
+    """Whether dragged and added points snap."""
 
     transform_box = SwitchOfAction("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
@@ -183,9 +137,6 @@ class Preferences:
 
     recent_colours = SavedText("style/recent_colours")
     """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
-
-    new_page = SavedPage("document/new_page")
-    """The page that a new document begins with."""
 
     new_style = SavedStyle("document/new_style")
     """The style of the curve that a new document begins with."""

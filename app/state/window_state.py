@@ -7,13 +7,10 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
 from ..appearance.theme import ThemeMode
-from ..document.paper import DocumentKind
 from ..document.transforms import Reference
-from ..settings.arrangement import Arrangement
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
-from ..tools.pen_click import PenClick
 from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind, Snapping
 from ..tools.tool import ToolRecord
@@ -51,10 +48,9 @@ class WindowState(msgspec.Struct, frozen=True):
         What a press on the canvas means.
     moves_image
         Whether the mouse has the reference image instead of the points.
-    kind
-        What the document was when it was opened: a page that it gets later moves nothing around the canvas.
-    sketches, drawings
-        What stands around the canvas in documents of either kind, as the preferences remember it.
+    basis, numbered
+        Whether the basis functions are shown; whether points have numbers, and colours that say which they
+        are.
     grid, side_panel, lessons
         Whether the grid, the panels at the side and the lessons are shown.
     rulers, guides_shown
@@ -63,7 +59,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, page_snap_on, page_snap_kinds, nudge, with_estimates, theme_mode, pencil, pen
+    snap_on, snap_kinds, nudge, with_estimates, theme_mode, pencil
         As the preferences remember them.
     transform_box, keep_proportions
         As the preferences remember them.
@@ -90,9 +86,8 @@ class WindowState(msgspec.Struct, frozen=True):
     tool: ToolRecord = SELECT
     moves_image: bool = False
     grid: bool = True
-    kind: DocumentKind = DocumentKind.SKETCH
-    sketches: Arrangement = Arrangement()
-    drawings: Arrangement = Arrangement(basis=False, numbered=False)
+    basis: bool = True
+    numbered: bool = True
     side_panel: bool = True
     lessons: bool = False
     rulers: bool = True
@@ -101,8 +96,6 @@ class WindowState(msgspec.Struct, frozen=True):
     scale: float = 1.0
     snap_on: bool = False
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
-    page_snap_on: bool = False
-    page_snap_kinds: frozenset[SnapKind] = frozenset()
     nudge: float = 0.0
     transform_box: bool = True
     keep_proportions: bool = False
@@ -110,7 +103,6 @@ class WindowState(msgspec.Struct, frozen=True):
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
     pencil: PencilDetail = PencilDetail.MEDIUM
-    pen: PenClick = PenClick.BY_DOCUMENT
     analysis: AnalysisSettings = AnalysisSettings()
     error_plot: bool = False
     motion: MotionSettings = MotionSettings()
@@ -125,31 +117,13 @@ class WindowState(msgspec.Struct, frozen=True):
     image_problem: str = ""
 
     @property
-    def arrangement(self) -> Arrangement:
-        """What stands around the canvas in documents of this kind."""
-        arrangement: Arrangement = getattr(self, self.kind.value)
-        return arrangement
-
-    @property
-    def basis(self) -> bool:
-        """Whether the basis functions are shown."""
-        return self.arrangement.basis
-
-    @property
-    def numbered(self) -> bool:
-        """Whether points have numbers, and colours that say which is which."""
-        return self.arrangement.numbered
-
-    @property
     def shows_rulers(self) -> bool:
         """Whether the axes of the canvas are rulers now: not in a presentation."""
         return self.rulers and not self.presentation
 
     @property
     def snapping(self) -> Snapping:
-        """What is snapped to in documents of this kind."""
-        if self.kind is DocumentKind.DRAWING:
-            return Snapping(self.page_snap_on, self.page_snap_kinds)
+        """What is snapped to."""
         return Snapping(self.snap_on, self.snap_kinds)
 
     def uses(self, tool: ToolRecord) -> bool:
@@ -187,10 +161,7 @@ class WindowStore(QObject):
         }
 
     def change(self, **fields: object) -> None:
-        """Take other values for some fields; those of the arrangement count for this kind of document."""
-        arranged = {name: fields.pop(name) for name in Arrangement.__struct_fields__ if name in fields}
-        if arranged:
-            fields[self.state.kind.value] = replace(self.state.arrangement, **arranged)
+        """Take other values for some fields."""
         for name, value in fields.items():
             if hasattr(type(self._preferences), name) and value != getattr(self.state, name):
                 setattr(self._preferences, name, value)

@@ -149,7 +149,7 @@ class Editor(InputDriver):
     def new(self) -> None:
         """Start an empty sketch with the view from (−0.5, −0.5) on, adding points."""
         self.session.files.give_up_changes()
-        self.trigger("newSketch")
+        self.trigger("newDocument")
 
     def trigger(self, name: str) -> None:
         """Trigger an action, as its menu or its keys would; `ImpossibleError` where it is disabled."""

@@ -19,8 +19,7 @@
 - ``below``: Alt+click on what lies below the topmost curve.
 - ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.
-- ``pen_click``, ``pen_makes``: what a click of the pen makes.
-  ``pen_session``: what it knows of the curves that it draws.
+- ``pen_session``: what the pen knows of the curves that it draws.
 - ``pencil_detail``: how near a curve comes to what the pencil draws.
 - ``background``: what takes a tool longer than a moment.
 - ``hints``: what a press would do, in words.

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.paper import DocumentKind, kind_of, object_word
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
-from ..document.shape_edits import entered, pressed
+from ..document.shape_edits import pressed
 from ..document.shapes import shape_of, whole_shapes
 from . import hints
 from .drag_machine import EditingHost
@@ -89,9 +88,8 @@ class CurvePicker:
             return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns · Click here: {after}")
         if host.selected.is_editing:
             return None
-        things = object_word(host.document, many=True)
         return Hint(
-            f"Drag to choose {things} inside, Alt: those touched too · Shift adds · Double-click edits one"
+            "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits one"
         )
 
 
@@ -111,8 +109,6 @@ def _words_of_click(context: ToolContext, hit: Hit, *, is_chosen: bool) -> str:
         grips = "scale" if context.host.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(context, hit) else ""
         edit = f"Double-click to edit “{name}” · "
-        if _entered(context, hit):
-            edit = f"Double-click to choose within “{name}” · "
         return f"{click}{edit}Shift: one axis, a click takes it out"
     later = "" if is_editing else ", double-click to edit it"
     return f"click to {_verb(host)} it{later} · Shift+click: choose it too"
@@ -169,10 +165,6 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
         selected.set_curves(_toggled(selected.curves, _meant(context, hit)))
     elif context.pointer.shift:
         selected.choose(_toggled(selected.chosen, _meant(context, hit)))
-    elif context.pointer.is_double and (inner := _entered(context, hit)):
-        selected.choose(inner)
-        host.say(f"{chosen_curves(host)}, within its group; Escape, and a click chooses that again.")
-        return
     elif selected.is_editing or context.pointer.is_double:
         edit_curve(context, hit.index)
         return
@@ -183,15 +175,6 @@ def click_curve(context: ToolContext, hit: Hit) -> None:
     else:
         selected.choose(_meant(context, hit))
     host.say(f"{chosen_curves(host)}.")
-
-
-def _entered(context: ToolContext, hit: Hit) -> frozenset[int]:
-    """Return what a double click chooses in a group that is chosen whole; on a page alone, else nothing."""
-    host, pointer = context.host, context.pointer
-    is_drawing = kind_of(host.document) is DocumentKind.DRAWING
-    if pointer.ctrl or host.selected.is_editing or not is_drawing:
-        return frozenset()
-    return entered(host.document, hit.index, host.selected.choice)
 
 
 def _turns_grips(context: ToolContext, hit: Hit) -> bool:
@@ -227,11 +210,7 @@ def chosen_curves(host: EditingHost) -> str:
     if not host.selected.is_editing:
         if name := name_of(host.document, chosen):
             return f"“{name}” is chosen"
-        return (
-            f"{named(host.document, chosen)} chosen"
-            if chosen
-            else f"No {object_word(host.document)} is chosen"
-        )
+        return f"{named(host.document, chosen)} chosen" if chosen else "No curve is chosen"
     if not chosen:
         return f"Only “{active}” is chosen"
     return f"{named(host.document, chosen)} chosen, “{active}” is edited"

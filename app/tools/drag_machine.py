@@ -87,9 +87,6 @@ class SelectionHost(Protocol):
     def take_up(self) -> None:
         """Edit the active curve, for a tool that needs one."""
 
-    def leave_points(self) -> None:
-        """Choose the curves that are edited as wholes."""
-
     def edit_chosen(self) -> None:
         """Edit what is chosen."""
 

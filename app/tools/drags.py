@@ -7,8 +7,8 @@ import math
 import msgspec
 
 from ..document import edits, words
+from ..document.derivatives import DERIVATIVES
 from ..document.model import Document, Vector
-from ..document.paper import vector_word
 from ..document.point_group import PointGroup
 from ..document.several_curves import moved, stepped
 from ..view_model.bending.bend import Bend
@@ -127,9 +127,9 @@ class NudgePoints(Drag, frozen=True):
         return stepped(self.document, self.group, self.step)
 
 
-def what_handle_sets(hit: Hit, view: CurveView, document: Document) -> str:
+def what_handle_sets(hit: Hit, view: CurveView) -> str:
     """Return "velocity of point 2"; at a corner, which has two, the side as well."""
-    return f"{vector_word(document, hit.kind)} of {_side_of(view, hit.index, ahead=hit.ahead)}"
+    return f"{DERIVATIVES[hit.kind - 1].name} of {_side_of(view, hit.index, ahead=hit.ahead)}"
 
 
 def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
@@ -155,7 +155,7 @@ class DragHandle(CurveDrag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Set {what_handle_sets(self.hit, self.view, self.document)}"
+        return f"Set {what_handle_sets(self.hit, self.view)}"
 
     def name_at(self, pointer: Pointer) -> str:
         """Return the name of the step with the keys that are held."""
@@ -168,7 +168,7 @@ class DragHandle(CurveDrag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return the derivative by its length and direction."""
-        what = what_handle_sets(self.hit, self.view, self.document)
+        what = what_handle_sets(self.hit, self.view)
         broken = ", a corner now" if self._breaks(pointer) else ""
         return (
             f"{what[0].upper()}{what[1:]}: {self.readings.polar_words(self._derivative_at(pointer))}{broken}"
@@ -246,13 +246,13 @@ class PullVelocity(CurveDrag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Set {vector_word(self.document, 1)} of {_side_of(self.view, self.index, ahead=True)}"
+        return f"Set velocity of {_side_of(self.view, self.index, ahead=True)}"
 
     keys = f"{STEP_KEYS} · {SNAP_KEY}"
 
     def readout(self, pointer: Pointer) -> str:
         """Return the velocity by its length and direction."""
-        what, velocity = vector_word(self.document, 1), self.readings.polar_words(self._velocity_at(pointer))
+        what, velocity = "velocity", self.readings.polar_words(self._velocity_at(pointer))
         return f"{what.capitalize()} of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.model import Curve, Document
-from ..document.paper import vector_word
+from ..document.model import Curve
 from ..document.point_group import PointGroup
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.points.point_kinds import toggled
@@ -29,9 +28,7 @@ def selected(group: PointGroup) -> str:
     return f"{words[0].upper()}{words[1:]}"
 
 
-def to_select(
-    hit: Hit | None, view: CurveView, document: Document, dragged: str, pointer: Pointer, *, snaps: bool
-) -> Hint:
+def to_select(hit: Hit | None, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint of the Select tool over what belongs to a curve edited, or beside them.
 
     `dragged` is what a drag of the point hit moves, in words.
@@ -42,28 +39,26 @@ def to_select(
         return Hint(LOCKED.format(view.source.seen_name))
     if hit.part is Part.CURVE:
         return to_bend(view, pointer)
-    hint = on_part(hit, view, document, dragged, pointer, snaps=snaps)
+    hint = on_part(hit, view, dragged, pointer, snaps=snaps)
     has_kind = view.source.family.derivatives and hit.part is Part.POINT
     if not has_kind or pointer.alt or not inner_points(view.source, [hit.index]):
         return hint
     return replace(hint, text=f"{hint.text} · Double click: {toggled(view, hit.index).title.lower()}")
 
 
-def on_part(
-    hit: Hit, view: CurveView, document: Document, dragged: str, pointer: Pointer, *, snaps: bool
-) -> Hint:
+def on_part(hit: Hit, view: CurveView, dragged: str, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint over a point or a handle; see `to_select`."""
     if hit.part is not Part.POINT:
         keys = handle_keys(hit, view)
         retracts = " · Ctrl+click: retract it" if hit.kind == 1 else ""
-        return Hint(f"Drag to set the {what_handle_sets(hit, view, document)} · {keys}{retracts}", grab=True)
+        return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}{retracts}", grab=True)
     if pointer.alt and view.source.family.derivatives:
         steps = " in steps of 15°" if pointer.holds_line else ""
-        return Hint(f"Drag to pull out the {vector_word(document, 1)} of point {hit.index}{steps}", grab=True)
+        return Hint(f"Drag to pull out the velocity of point {hit.index}{steps}", grab=True)
     text = f"{to_move(dragged, pointer)} · {AXIS_KEYS} · Shift+click: select it too, or no longer"
     text += f" · {_snap_key(snaps=snaps)}"
     if view.source.family.derivatives:
-        text += f" · Alt: pull out its {vector_word(document, 1)}"
+        text += " · Alt: pull out its velocity"
     return Hint(text, grab=True)
 
 
@@ -106,13 +101,11 @@ def _clicks_on_line(view: CurveView, pointer: Pointer) -> str:
 def to_add_on_part(
     hit: Hit,
     view: CurveView,
-    document: Document,
     dragged: str,
     pointer: Pointer,
     *,
     snaps: bool,
     goes_on: bool,
-    corners: bool = False,
 ) -> Hint:
     """Return the hint of the Add tool over a point or a handle; `goes_on`: what a click on an end does."""
     if goes_on:
@@ -122,26 +115,22 @@ def to_add_on_part(
         if not view.source.family.curve_class.can_close:
             # A click says why, and which families can.
             return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
-        line = f" · Alt: {'smoothly' if corners else 'by a straight line'}"
-        line = line if view.source.family.derivatives else ""
+        line = " · Alt: by a straight line" if view.source.family.derivatives else ""
         return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
-    return on_part(hit, view, document, dragged, pointer, snaps=snaps)
+    return on_part(hit, view, dragged, pointer, snaps=snaps)
 
 
 def to_add(
     act: PenAct,
     view: CurveView,
-    document: Document,
     fresh: Curve,
     *,
     snaps: bool,
-    corners: bool,
     goes_on: bool = True,
 ) -> Hint:
     """Return the hint of the Add tool, on the curve or beside it.
 
-    `fresh` is a curve that would be begun; `corners` tells whether clicks make such, `goes_on` whether Shift
-    adds to the curve that is seen.
+    `fresh` is a curve that would be begun; `goes_on` tells whether Shift adds to the curve that is seen.
     """
     if act is PenAct.INSERT:
         return Hint("Click to insert a point here · Shift: add at the end")
@@ -153,10 +142,8 @@ def to_add(
     what, finish = f"Click to add point {index}", _ENTER if can_finish(view) else ""
     if not view.source.family.derivatives:
         drag = "On the curve: insert between neighbours"
-    elif corners:
-        what, drag = f"{what}, a corner", "Drag: its handles · Alt: smooth"
     else:
-        drag = f"Alt: after a straight line · Drag to set its {vector_word(document, 1)}"
+        drag = "Alt: after a straight line · Drag to set its velocity"
     parts = (what, finish, drag, "Ctrl: steps of 15°" if index else "", keys)
     return Hint(" · ".join(part for part in parts if part))
 

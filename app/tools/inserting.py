@@ -19,4 +19,4 @@ def insert_at(host: EditingHost, t: float) -> None:
     index = inserted_index(view, t)
     if host.change(f"Insert point {index}", edit):
         host.selected.set_points([index])
-        host.say(made[0].told_in(host.document))
+        host.say(made[0].sentence)

@@ -10,7 +10,6 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ..document.model import Vector
-from ..document.paper import object_word
 from ..document.point_group import some_points
 from ..document.shape_edits import pressed
 from ..view_model.curve.curve_view import CurveView
@@ -147,8 +146,7 @@ class CurveMarquee(Band):
         self._on_click(context)
 
     def _words(self, context: ToolContext) -> str:
-        things = object_word(context.host.document, many=True)
-        return f"{chosen_curves(context.host)} · {_KEYS} · Alt: {things} that are touched"
+        return f"{chosen_curves(context.host)} · {_KEYS} · Alt: curves that are touched"
 
 
 def _is_free(view: CurveView) -> bool:

@@ -18,10 +18,10 @@ from .tool import GestureRow, ToolContext
 
 GESTURES = (
     GestureRow("Drag a point", "move it; Ctrl or Shift keeps to one axis"),
-    GestureRow("Alt+drag a point", "pull out its {handle}", needs_derivatives=True),
+    GestureRow("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     GestureRow(
         "Drag a handle",
-        "set {handle} (square), acceleration (diamond), jerk (triangle); Ctrl or Shift: 15°, Alt: break",
+        "set velocity (square), acceleration (diamond), jerk (triangle); Ctrl or Shift: 15°, Alt: break",
         selected=True,
         needs_derivatives=True,
     ),

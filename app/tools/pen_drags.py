@@ -11,13 +11,11 @@ from msgspec.structs import replace
 from ..document import edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
-from ..document.paper import vector_word
 from ..document.ties import tied_to_line
 from ..view_model.curve.curve_view import CurveView, view_of
 from ..view_model.curve.handles import derivative_from_handle
 from ..view_model.fitting.reshape import Reshaped, with_point_inserted
 from ..view_model.points.appending import Appending, with_point_appended
-from ..view_model.points.pen_corners import with_corner_appended, with_own_lengths, with_segment_by_handles
 from .drag import CurveDrag, plus
 from .drags import in_steps
 from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer
@@ -69,14 +67,11 @@ class AppendPoint(CurveDrag, frozen=True):
     ----------
     append
         What a press there makes that does not become a drag.
-    corners
-        Whether clicks make corners: then a drag bends what leads to the point, unless Alt is held.
     """
 
     press: Pointer
     snapper: Snapper
     append: Appending = with_point_appended
-    corners: bool = False
     # The velocity when Alt was not held.
     _whole: list[Vector] = msgspec.field(default_factory=list)
 
@@ -98,9 +93,9 @@ class AppendPoint(CurveDrag, frozen=True):
         place = self._place(pointer)
         note = f"{self.name} at {self.readings.place_words(place)}"
         if not self._sets_velocity(pointer):
-            return f"{note} · a corner" if self.append is with_corner_appended else note
+            return note
         way = self._displacement(pointer, place)
-        note = f"{note}, {vector_word(self.document, 1)} at {self.readings.direction_words(way)}"
+        note = f"{note}, velocity at {self.readings.direction_words(way)}"
         if pointer.alt:
             return f"{note} · a corner"
         if self.view.source.is_closed:
@@ -133,19 +128,8 @@ class AppendPoint(CurveDrag, frozen=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
         place, index = self._place(pointer), len(self.view.source.points)
-        if not self._sets_velocity(pointer):
-            return self.append(self.document, self.curve, self.view, place)
-        if not self.corners:
-            return self._with_handles(
-                self.append(self.document, self.curve, self.view, place), index, pointer
-            )
-        if self.press.alt and pointer.alt:
-            # The handle ahead alone is drawn out of a corner.
-            document = with_corner_appended(self.document, self.curve, self.view, place)
-            return self._with_handles(document, index, pointer)
-        document = with_point_appended(self.document, self.curve, self.view, place)
-        document = self._with_handles(document, index, pointer)
-        return with_segment_by_handles(document, self.curve, index - 1) if index else document
+        document = self.append(self.document, self.curve, self.view, place)
+        return self._with_handles(document, index, pointer) if self._sets_velocity(pointer) else document
 
     def _with_handles(self, document: Document, index: int, pointer: Pointer) -> Document:
         """Return the document with the handle of the new point drawn out."""
@@ -155,8 +139,7 @@ class AppendPoint(CurveDrag, frozen=True):
         if pointer.alt:
             return self._with_handle_ahead(document, index, velocity)
         self._whole[:] = [velocity]
-        document = edits.set_velocity(document, self.curve, index, velocity)
-        return with_own_lengths(document, self.curve, index) if self.corners else document
+        return edits.set_velocity(document, self.curve, index, velocity)
 
     def _with_handle_ahead(self, document: Document, index: int, velocity: Vector) -> Document:
         """Return the document with another velocity ahead of the new point alone."""

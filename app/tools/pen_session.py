@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from ..document.model import Point
-from ..document.paper import DocumentKind, kind_of
 from . import hints
 from .drag_machine import EditingHost
 from .pointer import Hit
@@ -21,8 +19,6 @@ class PenSession:
         self._finished: set[_Key] = set()
         # How many points each had when the pen began to draw it.
         self._drawn: dict[_Key, int] = {}
-        # The last point of each as the pen found it: what handle it has was not meant for what comes next.
-        self._ends: dict[_Key, Point | None] = {}
 
     def reset(self) -> None:
         """Forget everything; another document is open."""
@@ -32,18 +28,6 @@ class PenSession:
     def begin(self) -> None:
         """Forget which curves are drawn: the pen is taken in hand."""
         self._drawn.clear()
-        self._ends.clear()
-
-    def find_end(self, host: EditingHost, *, anew: bool = False) -> None:
-        """Take note of the end of the curve that is edited, where that is not known, or `anew`."""
-        if anew or key_of(host) not in self._ends:
-            points = host.active_view.source.points
-            self._ends[key_of(host)] = points[-1] if points else None
-
-    def has_bare_end(self, host: EditingHost) -> bool:
-        """Whether the pen has drawn no handle out of the end of the curve that is edited."""
-        end = self._ends.get(key_of(host))
-        return end is not None and end in host.active_view.source.points[-1:]
 
     @property
     def has_drawn(self) -> bool:
@@ -68,20 +52,12 @@ class PenSession:
         """Take note that the curve that is edited is finished."""
         self._finished.add(key_of(host))
 
-    def leaves(self, host: EditingHost) -> bool:
-        """Whether the curve that is seen is left alone but for open ends: on pages a finished one."""
-        if kind_of(host.document) is not DocumentKind.DRAWING:
-            return False
-        return host.active_view.source.is_closed or self.is_finished(host)
-
     def draw(self, key: _Key, count: int) -> None:
         """Take note that a curve is drawn, which has had so many points before."""
         if key in self._finished:
             self._drawn.pop(key, None)
         self._finished.discard(key)
         self._drawn.setdefault(key, count)
-        if not count:
-            self._ends[key] = None
 
     def own_points(self, host: EditingHost) -> int:
         """Return how many points at the end of the curve that is edited the pen has drawn."""

@@ -7,9 +7,7 @@ from collections.abc import Callable
 import msgspec
 from msgspec.structs import replace
 
-from ..document.drawn_kinds import SHAPES, DrawnKind
 from ..document.model import Vector
-from ..document.paper import nudge_of
 from ..document.point_group import points_of
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.records import Records
@@ -17,7 +15,6 @@ from .background import Background
 from .drag_machine import DragMachine, EditingHost
 from .drags import NudgePoints
 from .marks import GestureMarks, Note
-from .pen_click import PenClick
 from .pencil_detail import PencilDetail
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
 from .snappers import Snappers
@@ -43,8 +40,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
         How far arrow keys go; 0 for as far as is usual in the document.
     pencil
         How near a curve comes to what the pencil draws.
-    pen
-        What a click of the pen makes.
     """
 
     snapping: Snapping = Snapping()
@@ -53,7 +48,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
     keeps_proportions: bool = False
     nudge: float = 0.0
     pencil: PencilDetail = PencilDetail.MEDIUM
-    pen: PenClick = PenClick.BY_DOCUMENT
 
 
 class ToolContext(msgspec.Struct, frozen=True):
@@ -120,17 +114,13 @@ class ToolContext(msgspec.Struct, frozen=True):
             self.snappers.show_before_press(self.pointer, place)
 
     def step_of(self, stride: Stride) -> float:
-        """Return how far an arrow key goes: as the person has it, or else as the document is.
+        """Return how far an arrow key goes: as the person has it, or else a step of the grid.
 
-        With a unit of paper it is a fixed length. Without, or where the document has a grid of its own and
-        this is snapped to, it is a step of the grid or, not snapping, a round number.
+        Where that is not snapped to it is a round number.
         """
-        document, snapping = self.host.document, self.settings.snapping
+        snapping = self.settings.snapping
         grid = self.grid() if snapping.on and SnapKind.GRID in snapping.kinds else None
-        fixed = self.settings.nudge or nudge_of(document)
-        if grid is not None and document.grid_spacing and not self.settings.nudge:
-            fixed = None
-        return stride.length(fixed or grid)
+        return stride.length(self.settings.nudge or grid)
 
     def progress(self) -> str:
         """Return how far the drag in flight has come, and what it has snapped to."""
@@ -271,10 +261,6 @@ class Tool:
         """Whether it works on the active curve where none is edited."""
         return not self.finds_other_curves
 
-    def takes_objects(self, context: ToolContext) -> bool:
-        """Whether, where there is a page, what was edited is chosen whole when it begins to be used."""
-        return False
-
     def take_over(self, context: ToolContext) -> None:
         """Begin to be used while no curve was edited: what is drawn from now on is another one."""
 
@@ -310,7 +296,7 @@ class GestureRow(msgspec.Struct, frozen=True):
     Attributes
     ----------
     keys, what
-        How it is made, and what it does; "{handle}" stands for what people call the velocity there.
+        How it is made, and what it does.
     selected, curves
         Whether it is done to selected points; to curves that are chosen as wholes.
     needs_derivatives
@@ -349,8 +335,6 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         not stand in the menu of the further ones there.
     keywords
         Other words by which the palette finds it.
-    draws
-        The kind of what it draws: in drawings that may have a style of its own.
     """
 
     name: str
@@ -369,7 +353,6 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     in_menu: bool = False
     in_toolbar: bool = True
     keywords: str = ""
-    draws: DrawnKind = SHAPES
 
     @property
     def order(self) -> tuple[int, ...]:

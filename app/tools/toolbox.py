@@ -8,7 +8,6 @@ from msgspec.structs import replace
 
 from ..document.edits import EditError
 from ..document.model import Vector
-from ..document.paper import DocumentKind, kind_of
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
@@ -120,14 +119,6 @@ class Toolbox:
             selected.take_up()
             selected.set_layer(layer)
             self._chosen.take_over(self.context)
-        elif (
-            self._chosen.takes_objects(self.context) and kind_of(self._host.document) is DocumentKind.DRAWING
-        ):
-            self._host.selected.leave_points()
-
-    @property
-    def _is_drawing(self) -> bool:
-        return kind_of(self._host.document) is DocumentKind.DRAWING
 
     def lay_above(self, record: ToolRecord | None) -> None:
         """Use a tool in place of the one that is chosen, until None gives way to that again."""

@@ -1,7 +1,6 @@
 """The window: builds, docks and connects; and what works on the program itself.
 
 - ``main_window``: the window.  ``connect``: its command sets.  ``window_layout``: its place and size.
-- ``arranging``: what stands around the canvas in sketches and in drawings.
 - ``rendering``: what it shows of a session.
 - ``menus``, ``context_menus``, ``toolbar``: actions on the screen.
 - ``messages``: what the line on the canvas says.

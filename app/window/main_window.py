@@ -29,7 +29,6 @@ from ..actions.state import ActionFacts
 from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector
-from ..document.paper import kind_of
 from ..plotting.tool_plot import ToolPlot
 from ..qt.keys import ENTER
 from ..qt.overrides import Guarded
@@ -43,7 +42,6 @@ from ..workbench.docks import Docks, declared_panels
 from ..workbench.document_files import DocumentFiles
 from ..workbench.file_work import FileWork
 from ..workbench.status_line import StatusLine
-from .arranging import Arranging
 from .connect import COMMAND_SETS, Commands
 from .drops import accepted
 from .focus_commands import FocusCommands
@@ -95,10 +93,8 @@ class MainWindow(Guarded, QMainWindow):
         self.basis_panel = self.findChild(ToolPlot, "basisPanel")
         self.toolbar.fill(self.commands.widgets())
         self.context.docks.fill()
-        self._arranging = Arranging(self.context)
         self._connect()
         restore_layout(self, self.splitter, self.preferences)
-        self._arranging.restore()
         self._render_theme()
         self._rendering = Rendering(self.context, self.commands)
         self.actions_by_name.attach(self.splitter)
@@ -111,7 +107,6 @@ class MainWindow(Guarded, QMainWindow):
     def _build_state(self) -> None:
         session = self.session
         self.store = WindowStore(self.preferences, self)
-        self.store.change(kind=kind_of(session.document))
         self.analysis = Analysis(self.store, self)
         clipboard = ClipboardWatch(self)
         facts = ActionFacts(session, self.store, clipboard)
@@ -211,7 +206,6 @@ class MainWindow(Guarded, QMainWindow):
 
     def _remember_layout(self) -> None:
         self.store.change(presentation=False)
-        self._arranging.note()
         self.preferences.window_geometry = self.saveGeometry()
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()

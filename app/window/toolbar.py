@@ -1,4 +1,4 @@
-"""The toolbar: the actions used most, and in its middle what the kind of work at hand needs."""
+"""The toolbar: the actions used most, and in its middle the families."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QSizePolicy, QToolBar, QToolButton, QWidget, QWidgetAction
+from PySide6.QtWidgets import QToolBar, QToolButton, QWidget, QWidgetAction
 
 from ..actions.qactions import Actions
-from ..actions.strips import BARS, FAMILY_BAR, TOOLBAR, Bar, Place, Strip
+from ..actions.strips import FAMILY_BAR, TOOLBAR, Place, Strip
 from ..qt.overrides import Guarded
 from ..widgets.choices_menu import ChoicesMenu
 from ..widgets.controls import named
@@ -42,26 +42,8 @@ _STEPS = (
 _ICON_SIZE = QSize(20, 20)
 
 
-class _NestedBar(QToolBar):
-    """A bar in the middle: it fills that, so what follows stays where it is, and has an arrow of its own."""
-
-    def __init__(self, actions: Actions, bar: Bar, parent: QWidget) -> None:
-        super().__init__(bar.name, parent)
-        self.setObjectName(bar.name)
-        self.setMovable(False)
-        self.setIconSize(_ICON_SIZE)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        for entries in actions.in_strip(bar).values():
-            self.addSeparator()
-            self.addActions(entries)
-
-
 class Toolbar(Guarded, QToolBar):
-    """Says less in a narrow window, so that as much as can be is not behind its arrow.
-
-    The bars in its middle take turns. That of the families stands in the toolbar itself: its words go by the
-    room that all others leave.
-    """
+    """Says less in a narrow window, so that as much as can be is not behind its arrow."""
 
     def __init__(self, actions: Actions, parent: QWidget) -> None:
         super().__init__("Toolbar", parent)
@@ -72,23 +54,19 @@ class Toolbar(Guarded, QToolBar):
         self._in_words: list[QAction] = []
         self._widgets: list[ToolbarWidget] = []
         self._families: list[QAction] = []
-        self._bars: dict[Bar, QAction] = {}
-        self._shown: Bar = FAMILY_BAR
         self._has_style = False
         self._widths: list[int] = []
         actions.redeclared.connect(self._follow_actions)
-        actions.switched.connect(self._follow_work)
+        actions.switched.connect(self._fit)
 
     def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
-        """Add the actions of the strip and of the bars, and `widgets` at their places."""
+        """Add the actions of the strips, and `widgets` at their places."""
         self._widgets = list(widgets.values())
         families = self._groups(FAMILY_BAR, widgets)
         for ten, group in sorted({**self._groups(TOOLBAR, widgets), **families}.items()):
             entries = [_separator(self), *group] if self.actions() else group
             if ten in families:
                 self._families += entries
-            elif self._families and not self._bars:
-                self._add_bars()
             self.addActions(entries)
             self._follow(group)
         self._add_choices()
@@ -116,12 +94,6 @@ class Toolbar(Guarded, QToolBar):
                 groups.setdefault(place.number // 10, []).append(holder)
         return groups
 
-    def _add_bars(self) -> None:
-        for bar in BARS:
-            if bar is not FAMILY_BAR:
-                self._bars[bar] = self.addWidget(_NestedBar(self._actions, bar, self))
-                self._bars[bar].setVisible(False)
-
     def _follow(self, actions: Iterable[QAction]) -> None:
         self._in_words += [
             each for each in actions if each.objectName() and self._actions.words_of(each, short=True)
@@ -136,24 +108,8 @@ class Toolbar(Guarded, QToolBar):
                 if action not in self._families:
                     self._families.insert(self._families.index(before) + 1, action)
                     self._follow([action])
-            if self._shown is FAMILY_BAR:
-                put_in(self, entries)
+            put_in(self, entries)
         self._widths.clear()
-        self._fit()
-
-    def _follow_work(self) -> None:
-        """Show the bar of the work at hand."""
-        shown = next(bar for bar in BARS if self._actions.is_shown(bar))
-        if self._bars and shown is not self._shown:
-            if shown is FAMILY_BAR:
-                self.insertActions(next(iter(self._bars.values())), self._families)
-            elif self._shown is FAMILY_BAR:
-                for each in self._families:
-                    self.removeAction(each)
-            for bar, place in self._bars.items():
-                place.setVisible(bar is shown)
-            self._shown = shown
-            self._widths.clear()
         self._fit()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -176,7 +132,7 @@ class Toolbar(Guarded, QToolBar):
         if at == len(self._widths):
             self._show_step(step)
             if (layout := self.layout()) is not None:
-                # Buttons that are new, as those of families behind another bar, tell it only later.
+                # Buttons that are new tell it only later.
                 layout.invalidate()
             self._widths.append(self.sizeHint().width())
         return self._widths[at] <= self.width()

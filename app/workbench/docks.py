@@ -11,7 +11,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from ..actions.declaration import marked
-from ..document.paper import DocumentKind
 from .dock import Dock, LateDock
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
@@ -52,8 +51,9 @@ class Panel(msgspec.Struct, frozen=True):
         Where it stands.
     on_demand
         Whether its dock stays away until it is asked for: too many tabs are none.
-    for_drawings
-        Whether it is in front where there is a page to draw on.
+    is_steady
+        Whether what stands in it stays there when its scroll bar comes and goes, for what changes with every
+        click on the canvas.
     """
 
     dock_class: ClassVar[type[Dock]] = Dock
@@ -62,7 +62,7 @@ class Panel(msgspec.Struct, frozen=True):
     title: str
     stack: Stack = LOWER
     on_demand: bool = False
-    for_drawings: bool = False
+    is_steady: bool = False
 
     def __call__(self, build: _Builder) -> _Builder:
         """Declare the decorated method of a command set as what builds the panel."""
@@ -105,8 +105,7 @@ class Docks:
             each.name: each.dock_class(each.title, partial(build, each.name), window) for each in panels
         }
         for each in panels:
-            # What one draws with changes with every click on the canvas.
-            self._docks[each.name].is_steady = each.for_drawings
+            self._docks[each.name].is_steady = each.is_steady
         fronts: dict[Stack, QDockWidget] = {}
         for each in panels:
             self._place(self[each.name], each, fronts)
@@ -116,12 +115,6 @@ class Docks:
             if each.on_demand:
                 self[each.name].hide()
         self._fronts = [(fronts[stack], stack.height) for stack in (UPPER, LOWER)]
-        in_drawings = tuple(each.name for each in panels if each.for_drawings)
-        self._usual = {
-            DocumentKind.SKETCH: tuple(dock.objectName() for dock, _height in self._fronts),
-            DocumentKind.DRAWING: in_drawings,
-        }
-        self._of_drawings = tuple(self[each.name] for each in panels if each.for_drawings and each.on_demand)
         self.all = tuple(self._docks.values())
         self.side = tuple(self[each.name] for each in panels if each.stack is not LEFT)
 
@@ -136,30 +129,6 @@ class Docks:
 
     def __getitem__(self, name: str) -> Dock:
         return self._docks[name]
-
-    @property
-    def brought_up(self) -> tuple[str, ...] | None:
-        """Names of the docks at the right that are in front, after those that drawings have of their own.
-
-        None where nobody sees any.
-        """
-        front = [dock for dock in self.side if not (dock.isFloating() or dock.visibleRegion().isEmpty())]
-        if not front:
-            return None
-        behind = [dock for dock in self._of_drawings if not dock.isHidden() and dock not in front]
-        return tuple(dock.objectName() for dock in (*behind, *front))
-
-    def bring_up(self, names: Sequence[str] | None, kind: DocumentKind) -> None:
-        """Have these docks in front, or those that usually are in a document of this kind.
-
-        What drawings have of their own is put away where it is not among them.
-        """
-        names = self._usual[kind] if names is None else names
-        for dock in self._of_drawings:
-            dock.setVisible(dock.objectName() in names)
-        for dock in (self[name] for name in names if name in self._docks):
-            if not (dock.isHidden() or dock.isFloating()):
-                dock.raise_()
 
     def fill(self) -> None:
         """Build the panels that are not late, and give each stack its share of the side."""

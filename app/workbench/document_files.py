@@ -10,8 +10,6 @@ from typing import Any
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
-from ..document.model import Document
-from ..document.paper import DocumentKind
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
 from ..session import Session
@@ -33,7 +31,7 @@ from .file_names import (
     path_to_save,
     why_not_saved_as,
 )
-from .new_documents import as_usual, blank_document, blank_drawing, blank_sketch
+from .new_documents import as_usual, blank_document
 from .unsaved_changes import ask_about_changes
 
 StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[str], object]], bool]
@@ -83,34 +81,20 @@ class DocumentFiles:
         self._prepare_sketch()
 
     def _prepare_sketch(self) -> None:
-        """Give the sketch that a session begins with unit and grid of new documents, or begin with a page."""
+        """Give the sketch that a session begins with unit and grid of new documents."""
         session, sketch = self._session, plain(first_sketch())
         is_begun, usual = session.files.path is not None or session.undo_stack.count(), self._preferences
         if is_begun or session.document != sketch:
             return
-        if usual.begins_with is DocumentKind.DRAWING:
-            session.files.begin(blank_drawing(usual))
-        elif sketch != as_usual(sketch, usual):
+        if sketch != as_usual(sketch, usual):
             session.files.begin(as_usual(sketch, usual))
 
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""
-        self._begin(blank_document)
-
-    def new_drawing(self) -> bool:
-        """Start a page to draw on, after asking about unsaved changes; return whether it is there."""
-        return self._begin(blank_drawing)
-
-    def new_sketch(self) -> bool:
-        """Start a plane without a page, after asking about unsaved changes; return whether it is there."""
-        return self._begin(blank_sketch)
-
-    def _begin(self, make: Callable[[Preferences], Document]) -> bool:
         if not self.may_discard():
-            return False
+            return
         self.remember_rules()
-        self._session.files.begin(make(self._preferences))
-        return True
+        self._session.files.begin(blank_document(self._preferences))
 
     def remember_rules(self) -> None:
         """Let new documents begin with the family and the rules of the curve that is edited.

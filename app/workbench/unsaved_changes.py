@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from ..document.paper import kind_of
 from ..qt.labels import breakable
 from ..session import Session
 from .file_names import short_name, title_of
@@ -34,7 +33,7 @@ def _question_about(session: Session) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why."""
     files, file = session.files, session.files.file
     is_named = files.path is not None or files.beginning.title
-    name = short_name(title_of(session)) if is_named else f"the {kind_of(session.document).noun}"
+    name = short_name(title_of(session)) if is_named else "the sketch"
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if files.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."

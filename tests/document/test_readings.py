@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Axis, Document, Guide, Page, make_curve
-from app.document.plane_edits import set_y_up, with_page_size
+from app.document.model import Document, Page, make_curve
 from app.document.readings import PLAIN, readings_of
 
 A4 = Document((make_curve([(20.0, 276.9)]),), page=Page(0.0, 0.0, 210.0, 297.0), unit="mm")
@@ -60,31 +59,6 @@ def test_without_a_page_and_from_the_origin_no_digit_changes():
 
 def test_a_number_that_is_none_stays_none():
     assert np.isnan(readings_of(A4).all_shown_at(1, np.array([np.nan, 1.0]))).tolist() == [True, False]
-
-
-def test_ways_derivatives_and_angles_are_told_once_and_meant_so():
-    down, up = readings_of(A4), readings_of(set_y_up(A4, up=True))
-    assert down.way((3.0, 4.0)) == (3.0, -4.0)
-    assert down.way(down.way((3.0, 4.0))) == (3.0, 4.0)
-    assert str(down.way((0.0, 0.0))) == "(0.0, 0.0)"
-    assert (down.turn(30.0), up.turn(30.0), str(down.turn(0.0))) == (-30.0, 30.0, "0.0")
-    assert (down.polar_words((3.0, -4.0)), up.polar_words((3.0, -4.0))) == ("5 at 53.1°", "5 at −53.1°")
-    assert (down.sense, up.sense) == ("clockwise", "counterclockwise")
-
-
-@pytest.mark.parametrize("up", [False, True])
-def test_another_size_of_the_page_changes_nothing_that_is_told(up):
-    """The lower left corner stayed: all of y was told otherwise by the 87 mm that the page had lost."""
-    before = replace(A4, y_up=up, guides=(Guide(Axis.Y, 200.0),))
-    after = with_page_size(before, 148.0, 210.0)
-    assert (after.page.width, after.page.height) == (148.0, 210.0)
-    assert (after.curves, after.guides) == (before.curves, before.guides)
-    assert readings_of(after) == readings_of(before)
-
-
-def test_an_empty_page_of_another_size_stands_where_it_did():
-    empty = replace(A4, curves=(make_curve(()),))
-    assert with_page_size(empty, 148.0, 210.0).page == Page(0.0, 0.0, 148.0, 210.0)
 
 
 def test_words_of_places_and_angles_come_from_readings_alone():

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document.model import Document, Page, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -122,21 +121,6 @@ def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor, ac
     assert editor.status.endswith("The parameters are manual now.")
     editor.trigger("undo")
     assert editor.session.document == document
-
-
-@pytest.mark.parametrize("act", ["double click", "key"])
-def test_who_draws_on_a_page_is_told_of_the_shape_and_not_of_parameters(editor, act):
-    begin(editor, make_curve(BOW, family=HERMITE), kind=ParametrizationKind.CHORD_LENGTH)
-    editor.session.change("Page", lambda document: replace(document, page=Page(0.0, 0.0, 20.0, 20.0)))
-    editor.settle()
-    if act == "key":
-        editor.select([1, 2])
-        editor.key(Qt.Key.Key_Insert)
-    else:
-        editor.double_click(on_line(editor, 1))
-    assert editor.curve.is_manual
-    assert "shape kept, largest change" in editor.status.lower()
-    assert "parameter" not in editor.status + editor.message
 
 
 def test_where_the_rule_gives_the_same_shape_it_stays_in_force(editor):

@@ -71,53 +71,11 @@ def test_five_leaves_around_a_foot_seventy_millimetres_wide(sheet):
     sheet.trigger("keepProportions")
 
 
-MIRRORED_IN_INKSCAPE = 24
 """Clicks and keys of the same by the manual of Inkscape, a key with modifiers counted as one.
 
 B, five clicks and drags of the pen; S, a click for the centre and its drag to the foot; twice Ctrl+D, a drag
 of a corner with Ctrl, Ctrl+D, H; Ctrl+A, the lock, a click into W, Ctrl+A, 7, 0, Tab.
 """
-
-
-def test_a_leaf_and_two_pairs_of_mirror_images_seventy_millimetres_wide(editor, point_locale):
-    editor.trigger("newDrawing")
-    editor.settle()
-    hands = Hands(editor)
-    hands.click((100.0, 100.0))
-    hands.drag((130.0, 150.0), (130.0, 180.0))
-    hands.click((100.0, 250.0))
-    hands.drag((70.0, 150.0), (70.0, 120.0))
-    hands.click((100.0, 100.0))
-    hands.press(Key.Key_V)
-    hands.click_on(QToolButton, "pivotBottom")
-    x, y = foot = editor.window.canvas.marks.pivot
-    for degrees in (45, -45):
-        hands.press(Key.Key_D, CTRL)
-        grip = np.array(editor.grip()) - foot
-        cosine, sine = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-        to = (x + cosine * grip[0] - sine * grip[1], y + sine * grip[0] + cosine * grip[1])
-        hands.drag(editor.grip(), to, CTRL)
-        hands.press(Key.Key_D, CTRL)
-        hands.press(Key.Key_H)
-    check_mirrored(editor, foot)
-    hands.press(Key.Key_A, CTRL)
-    hands.click_on(QToolButton, "panelProportionsButton")
-    hands.press(Key.Key_M, CTRL | SHIFT)
-    hands.type("70")
-    hands.press(Key.Key_Return)
-    assert editor.window.canvas.tools.target.bounds.size[0] == pytest.approx(70.0, abs=1e-11)
-    assert hands.count <= MIRRORED_IN_INKSCAPE
-    editor.trigger("keepProportions")
-
-
-def check_mirrored(editor, foot):
-    """The leaves stand at 0, 45, −45, −90 and 90 degrees, and each has a mirror image about the foot."""
-    tips = [np.array(curve.points[2].position) - foot for curve in editor.session.document.curves]
-    degrees = [float(np.degrees(np.arctan2(-tip[0], tip[1]))) for tip in tips]
-    assert sorted(degrees) == pytest.approx([-90.0, -45.0, 0.0, 45.0, 90.0], abs=0.1)
-    tips.sort(key=lambda tip: float(tip[0]))
-    for one, two in zip(tips, reversed(tips), strict=True):
-        assert one == pytest.approx(two * (-1, 1), abs=1e-9)
 
 
 def check_leaves(editor, leaf, about):

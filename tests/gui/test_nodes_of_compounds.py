@@ -21,7 +21,8 @@ COUNTER = ((30.0, 50.0), (50.0, 50.0), (50.0, 70.0), (30.0, 70.0))
 @pytest.fixture
 def letter(editor):
     """A letter with a counter in a drawing, made one by Ctrl+K and double-clicked: no node is chosen."""
-    editor.trigger("newDrawing")
+    editor.new()
+    editor.window.canvas.camera.show_box((0, 210), (0, 297))
     contours = [make_curve(places, name="R", family=HERMITE) for places in (OUTER, COUNTER)]
     document = editor.session.document
     curves = tuple(replace(each, closed=True, name=f"R{at}") for at, each in enumerate(contours))
@@ -97,16 +98,6 @@ def test_g_s_and_r_take_all_contours_along(letter, key, typed, linear, shift):
     assert places(letter) == pytest.approx(wanted, abs=1e-9)
     letter.trigger("undo")
     assert places(letter) == pytest.approx(before, abs=0)
-
-
-def test_alignment_to_the_page_moves_all_contours(letter):
-    before = places(letter)
-    letter.trigger("alignToPage")
-    letter.trigger("alignLeft")
-    ways = places(letter) - before
-    assert ways[0, 0] < -1
-    assert ways == pytest.approx(np.tile(ways[0], (9, 1)), abs=1e-9)
-    letter.trigger("alignToEachOther")
 
 
 def test_a_chosen_node_is_meant_alone(letter):

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.document.model import Document, Page, make_curve
+from app.document.model import Document, make_curve
 from app.document.transforms import clean_step
 from app.features.history.commands import HistoryCommands
 
@@ -127,52 +126,3 @@ def test_ticks_and_the_image_are_nudged_in_one_step_too(arch):
     assert history(arch) == ["Begin", "Change t of point 1"]
     arch.key(RIGHT)
     assert history(arch) == ["Begin", "Change t of point 1", "Nudge point 1"]
-
-
-@pytest.fixture
-def paper(arch):
-    """The same on a page of millimetres, seen as a whole: there the adaptive grid has steps of 10 mm."""
-    page = Page(0.0, 0.0, 210.0, 297.0)
-    arch.session.change("Page", lambda document: replace(document, unit="mm", page=page))
-    arch.fit()
-    yield arch
-    arch.new()
-    arch.settle()
-
-
-@pytest.mark.parametrize("snaps", [False, True])
-def test_on_paper_a_key_goes_one_millimetre_at_any_zoom_whether_it_snaps_or_not(paper, snaps):
-    """It went 10 mm while snapping, with Shift 100 mm."""
-    if snaps:
-        paper.trigger("toggleSnap")
-    try:
-        paper.session.selected.choose({0})
-        for held, expected in ((NONE, 1.0), (SHIFT, 11.0), (CTRL, 11.1)):
-            paper.key(RIGHT, held)
-            assert paper.point(0)[0] == pytest.approx(expected, abs=1e-12)
-        x = paper.point(0)[0]
-        paper.key(RIGHT, ALT)
-        assert paper.point(0)[0] - x == pytest.approx(paper.pixel, rel=0.05)
-        paper.window.canvas.camera.show_box((0, 2), (0, 2))
-        x = paper.point(0)[0]
-        paper.key(LEFT)
-        assert paper.point(0)[0] == pytest.approx(x - 1.0, abs=1e-9)
-    finally:
-        if snaps:
-            paper.trigger("toggleSnap")
-
-
-def test_the_step_is_the_grids_where_the_document_has_one_of_its_own_and_else_what_was_set(paper):
-    store = paper.window.store
-    paper.set_grid(2.5)
-    paper.trigger("toggleSnap")
-    try:
-        paper.session.selected.choose({0})
-        paper.key(RIGHT)
-        assert paper.point(0)[0] == 2.5
-        store.change(nudge=0.25)
-        paper.key(RIGHT)
-        assert paper.point(0)[0] == 2.75
-    finally:
-        paper.trigger("toggleSnap")
-        store.change(nudge=0.0)

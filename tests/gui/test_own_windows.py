@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QDialog, QFileDialog
+from PySide6.QtWidgets import QDialog, QFileDialog
 
 from app.cli.lifecycle import Lifecycle
-from app.document.paper import DocumentKind
 from app.session import Session
 from app.storage.files import load
 from app.testing import Editor
@@ -54,16 +52,15 @@ def test_new_replaces_what_nobody_touched_and_leaves_all_else_in_its_window(new_
     assert editor.session.active_curve.points == ()
     editor.add_point(0.2, 0.2)
     before = editor.session.document
-    for name, is_drawing in (("newDocument", False), ("newDrawing", True), ("newSketch", False)):
-        editor.trigger(name)
+    for _ in range(2):
+        editor.trigger("newDocument")
         other = windows()[-1]
         assert other.isVisible()
         assert other.pos() != editor.window.pos()
         assert other.size() == editor.window.size()
-        assert (other.session.document.page is not None) is is_drawing
         assert other.session.active_curve.points == ()
         assert other.actions_by_name["addTool"].isChecked()
-    assert len(windows()) == 3
+    assert len(windows()) == 2
     assert editor.session.document is before
     assert editor.session.files.is_modified
 
@@ -75,7 +72,7 @@ def test_a_further_window_does_not_stick_out_of_the_screen_beside_a_large_one(ne
     window.resize(screen.size() - margins)
     new_editor.settle()
     new_editor.add_point(0.2, 0.2)
-    new_editor.trigger("newSketch")
+    new_editor.trigger("newDocument")
     (other,) = windows()
     frame = other.frameGeometry()
     assert screen.contains(frame)
@@ -135,19 +132,3 @@ def test_a_drawing_of_another_program_gets_its_own_window(new_editor, windows, t
         assert len(windows()) == count
     assert windows()[-1].windowTitle() == "lossy[*] – Curvebench"
     assert editor.session.document is before
-
-
-def test_the_editor_begins_with_a_drawing_where_that_is_chosen(new_editor, qtbot):
-    editor = new_editor
-    editor.trigger("preferences")
-    box = editor.window.findChild(QComboBox, "beginsWithBox")
-    assert box.currentText() == "A sketch"
-    QTest.keyClick(box, Qt.Key.Key_Down)
-    try:
-        assert editor.window.preferences.begins_with is DocumentKind.DRAWING
-        second = Editor(qtbot)
-        page = second.session.document.page
-        assert (page.width, page.height, second.session.document.unit) == (210, 297, "mm")
-        assert second.session.files.is_untouched
-    finally:
-        editor.window.preferences.begins_with = DocumentKind.SKETCH

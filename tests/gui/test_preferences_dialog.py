@@ -147,20 +147,15 @@ def rows_of(dialog):
 
 def test_the_rows_stand_in_the_order_of_the_settings(dialog):
     names = [kind.value for kind in SnapKind]
-    kinds, on_pages = (
-        list(zip([label, *[""] * (len(names) - 1)], map(widget.format, names), strict=True))
-        for label, widget in (("Snap to", "snap_{}"), ("Snap on pages to", "page_snap_{}"))
-    )
-    assert rows_of(dialog)[: 7 + 2 * len(kinds)] == [
+    labels = ["Snap to", *[""] * (len(names) - 1)]
+    kinds = list(zip(labels, map("snap_{}".format, names), strict=True))
+    assert rows_of(dialog)[: 5 + len(kinds)] == [
         ("Theme", "themeBox"),
-        ("Begin with", "beginsWithBox"),
         ("Unit when new", "unitBox"),
         ("", "unitBoxNote"),
         ("Grid when new", "gridSpacing"),
         ("", "preferencesProblem"),
-        ("", "preference_y_down"),
         *kinds,
-        *on_pages,
     ]
 
 
@@ -209,7 +204,7 @@ def test_a_setting_that_is_one_line_is_seen_changed_at_once_and_remembered(qtbot
 
 def test_what_is_remembered_of_the_window_is_not_there():
     named = settings_with_labels(Preferences)
-    assert list(named)[:5] == ["theme_mode", "begins_with", "unit_name", "grid_spacing", "y_down"]
+    assert list(named)[:3] == ["theme_mode", "unit_name", "grid_spacing"]
     for name in ("window_geometry", "shortcuts", "snap_on", "export_choice", "last_folder"):
         assert name not in named
 

@@ -532,27 +532,18 @@ def test_a_new_picture_lies_at_short_numbers(editor, tmp_path, box):
     assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2), abs=1.01 * editor.pixel)
 
 
-def test_in_a_drawing_it_lies_on_the_page_and_in_a_sketch_import_takes_one(editor, tmp_path, monkeypatch):
+def test_import_takes_one(editor, tmp_path, monkeypatch):
     chosen = [str(picture(tmp_path / name, 60, 40)) for name in ("a.png", "b.PNG")]
     filters = []
     monkeypatch.setattr(
         QFileDialog, "getOpenFileNames", lambda *words: (filters.append(words[3]), (chosen, ""))[1]
     )
-    editor.trigger("newSketch")
+    editor.new()
     editor.key(Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
     editor.settle()
     assert "*.png" in filters[0].split(";;")[0]
     assert image_of(editor).path == chosen[0]
     assert editor.message == "b.PNG was not traced: a document has one picture to trace."
-    editor.session.files.give_up_changes()
-    editor.trigger("newDrawing")
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (chosen[0], ""))
-    editor.trigger("addImage")
-    image, page = image_of(editor), editor.session.document.page
-    # As wide as the page and in its middle; a letter of it was drawn beyond the page.
-    assert (image.width, image.height) == pytest.approx((page.width, page.width * 40 / 60))
-    assert middle(image) == pytest.approx((page.width / 2, page.height / 2), abs=1.01 * editor.pixel)
-    assert editor.window.store.state.tool.name == "add"
 
 
 # Curves on a picture

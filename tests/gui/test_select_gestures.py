@@ -16,7 +16,8 @@ ALT, SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier
 @pytest.fixture
 def paper(editor):
     """A drawing of two rectangles, 40 units square, and an ellipse over a part of the second one."""
-    editor.trigger("newDrawing")
+    editor.new()
+    editor.window.canvas.camera.show_box((0, 210), (0, 297))
     for tool, start in (
         ("rectangleTool", (20, 20)),
         ("rectangleTool", (100, 20)),
@@ -84,42 +85,6 @@ def test_shift_click_puts_the_pivot_back(paper):
     assert target.pivot == pytest.approx((70, 90), abs=2 * paper.pixel)
     paper.click((70, 90), keys=SHIFT)
     assert target.pivot is None
-
-
-def test_on_a_page_words_are_of_objects_and_of_what_they_are(paper):
-    """They were “Delete Curve”, “2 curves chosen” and “No curve is chosen” for rectangles."""
-    paper.session.selected.choose([0])
-    paper.settle()
-    assert paper.action("deleteCurve").text() == "Delete Rectangle"
-    assert paper.action("selectAllCurves").text() == "Select All Objects"
-    paper.session.selected.choose([0, 2])
-    paper.settle()
-    assert paper.action("duplicateCurve").text() == "Duplicate 2 Objects"
-    paper.key(Key.Key_Right)
-    assert paper.session.undo_stack.undoText() == "Nudge 2 objects"
-    paper.escape()
-    assert paper.status == "No object is chosen."
-    paper.new()
-    assert paper.action("selectAllCurves").text() == "Select All Curves"
-
-
-def test_a_double_click_enters_a_group_and_in_it_the_next_edits(paper):
-    """It edited the points of the rectangle at once."""
-    paper.session.selected.choose([0, 1])
-    paper.trigger("groupCurves")
-    paper.session.selected.choose([0, 1, 2])
-    paper.trigger("groupCurves")
-    paper.session.selected.choose([])
-    selected = paper.session.selected
-    paper.double_click((40, 20))
-    assert (selected.chosen, selected.is_editing) == ({0, 1}, False)
-    paper.double_click((40, 20))
-    assert (selected.chosen, selected.is_editing) == ({0}, False)
-    paper.click((110, 20))
-    assert selected.chosen == {1}
-    paper.double_click((110, 20))
-    assert selected.is_editing
-    assert paper.session.active_index == 1
 
 
 def test_ctrl_alt_click_on_a_line_inserts_a_point_there(paper):

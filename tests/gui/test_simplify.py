@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from app.document.model import Page
-from app.document.plane_edits import set_page
 from app.exchange.svg.reader import read_svg
 from app.view_model.curve.curve_view import view_of
 
@@ -30,7 +28,7 @@ def drawing(editor):
     def draw(*paths):
         text = "".join(f'<path d="{path}" fill="#0088ff"/>' for path in paths)
         svg = f'<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">{text}</svg>'
-        document = set_page(read_svg(svg.encode(), None).document, Page(0.0, -100.0, 100.0, 100.0))
+        document = read_svg(svg.encode(), None).document
         editor.session.commit(document, "Begin", active=0)
         editor.session.selected.choose(range(len(document.curves)))
         editor.fit()
@@ -41,7 +39,7 @@ def drawing(editor):
 
 def test_many_points_become_few_and_the_curve_stays_where_it_was(drawing):
     editor = drawing(ellipse(120))
-    editor.key(Qt.Key.Key_L, CTRL)
+    editor.trigger("simplify")
     editor.wait_for_work()
     (curve,) = editor.session.document.curves
     assert len(curve.points) <= 6
@@ -73,7 +71,7 @@ def test_corners_and_straight_lines_stay_to_the_last_digit(drawing):
 def test_what_has_no_point_too_many_is_left_and_that_is_said(drawing):
     editor = drawing("M0 0H30V20H0Z")
     before = editor.session.document
-    editor.key(Qt.Key.Key_L, CTRL)
+    editor.trigger("simplify")
     editor.wait_for_work()
     assert editor.session.document is before
     assert editor.status == "No curve of these takes fewer points than it has."

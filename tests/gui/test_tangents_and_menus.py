@@ -14,8 +14,6 @@ from app.actions.clipboard_watch import DERIVATIVES
 from app.document import edits
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
-from app.document.page import Page
-from app.document.paper import vector_word
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.help.shortcut_sheet import Moment
 from app.features.point_table.edits import keeping_sentence
@@ -146,24 +144,13 @@ def test_a_hidden_velocity_is_pulled_out(wave):
     assert wave.curve.points[1].velocity == (0, 0)
 
 
-def test_on_a_page_what_is_pulled_out_is_a_handle(wave):
-    """Title, undo, the sentence of the point table and the sheet of keys say what people say there."""
-    title = wave.action("pullVelocity").text
-    assert title() == "Pull Out Velocity"
-    document = replace(wave.session.document, page=Page(0.0, 0.0, 10.0, 10.0))
-    assert (
-        keeping_sentence(wave.session.document, [8], {1, 2})
-        == "Point 8 keeps its own velocity and acceleration"
-    )
-    assert keeping_sentence(document, [8], {1}) == "Point 8 keeps its own handle"
-    assert keeping_sentence(document, [3, 8], {1}) == "2 points keep their own handles"
-    wave.session.commit(document, "Page")
-    assert title() == "Pull Out Handle"
-    rows = Moment(SELECT, selected=1, has_derivatives=True, handle=vector_word(document, 1)).rows()
+def test_the_sheet_of_keys_and_the_point_table_speak_of_velocities():
+    assert keeping_sentence([8], {1, 2}) == "Point 8 keeps its own velocity and acceleration"
+    assert keeping_sentence([3, 8], {1}) == "2 points keep their own velocities"
+    rows = Moment(SELECT, selected=1, has_derivatives=True).rows()
     said = " ".join(what for part in rows for _keys, what in part)
-    assert "pull out its handle" in said
-    assert "set handle (square)" in said
-    assert "velocity" not in said
+    assert "pull out its velocity" in said
+    assert "set velocity (square)" in said
     assert "{" not in said
 
 

@@ -5,14 +5,12 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox, QToolButton, QWidget
 
-from app.actions.strips import FAMILY_BAR, OBJECT_BAR, POINT_BAR, TOOLBAR
 from app.document.model import ParametrizationKind
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.testing import Editor
 from curvecore import LagrangeCurve
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
-ALT = Qt.KeyboardModifier.AltModifier
 FIRST = (LAGRANGE, HERMITE, QUINTIC_HERMITE)
 TEXT, BOTH, ICON = (
     Qt.ToolButtonStyle.ToolButtonTextOnly,
@@ -229,64 +227,6 @@ def test_one_button_has_the_tools_without_a_button_and_keeps_the_last_one_used(e
     assert not button.isChecked()
     QTest.mouseClick(button, Qt.MouseButton.LeftButton, pos=left)
     assert ellipse.isChecked()
-
-
-def in_sight(editor, *strips):
-    """The names of the actions of some strips that have a button in the toolbar that is seen whole."""
-    buttons = [each for each in editor.window.toolbar.findChildren(QToolButton) if each.defaultAction()]
-    whole = {
-        each.defaultAction().objectName()
-        for each in buttons
-        if each.visibleRegion().boundingRect() == each.rect()
-    }
-    groups = [group for strip in strips for group in editor.window.actions_by_name.in_strip(strip).values()]
-    return [each.objectName() in whole for group in groups for each in group]
-
-
-def place_of(editor, name):
-    return button_of(editor, name).mapTo(editor.window, QPoint())
-
-
-def test_a_drawing_has_the_commands_for_objects_and_for_points_in_place_of_the_families(qtbot):
-    editor = Editor(qtbot, size=(1280, 720))
-    assert all(in_sight(editor, FAMILY_BAR))
-    editor.key(Qt.Key.Key_N, CTRL | ALT | SHIFT)
-    for corner in (20, 50):
-        editor.trigger("rectangleTool")
-        editor.drag((corner, corner), (corner + 50, corner + 50))
-    editor.trigger("selectTool")
-    editor.key(Qt.Key.Key_A, CTRL | SHIFT)
-    at = place_of(editor, "fitView")
-    assert len(editor.session.selected.chosen) == 2
-    assert all(in_sight(editor, OBJECT_BAR))
-    assert not any(in_sight(editor, FAMILY_BAR, POINT_BAR))
-    group = next(
-        each
-        for each in editor.window.toolbar.findChildren(QToolButton)
-        if each.defaultAction() is editor.action("groupCurves")
-    )
-    QTest.mouseClick(group, Qt.MouseButton.LeftButton)
-    assert all(curve.groups for curve in editor.session.document.curves)
-    editor.key(Qt.Key.Key_Return)
-    assert editor.session.selected.is_editing
-    assert all(in_sight(editor, POINT_BAR))
-    assert not any(in_sight(editor, FAMILY_BAR, OBJECT_BAR))
-    assert place_of(editor, "fitView") == at
-    editor.window.resize(960, 720)
-    editor.settle()
-    # What has no room stands behind the arrow of the bar; what is around it stays.
-    assert in_sight(editor, POINT_BAR).count(True) > 6
-    assert all(in_sight(editor, TOOLBAR))
-    editor.window.resize(1280, 720)
-    editor.session.files.give_up_changes()
-    editor.session.new()
-    editor.settle()
-    assert all(in_sight(editor, FAMILY_BAR))
-    assert not any(in_sight(editor, OBJECT_BAR, POINT_BAR))
-    box = editor.window.findChild(QComboBox, "parametrizationBox")
-    assert box.visibleRegion().boundingRect() == box.rect()
-    assert place_of(editor, "familyHermite").x() < box.mapTo(editor.window, QPoint()).x()
-    assert box.mapTo(editor.window, QPoint()).x() < place_of(editor, "fitView").x()
 
 
 def test_it_is_as_wide_with_nothing_to_tell_of_as_with_a_curve(editor):

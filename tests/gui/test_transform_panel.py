@@ -512,7 +512,8 @@ def test_enter_goes_back_to_the_canvas_whose_keys_work_at_once(leaf):
 
 def test_in_a_new_window_of_1440_by_900_nothing_of_it_has_to_be_scrolled(new_editor):
     new_editor.window.resize(1440, 900)
-    new_editor.trigger("newDrawing")
+    new_editor.new()
+    new_editor.window.canvas.camera.show_box((0, 210), (0, 297))
     new_editor.trigger("rectangleTool")
     new_editor.drag((50, 50), (90, 80))
     new_editor.key(Key.Key_M, CTRL | SHIFT)

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from app.appearance.colours import point_colours
 from app.canvas.sections import loose_places, sections_of
-from app.document.model import Document, Page, make_curve
+from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot, spot_rect
@@ -90,60 +90,6 @@ def test_escape_lets_go_of_points_then_of_the_curve_then_of_all(three):
     assert three.session.active_view.source.name == "B"
 
 
-@pytest.fixture
-def page(three):
-    """The same waves on a page."""
-    three.session.change("Page", lambda document: replace(document, page=Page(-1.0, -1.0, 8.0, 12.0)))
-    yield three
-    three.new()
-    three.settle()
-
-
-@pytest.mark.parametrize("tool", ["rectangleTool", "ellipseTool"])
-@pytest.mark.parametrize("leave", [Qt.Key.Key_V, Qt.Key.Key_Escape])
-def test_on_a_page_what_was_drawn_is_chosen_whole_and_a_drag_within_moves_it(page, tool, leave):
-    """It was a rubber band among its points."""
-    page.trigger(tool)
-    page.drag((4.5, 3.0), (6.5, 5.0))
-    page.key(leave)
-    drawn = page.session.active_index
-    assert (drawn, page.session.selected.is_editing, page.session.selected.chosen) == (3, False, {drawn})
-    assert page.window.status_line.hint.startswith(f"“{page.curve.name}” is chosen")
-    before = page.session.document
-    page.drag((5.5, 3.6), (6.0, 3.6))
-    assert moved_by(page, before, drawn) == pytest.approx((0.5, 0.0), abs=page.pixel)
-
-
-def test_on_a_page_v_leaves_points_and_what_a_tool_took_up_unasked_is_not_chosen(page):
-    page.select([1])
-    page.key(Qt.Key.Key_V)
-    assert state(page) == (False, "B", "B")
-    page.escape()
-    page.trigger("addTool")
-    assert page.session.selected.is_editing
-    page.key(Qt.Key.Key_V)
-    assert state(page) == (False, "", "B")
-
-
-def test_on_a_page_delete_takes_no_whole_curve_while_the_arrow_edits_its_points(page):
-    """A click that missed a point, and the key took the curve."""
-    document = page.session.document
-    assert state(page) == (True, "", "B")
-    page.key(Qt.Key.Key_Delete)
-    assert page.session.document is document
-    assert page.status == "No point is selected; Escape, then Delete takes the whole curve."
-    page.select([1])
-    page.key(Qt.Key.Key_Delete)
-    assert len(page.curve.points) == 3
-    page.trigger("undo")
-    assert (page.session.selected.is_editing, page.session.selection) == (True, {1})
-    page.escape()
-    assert page.status == "No point is selected; Escape again chooses “B” whole."
-    page.escape()
-    page.key(Qt.Key.Key_Delete)
-    assert [curve.name for curve in page.session.document.curves] == ["A", "C"]
-
-
 @pytest.mark.parametrize("places", [{2}, {0, 2}])
 def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
     """It opened that of the canvas."""
@@ -159,14 +105,6 @@ def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
     assert "deleteSelection" in found or "deleteCurve" in found
     assert not {"toggleGrid", "selectAllCurves"} & found
     assert whole.session.selected.chosen == places
-
-
-def test_on_a_page_delete_takes_what_a_tool_has_just_drawn(page):
-    document = page.session.document
-    page.trigger("rectangleTool")
-    page.drag((4.5, 3.0), (6.5, 5.0))
-    page.key(Qt.Key.Key_Delete)
-    assert page.session.document == document
 
 
 def test_without_a_page_v_goes_back_to_the_points(three):
@@ -735,25 +673,3 @@ def test_a_duplicate_of_the_edited_curve_keeps_its_colour_and_has_its_points_sel
 def click_swatch(editor, row, colour):
     editor.click_in_list(row, Spot.SWATCH)
     editor.choose(colour)
-
-
-def test_select_all_chooses_nothing_that_is_not_there(page):
-    """Of an emptied drawing the curve about to be drawn was chosen, which nobody sees."""
-    page.escape()
-    page.key(Qt.Key.Key_A, CTRL)
-    page.key(Qt.Key.Key_Delete)
-    page.key(Qt.Key.Key_A, CTRL)
-    assert not page.session.selected.chosen
-    assert page.status == "“Select All Points” needs a curve."
-
-
-def test_undo_of_a_copy_edits_again_what_was_edited(page):
-    """Nothing was selected then, and the next key cut the whole curve instead of its point."""
-    page.session.selected.set_curves({1})
-    page.select([1])
-    page.key(Qt.Key.Key_D, CTRL)
-    assert page.curve.name != "B"
-    page.trigger("undo")
-    assert page.session.selected.is_editing
-    assert page.curve.name == "B"
-    assert sorted(page.session.selection) == [1]

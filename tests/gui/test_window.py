@@ -7,7 +7,6 @@ import weakref
 
 import numpy as np
 import pytest
-from msgspec.structs import replace
 from PySide6.QtCore import (
     QCoreApplication,
     QEvent,
@@ -37,7 +36,7 @@ from app.actions.mnemonics import plain
 from app.appearance.theme import DARK, ThemeMode
 from app.cli.windows import open_windows
 from app.document.edits import rename_curve, set_velocity
-from app.document.model import Page, ParametrizationKind
+from app.document.model import ParametrizationKind
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.import_export.export_commands import ExportCommands
 from app.session import Session
@@ -190,9 +189,6 @@ def test_a_dropped_file_is_opened(editor, tmp_path):
 
 @pytest.mark.parametrize(("button", "closes"), [("Discard", True), ("Cancel", False)])
 def test_closing_asks_about_changes(editor, button, closes):
-    is_drawing = not closes
-    if is_drawing:
-        editor.session.commit(replace(editor.session.document, page=Page(0.0, 0.0, 9.0, 9.0)), "Page")
     editor.drag_point(2, to=(0.5, 4.2))
     asked = []
 
@@ -203,7 +199,7 @@ def test_closing_asks_about_changes(editor, button, closes):
 
     QTimer.singleShot(0, answer)
     assert editor.window.close() is closes
-    assert asked == [f"Save the changes to the {'drawing' if is_drawing else 'sketch'}?"]
+    assert asked == ["Save the changes to the sketch?"]
 
 
 def test_examples_open_as_copies_without_a_file(editor):

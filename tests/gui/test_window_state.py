@@ -54,18 +54,15 @@ def test_who_hears_later_hears_of_changes_in_their_order(qapp, tmp_path):
 REMEMBERED = {
     "snap_on",
     "snap_kinds",
-    "page_snap_on",
-    "page_snap_kinds",
     "nudge",
     "pencil",
-    "pen",
     "transform_box",
     "rulers",
     "keep_proportions",
     "with_estimates",
     "theme_mode",
-    "sketches",
-    "drawings",
+    "basis",
+    "numbered",
 }
 
 

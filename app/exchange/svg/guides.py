@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 
 from ...document.guide import Axis, Guide
 from ...document.model import MAX_MAGNITUDE
-from ...document.paper import PAPER_UNITS
 from ..drawing.frames import Frame
 from ..missed import LEFT_OUT
 from .flaw import Flaw
@@ -52,16 +51,12 @@ def _guide(element: ET.Element, sheet: Sheet) -> Guide | Flaw:
     return Guide(axis, position) if abs(position) <= MAX_MAGNITUDE else _ODD
 
 
-def view_elements(guides: Sequence[Guide], frame: Frame, unit: str) -> list[str]:
-    """Return what Inkscape keeps of its window, in lines of SVG: the unit that it tells, and guides.
-
-    Their places are from the lower left corner.
-    """
-    told = f' inkscape:document-units="{unit}"' if unit in PAPER_UNITS else ""
+def view_elements(guides: Sequence[Guide], frame: Frame) -> list[str]:
+    """Return guides as Inkscape keeps them with its window, in lines of SVG; from the lower left corner."""
     if not guides:
-        return [f'  <sodipodi:namedview id="namedview"{told}/>'] if told else []
+        return []
     lines = [f"    {_element(each, frame)}" for each in guides]
-    return [f'  <sodipodi:namedview id="namedview"{told}>', *lines, "  </sodipodi:namedview>"]
+    return ['  <sodipodi:namedview id="namedview">', *lines, "  </sodipodi:namedview>"]
 
 
 def _element(guide: Guide, frame: Frame) -> str:

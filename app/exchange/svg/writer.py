@@ -122,7 +122,7 @@ def svg_text(
         f'width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
         f"  <metadata>{escaped(' '.join([note, *drawing.remarks]))}</metadata>",
-        *view_elements(drawing.guides, frame, unit if drawing.has_page else ""),
+        *view_elements(drawing.guides, frame),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
@@ -15,7 +13,6 @@ from ...actions.sections import CURVE_PARAMETERS, CURVE_STARTS
 from ...actions.strips import RAIL_MENU
 from ...document import edits
 from ...document.model import ParametrizationKind
-from ...document.paper import DocumentKind
 from ...state.window_state import WindowState
 from ...tools.rail import RAIL
 from ...tools.toolbox import Toolbox
@@ -84,12 +81,7 @@ class BasisCommands:
         """Show Λ and what is wrong with the functions; of many points when a drag has ended."""
         is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
         waits = self._session.is_previewing and is_dear
-        state = self._context.store.state
-        if state.kind is DocumentKind.DRAWING and not state.basis:
-            # Who draws for print has not asked for it.
-            growth: float | None = math.nan
-        else:
-            growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
+        growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
         self._context.status_line.readouts.show_lebesgue(growth)
         if not self._session.is_previewing or len(view.points) <= _MOST_MEASURED_LIVE:
             self._pane.show_findings(findings_of(view), remark_on(view))
@@ -97,8 +89,6 @@ class BasisCommands:
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.basis != before.basis:
             self._pane.setVisible(after.basis)
-        if (after.basis, after.kind) != (before.basis, before.kind):
-            self.render(self._session.active_view)
         if after.with_estimates != before.with_estimates:
             self._panel.drawing.set_with_estimates(after.with_estimates)
             self.follow(self._session.active_view)

@@ -35,7 +35,6 @@ class DerivativeCommands:
         "Copy Derivatives",
         EDIT_DERIVATIVES,
         "Ctrl+Alt+C",
-        drawing_key="",
         needs=Need(
             "one selected point of a Hermite curve",
             lambda state: HERMITE_POINTS.is_met(state) and state.selected_count == 1,

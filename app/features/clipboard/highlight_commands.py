@@ -6,17 +6,12 @@ from ...actions.declaration import action, also
 from ...actions.needs import HIGHLIGHTED, Need
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE
 from ...actions.strips import POINT_MENU
-from ...document.edits import EditError
-from ...document.paper import DocumentKind, kind_of
 from ...document.selection import all_points
 from ...document.several_curves import named
-from ...tools.canvas.select import SELECT
 from ...view_model.pieces.arrivals import with_parts
 from ...view_model.pieces.pasting import parts_of
 from ...workbench.context import WindowContext
-from ...workbench.highlight import highlighted, is_in_list, remove
-
-_NO_POINT = "No point is selected; Escape, then Delete takes the whole curve."
+from ...workbench.highlight import highlighted, remove
 
 
 class HighlightCommands:
@@ -48,25 +43,10 @@ class HighlightCommands:
     def _delete(self) -> None:
         """Delete the selected points, keeping the shape, or else the curve or all chosen ones."""
         session = self._session
-        if self._edits_points_alone():
-            # No whole curve goes because a click missed a point.
-            raise EditError(_NO_POINT)
         what = highlighted(self._context).changeable(session.document)
         words = what.told(session.document)
         if remove(session, what, "Delete") and not what.points.parts:
             session.say(f"Deleted {words}.")
-
-    def _edits_points_alone(self) -> bool:
-        """Whether the arrow edits the points of a curve on a page, none of them being selected."""
-        session, selected = self._session, self._session.selected
-        return (
-            kind_of(session.document) is DocumentKind.DRAWING
-            and self._context.store.state.uses(SELECT)
-            and not is_in_list(self._context)
-            and selected.is_editing
-            and not selected.group.parts
-            and not selected.chosen
-        )
 
     @action(
         "deleteLeavingHandles",

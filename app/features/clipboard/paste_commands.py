@@ -19,7 +19,6 @@ from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Vector
-from ...document.paper import DocumentKind, kind_of
 from ...document.readings import readings_of
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
@@ -172,10 +171,6 @@ class PasteCommands:
 
     def _append(self, place: Vector | None, pasted: PointsContent) -> None:
         session, view = self._session, self._session.active_view
-        if pasted.like is not None and kind_of(session.document) is DocumentKind.DRAWING:
-            path = _as_path(pasted.like, pasted.unit)
-            self._bring(partial(_known, path), place, len(pasted.points))
-            return
         if not session.selected.is_editing:
             # No curve is there to go on with.
             self._add_curve(pasted)

@@ -27,7 +27,6 @@ from ...actions.strips import (
 )
 from ...document.curve_tree import Node, NodeKind, whole_nodes
 from ...document.layers import all_shown, all_unlocked, begun_again, layer_node
-from ...document.paper import DocumentKind, kind_of
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
     active_after_removal,
@@ -89,10 +88,6 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session, selected = self._session, self._session.selected
-        # In drawings there are texts and pictures among them.
-        self._dock.setWindowTitle(
-            "Objects" if kind_of(session.document) is DocumentKind.DRAWING else "Curves"
-        )
         marks = Marks(session.active_index, selected.is_editing, selected.marked, selected.layer)
         self.panel.render_document(session.document, marks)
 
@@ -213,7 +208,6 @@ class CurveListCommands:
         "Ctrl+L",
         "lock",
         full_name="Curve Locked",
-        drawing_key="Alt+L",
         checked=lambda state: state.is_locked,
     )
     @also(CURVE_MENU(22), CHOSEN_MENU(51), CURVE_LIST_MENU(13))
@@ -264,7 +258,6 @@ class CurveListCommands:
         EDIT_SELECT,
         "Ctrl+Shift+A",
         needs=SOME_CURVE,
-        title=lambda state: f"Select All {state.things}",
     )
     @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
     def _choose_all(self) -> None:
@@ -287,7 +280,6 @@ class CurveListCommands:
         "Only This Curve",
         EDIT_SELECT,
         needs=Need("several chosen curves", lambda state: state.selected_curve_count > 1),
-        title=lambda state: f"Only This {state.thing}",
     )
     @also(CURVE_LIST_MENU(25))
     def _choose_one(self) -> None:

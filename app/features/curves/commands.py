@@ -10,19 +10,16 @@ from ...actions.declaration import PlaceAction, action, also
 from ...actions.keymap import keys_text
 from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_NEW, CURVE_POINTS, CURVE_SHAPE
-from ...actions.state import ActionState
 from ...actions.strips import (
     CANVAS_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
-    POINT_BAR,
     POINT_MENU,
 )
 from ...document import curve_edits
 from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Parametrization
-from ...document.paper import is_for_paper
 from ...document.point_group import NO_POINTS, some_points
 from ...document.several_curves import named, whole_curves
 from ...document.words import count_of, number
@@ -36,18 +33,6 @@ from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
 from .order_commands import OrderCommands
 from .segment_commands import SegmentCommands
-
-
-def _closing(now: ActionState) -> str:
-    """Return what the key would do to a curve that is chosen as a whole in a drawing for paper, else nothing.
-
-    Nobody draws it then, and a slip of the finger takes a side from a rectangle.
-    """
-    session, source = now.session, now.session.active_curve
-    if session.selected.is_editing or now.is_blank or not is_for_paper(session.document):
-        return ""
-    what = whole_curves(session.document, session.selected.chosen or (session.active_index,)).quoted
-    return f"Press it again to {'open' if source.is_closed else 'close'} {what}. Enter edits it."
 
 
 def _with_curves(document: Document, curves: Mapping[int, Curve]) -> Document:
@@ -105,7 +90,7 @@ class CurveCommands:
         needs=UNLOCKED_CURVE,
         keywords="add nodes midpoints halve segments subdivide",
     )
-    @also(POINT_MENU(17), POINT_BAR(10))
+    @also(POINT_MENU(17))
     def _insert_between(self) -> None:
         """Insert a point in the middle of each segment between selected neighbours; the shape stays."""
         session, views, made = self._session, self._session.views, dict[int, Halved]()
@@ -128,7 +113,7 @@ class CurveCommands:
         if session.change(f"Insert {new} between", lambda document: group.changed(document, one)):
             kept = {curve: each.old | each.new for curve, each in made.items()}
             session.selected.set_group(some_points(kept.items()))
-            told = (each.made.told_in(session.document) for each in made.values())
+            told = (each.made.sentence for each in made.values())
             session.say(" ".join(("Inserted", f"{new}.", *told)))
 
     @PlaceAction("splitHere", "Split Here", like="splitCurve")
@@ -162,7 +147,7 @@ class CurveCommands:
         full_name="Split Curve",
         needs=UNLOCKED_CURVE,
     )
-    @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14), POINT_BAR(11))
+    @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
     def _split(self) -> None:
         """Split the curves at all selected points, or the curve at the scrub line."""
         cuts = {
@@ -208,7 +193,7 @@ class CurveCommands:
         full_name="Reverse Curve",
         needs=Need(TWO_POINTS.words, lambda state: state.point_count > 1),
     )
-    @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15), POINT_BAR(41))
+    @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15))
     def _reverse(self) -> None:
         """Run through the curve, all of its shape or all that are chosen as wholes the other way."""
         session, view = self._session, self._session.active_view
@@ -240,10 +225,9 @@ class CurveCommands:
         "C",
         "closed",
         full_name="Closed Curve",
-        key_asks=_closing,
         checked=lambda state: state.is_closed,
     )
-    @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16), POINT_BAR(40))
+    @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16))
     def _toggle_closed(self) -> None:
         """Let the curve return smoothly to its first point, or open it; also all of its shape or chosen."""
         session, views = self._session, self._session.views
@@ -275,7 +259,7 @@ class CurveCommands:
 
         if not session.change(text, edit):
             return None
-        session.say(made[0].told_in(session.document))
+        session.say(made[0].sentence)
         return made[0]
 
 

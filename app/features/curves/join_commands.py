@@ -14,7 +14,6 @@ from ...actions.strips import (
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
-    POINT_BAR,
     POINT_MENU,
 )
 from ...document import curve_edits
@@ -61,7 +60,6 @@ class JoinCommands:
         POINT_MENU(21),
         CURVE_LIST_MENU(32),
         CURVE_LIST_BUTTONS(13),
-        POINT_BAR(12),
     )
     def _join(self) -> None:
         """Join two selected ends, or the nearest ends of chosen curves; else the end to the nearest start."""
@@ -86,7 +84,7 @@ class JoinCommands:
         needs=Need("two selected ends of open curves", lambda state: state.has_two_ends),
         keywords="join nodes weld close path middle",
     )
-    @also(POINT_MENU(23), POINT_BAR(13))
+    @also(POINT_MENU(23))
     def _merge(self) -> None:
         """Make one point of two selected ends, in the middle between them; their handles go along."""
         session = self._session

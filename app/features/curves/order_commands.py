@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from ...actions.declaration import action, also
+from ...actions.declaration import action
 from ...actions.needs import SECOND_CURVE, Need
 from ...actions.sections import CURVE_ORDER, CURVE_WALK
-from ...actions.strips import OBJECT_BAR
 from ...document.model import Document
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import at_end, stepped
@@ -45,7 +44,6 @@ class OrderCommands:
         full_name="Raise Curve",
         needs=_CURVE_IN_FRONT,
     )
-    @also(OBJECT_BAR(31))
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
         self._put("Raise {}", stepped, 1, "one step to the front")
@@ -59,7 +57,6 @@ class OrderCommands:
         full_name="Lower Curve",
         needs=_CURVE_BEHIND,
     )
-    @also(OBJECT_BAR(32))
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
         self._put("Lower {}", stepped, -1, "one step to the back")
@@ -74,7 +71,6 @@ class OrderCommands:
         needs=_CURVE_IN_FRONT,
         keywords="bring to front order",
     )
-    @also(OBJECT_BAR(30))
     def _raise_to_top(self) -> None:
         """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
         self._put("Raise {} to top", at_end, 1, "at the top")
@@ -89,7 +85,6 @@ class OrderCommands:
         needs=_CURVE_BEHIND,
         keywords="send to back order",
     )
-    @also(OBJECT_BAR(33))
     def _lower_to_bottom(self) -> None:
         """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
         self._put("Lower {} to bottom", at_end, -1, "at the bottom")
@@ -108,7 +103,6 @@ class OrderCommands:
         CURVE_WALK,
         "Ctrl+PgDown",
         needs=SECOND_CURVE,
-        title=lambda state: f"Next {state.thing}",
     )
     def _go_on(self) -> None:
         """Edit the next curve down the list."""
@@ -120,7 +114,6 @@ class OrderCommands:
         CURVE_WALK,
         "Ctrl+PgUp",
         needs=SECOND_CURVE,
-        title=lambda state: f"Previous {state.thing}",
     )
     def _go_back(self) -> None:
         """Edit the next curve up the list."""

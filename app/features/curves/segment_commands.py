@@ -7,7 +7,7 @@ from collections.abc import Collection
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.needs import HERMITE_CURVE, UNLOCKED_CURVE, Need
 from ...actions.sections import CURVE_POINTS
-from ...actions.strips import POINT_BAR, POINT_MENU
+from ...actions.strips import POINT_MENU
 from ...document.curve_edits import with_parts
 from ...document.model import Document
 from ...document.straight_edits import why_not_straight
@@ -38,7 +38,7 @@ class SegmentCommands:
         ),
         keywords="open break cut out remove between nodes path",
     )
-    @also(POINT_MENU(22), POINT_BAR(14))
+    @also(POINT_MENU(22))
     def _delete_between(self) -> None:
         """Delete the segments between selected neighbours: a closed curve opens, an open one splits."""
         session = self._session

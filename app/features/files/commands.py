@@ -21,36 +21,11 @@ class DocumentCommands:
     @action("newDocument", "New", FILE_OPEN, "Ctrl+N", "new")
     @also(TOOLBAR(10))
     def _new(self) -> None:
-        """Start an empty document: a drawing where one is open, else as new documents are."""
-        if self._context.session.document.page is not None:
-            self._new_drawing()
-            return
+        """Start an empty document, with the pen in hand."""
         if self._context.files.elsewhere("newDocument") is not None:
             return
         self._context.files.new()
         if not self._context.session.active_curve.points:
-            self._context.actions["addTool"].trigger()
-
-    @action(
-        "newDrawing",
-        "New Drawing",
-        FILE_OPEN,
-        "Ctrl+Alt+Shift+N",
-        "new-drawing",
-        keywords="page A4 paper artboard millimetres",
-    )
-    def _new_drawing(self) -> None:
-        """Start a page to draw on, with the pen in hand: A4 in millimetres, or that of new documents."""
-        files = self._context.files
-        if files.elsewhere("newDrawing") is None and files.new_drawing():
-            self._context.actions["addTool"].trigger()
-            self._context.actions["fitView"].trigger()
-
-    @action("newSketch", "New Sketch", FILE_OPEN, icon="new", keywords="course plane without page")
-    def _new_sketch(self) -> None:
-        """Start an empty document without a page, with the pen in hand."""
-        files = self._context.files
-        if files.elsewhere("newSketch") is None and files.new_sketch():
             self._context.actions["addTool"].trigger()
 
     @action("newWindow", "New Window", FILE_OPEN, "Alt+Shift+N", "new-window", keywords="second beside")
@@ -58,8 +33,7 @@ class DocumentCommands:
         """Open another window with an empty document, beside this one."""
         if self._context.files.open_window is None:
             raise EditError("Another program keeps this window, and opens no second one.")
-        is_drawing = self._context.session.document.page is not None
-        self._context.files.open_window("newDrawing" if is_drawing else "newDocument")
+        self._context.files.open_window("newDocument")
 
     @action("openDocument", "Open…", FILE_OPEN, "Ctrl+O", "open")
     @also(TOOLBAR(11))

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QMessageBox
 from ... import __version__
 from ...actions.declaration import action
 from ...actions.sections import HELP_ABOUT, HELP_ALL, MENUS
-from ...document.paper import vector_word
 from ...document.several_curves import counted
 from ...workbench.context import WindowContext
 from .. import help as help_feature
@@ -44,7 +43,6 @@ class HelpCommands:
             selected=context.session.selected.group.count,
             has_derivatives=context.session.active_curve.family.derivatives > 0,
             chosen=counted(context.session.document, chosen) if chosen else "",
-            handle=vector_word(context.session.document, 1),
         )
         self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 

@@ -37,16 +37,13 @@ class Moment(msgspec.Struct, frozen=True):
     has_derivatives
         Whether the family has velocities.
     chosen
-        The words for what is chosen as a whole, "Leaf" or "2 objects"; empty for nothing.
-    handle
-        What people call the velocity of a point here.
+        The words for what is chosen as a whole, "Leaf" or "2 curves"; empty for nothing.
     """
 
     tool: ToolRecord
     selected: int
     has_derivatives: bool
     chosen: str = ""
-    handle: str = "velocity"
 
     @property
     def has_curves(self) -> bool:
@@ -77,16 +74,13 @@ class Moment(msgspec.Struct, frozen=True):
         own = [*self.tool.gestures, *_WITH_ANY_TOOL]
         if self.tool is not SELECT:
             own.append(GestureRow("Escape", "back to selecting"))
-        now = [(each.keys, self._said(each)) for each in own if not self.missing(each)]
+        now = [(each.keys, each.what) for each in own if not self.missing(each)]
         rest = {each: missing for each in own if (missing := self.missing(each))}
         for tool in TOOLS:
             for each in tool.gestures:
                 if each not in own:
                     rest.setdefault(each, f"when {tool.doing}")
-        return now, [(each.keys, f"{self._said(each)}, {missing}") for each, missing in rest.items()]
-
-    def _said(self, gesture: GestureRow) -> str:
-        return gesture.what.replace("{handle}", self.handle)
+        return now, [(each.keys, f"{each.what}, {missing}") for each, missing in rest.items()]
 
 
 _WITH_ANY_TOOL = (

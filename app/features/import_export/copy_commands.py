@@ -50,7 +50,7 @@ class CopyCommands:
 
         self._start("Writing SVG", "The SVG", work, put)
 
-    @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", drawing_key="", needs=_ANY_CURVE)
+    @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
     def _copy_image(self) -> None:
         """Copy the chosen curves, or else all, as a picture without paper, PNG and SVG."""
 

@@ -14,7 +14,6 @@ from ...document import edits
 from ...document.derivatives import DERIVATIVES
 from ...document.edits import EditError
 from ...document.model import Document, Point
-from ...document.paper import vector_word
 from ...document.words import count_of, enumerated
 from ...exchange.table.clipboard import Block
 from ...view_model.curve.curve_view import CurveView, view_of
@@ -184,10 +183,11 @@ def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -
     return found, explicit_orders(points, found, shown)
 
 
-def keeping_sentence(document: Document, indices: Sequence[int], orders: Collection[int]) -> str:
-    """Return "Point 8 keeps its own velocity", or its own handle where it has that."""
+def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
+    """Return "Point 8 keeps its own velocity"."""
     many = len(indices) != 1
-    kept = enumerated([vector_word(document, order, many=many) for order in sorted(orders)])
+    kinds = [DERIVATIVES[order - 1] for order in sorted(orders)]
+    kept = enumerated([each.plural if many else each.name for each in kinds])
     return (
         f"{len(indices)} points keep their own {kept}" if many else f"Point {indices[0]} keeps its own {kept}"
     )

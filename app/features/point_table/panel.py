@@ -352,7 +352,7 @@ class PointTable(FollowsTheme, QWidget):
         if not indices:
             return
         self._to_reset = indices, [column for column in self.model.columns if column.order in orders]
-        sentence = keeping_sentence(document, indices, orders)
+        sentence = keeping_sentence(indices, orders)
         self._tell(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
         self.said.emit(f"{sentence}; “Reset to estimated” has the rules estimate again.")
 

@@ -12,7 +12,6 @@ from pathlib import Path
 from PySide6.QtCore import QDateTime, QLocale
 
 from ...document.model import Document
-from ...document.paper import kind_of
 from ...document.shapes import counted_shapes
 from ...document.words import count_of
 from ...storage.reasons import shown
@@ -84,7 +83,7 @@ def _offer(snapshot: Snapshot) -> Offer:
     elif not origin.is_unchanged:
         words.append("file changed since")
     first = document.curves[0].name
-    untitled = origin.title or (f"Untitled {kind_of(document).noun}" if first == NEW_NAME else first)
+    untitled = origin.title or ("Untitled sketch" if first == NEW_NAME else first)
     name = shown(file.name) if file is not None else untitled
     return Offer(name, " · ".join(words), shown(file) if file is not None else "", document)
 

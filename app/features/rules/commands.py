@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 from PySide6.QtGui import QAction
@@ -18,7 +17,6 @@ from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
 from ...document.model import Document, ParametrizationKind
-from ...document.paper import is_for_paper
 from ...document.several_curves import counted, name_of, named
 from ...document.words import number
 from ...families import FAMILIES, Family
@@ -34,7 +32,6 @@ from .family_button import FamilyButton
 _MOST_KEYS = 10
 """One more than there are digits for."""
 
-_ZOOM_KEYS = "Zoom: Ctrl+3 selection, F all, Ctrl+4 page."
 
 _BUTTONS = 3
 """Families with a button of their own in the toolbar."""
@@ -63,28 +60,9 @@ def _edited(family: Family) -> Need:
     def why(now: ActionState) -> str:
         name = now.session.active_curve.name
         then = f"then the same key makes it {family.title}"
-        rest = "The toolbar changes all that are chosen."
-        rest = _ZOOM_KEYS if is_for_paper(now.session.document) else rest
-        return f"Enter edits “{name}”; {then}. {rest}"
+        return f"Enter edits “{name}”; {then}. The toolbar changes all that are chosen."
 
     return Need("an edited curve", lambda state: state.is_editing or state.is_blank, why=why)
-
-
-def _reshaped(now: ActionState, family: Family) -> str:
-    """Return what the digit of a family would make of a drawing for paper, empty where the shape stays.
-
-    There the digits are pressed for a zoom, as in other programs; a course is about the families.
-    """
-    if not is_for_paper(now.session.document):
-        return ""
-    views = now.session.views
-    chosen = [views[index] for index in sorted(now.session.selected.meant)]
-    away = max(view_model.fitting.convert.change_of_shape(view, family) for view in chosen)
-    if not away:
-        return ""
-    by = f" by {number(away, 2)} {now.session.document.unit}".rstrip() if math.isfinite(away) else ""
-    what = f"{len(chosen)} curves" if len(chosen) > 1 else f"“{chosen[0].source.seen_name}”"
-    return f"Press it again to make {what} {family.title}; the shape changes{by}. {_ZOOM_KEYS}"
 
 
 class RuleCommands:
@@ -135,9 +113,7 @@ class RuleCommands:
             keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda state: state.family == family,
             group="family",
-            drawing_key="",
             key_needs=_edited(family),
-            key_asks=lambda now: _reshaped(now, family),
         ),
     )
     @also_for_each(lambda family: (_place_of(family),))

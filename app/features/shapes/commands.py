@@ -7,7 +7,7 @@ from collections.abc import Collection
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import CURVE_GROUPS, CURVE_SHAPES
-from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, OBJECT_BAR
+from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_edits import remove_curve
 from ...document.curve_tree import counted_nodes
 from ...document.several_curves import active_after_removal, named
@@ -106,7 +106,7 @@ class ShapeCommands:
         full_name="Group Curves",
         needs=AN_OBJECT,
     )
-    @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53), OBJECT_BAR(20))
+    @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53))
     def _group(self) -> None:
         """Gather the chosen curves in a group, which is chosen and moved as one."""
         session, curves = self._session, meant(self._session)
@@ -125,7 +125,7 @@ class ShapeCommands:
         full_name="Ungroup Curves",
         needs=Need("a curve in a group", lambda state: state.is_any_in_group),
     )
-    @also(CURVE_MENU(43), CHOSEN_MENU(31), CURVE_LIST_MENU(54), OBJECT_BAR(21))
+    @also(CURVE_MENU(43), CHOSEN_MENU(31), CURVE_LIST_MENU(54))
     def _ungroup(self) -> None:
         """Take the chosen group apart, or the one around the curve; shapes stay whole."""
         session, curves = self._session, meant(self._session)

@@ -28,7 +28,6 @@ class SimplifyCommands:
         "",
         "fewer-points",
         full_name="Simplify Paths",
-        drawing_key="Ctrl+L",
         needs=A_SHAPE,
         keywords="less nodes path clean",
     )

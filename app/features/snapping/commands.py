@@ -7,7 +7,6 @@ from msgspec.structs import replace
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.sections import VIEW_SNAP, VIEW_SNAP_TO
 from ...actions.strips import CANVAS_MENU, SNAP_MENU, TOOLBAR
-from ...document.paper import DocumentKind
 from ...state.window_state import WindowState
 from ...tools.snapping import SnapKind
 from ...workbench.context import WindowContext
@@ -43,12 +42,12 @@ class SnapCommands:
     )
     @also(TOOLBAR(62), CANVAS_MENU(32))
     def _toggle(self) -> None:
-        """Snap to grid, guides, page, points and curves, or not; also in mid-drag."""
+        """Snap to grid, guides, points and curves, or not; also in mid-drag."""
         store = self._context.store
         # Another window may have remembered other kinds meanwhile.
         store.read_preferences()
         on = not store.state.snapping.on
-        self._change("on", on)
+        store.change(snap_on=on)
         self._context.session.say(
             "Points snap now; % again: they move freely."
             if on
@@ -72,16 +71,10 @@ class SnapCommands:
         store = self._context.store
         store.read_preferences()
         kinds = store.state.snapping.kinds ^ {kind}
-        self._change("kinds", kinds)
+        store.change(snap_kinds=kinds)
         is_on, what = kind in kinds, kind.label.lower()
         does = f"Points snap to this now: {what}." if is_on else f"Points snap to this no longer: {what}."
         self._context.session.say(does if store.state.snapping.on else f"{does} % turns snapping on.")
-
-    def _change(self, field: str, value: object) -> None:
-        """Choose something about snapping in documents of this kind."""
-        store = self._context.store
-        of_kind = "page_snap" if store.state.kind is DocumentKind.DRAWING else "snap"
-        store.change(**{f"{of_kind}_{field}": value})
 
 
 COMMAND_SETS = (SnapCommands,)

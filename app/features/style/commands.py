@@ -19,7 +19,6 @@ from ...document.style import GRADIENTS
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...session.next_style import Marked
-from ...state.window_state import WindowState
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.percent_field import STEPS
@@ -47,9 +46,9 @@ class StyleCommands:
         self._gestures: list[SliderGesture] = []
         self._colours = UsedColours(context.session, context.preferences)
         context.session.selected_curves_changed.connect(self._render)
-        context.store.changed.connect(self._follow_tool)
+        context.store.changed.connect(self._render)
 
-    @LatePanel("styleDock", "Style", UPPER, for_drawings=True)
+    @LatePanel("styleDock", "Style", UPPER, is_steady=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]
@@ -80,11 +79,6 @@ class StyleCommands:
         """Show how the selected curves look."""
         self._render()
 
-    def _follow_tool(self, _before: WindowState, after: WindowState) -> None:
-        """Draw in the style of another tool."""
-        self._session.selected.next_style.draws = after.tool.draws
-        self._render()
-
     def set_theme(self, theme: Theme) -> None:
         """Say how the canvas shows the styles on the paper of `theme`."""
         self._theme = theme
@@ -111,8 +105,7 @@ class StyleCommands:
     def _note_set(self, fields: dict[str, object]) -> None:
         """Draw with what was set from now on, also where nobody chose how else the selected curves look."""
         next_style = self._session.selected.next_style
-        is_apart = next_style.marked is Marked.BROUGHT or next_style.is_own(self._session.document)
-        if self._curves and is_apart:
+        if self._curves and next_style.marked is Marked.BROUGHT:
             self._set_next(lambda document, curves: with_style(document, curves, **fields))
 
     def _edit(
@@ -145,7 +138,7 @@ class StyleCommands:
         before = Document((model,))
         after = edit(before, frozenset({0}))
         if not (refusal := why_not_kept(before, after)):
-            session.selected.next_style.set(session.document, after.curves[0].style)
+            session.selected.next_style.take(session.document, after.curves[0].style)
         elif self._panel is not None:
             self._panel.refuse(refusal)
         self._render()
@@ -153,7 +146,7 @@ class StyleCommands:
     def _words(self, fields: Iterable[str], what: str = "") -> str:
         what = what or " and ".join(STYLE_WORDS[name] for name in fields)
         curves, committed = self._curves, self._session.committed
-        return f"{what} of {named(committed, curves) if curves else self._subject.next}"
+        return f"{what} of {named(committed, curves) if curves else 'what is drawn next'}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
         session = self._session

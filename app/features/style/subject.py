@@ -47,16 +47,9 @@ class StyleSubject:
         """
         session, selected = self._session, self._session.selected
         is_begun = bool(session.active_curve.points)
-        if selected.next_style.is_own(session.document) and not is_begun:
-            return selected.marked - {session.active_index}
         if selected.next_style.is_of_active(selected.marked):
             return selected.marked
         return frozenset() if is_begun else frozenset({session.active_index})
-
-    @property
-    def next(self) -> str:
-        """What is drawn next."""
-        return self._session.selected.next_style.kind_in(self._session.document).subject
 
     def now(self) -> Shown:
         """Return the styles that are meant now."""
@@ -68,4 +61,4 @@ class StyleSubject:
         return Shown(curves, styles, is_next, self._words(curves, is_next=is_next))
 
     def _words(self, curves: Sequence[int], *, is_next: bool) -> str:
-        return self.next if is_next else named(self._session.document, curves)
+        return "What is drawn next" if is_next else named(self._session.document, curves)

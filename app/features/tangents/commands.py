@@ -7,12 +7,11 @@ from collections.abc import Callable, Collection, Sequence
 from ...actions.declaration import Action, PlaceAction, action, action_for_each, also, also_for_each
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
-from ...actions.strips import POINT_BAR, POINT_BUTTONS, POINT_MENU
+from ...actions.strips import POINT_BUTTONS, POINT_MENU
 from ...document.curve_edits import replace_curve
 from ...document.edits import AlreadySoError, EditError
 from ...document.lines import ends_of
 from ...document.model import Curve, Document
-from ...document.paper import is_for_paper, vector_word
 from ...document.point_group import PointGroup, points_of, some_points
 from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve.curve_view import CurveView
@@ -60,7 +59,6 @@ class TangentCommands:
     @also_for_each(
         lambda kind: [
             *(strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS)),
-            POINT_BAR(20),
         ]
     )
     def _make(self, kind: PointKind) -> None:
@@ -71,8 +69,7 @@ class TangentCommands:
             for curve, indices in group.parts
         )
         left_out = f"; {kind.ends}" if inner.count < group.count else ""
-        made = (is_for_paper(self._session.document) and kind.made_on_paper) or kind.made
-        if self._reshape(kind.step, made, inner if inner.parts else group):
+        if self._reshape(kind.step, kind.made, inner if inner.parts else group):
             self._tell(f"{kind.title} at {_points(inner)}{left_out}.", curves, inner)
 
     @action(
@@ -87,7 +84,7 @@ class TangentCommands:
             why=lambda state: why_not_straight(state.family),
         ),
     )
-    @also(POINT_MENU(15), POINT_BUTTONS(15), POINT_BAR(30))
+    @also(POINT_MENU(15), POINT_BUTTONS(15))
     def _straighten_chosen(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
         session, curves = self._session, self._session.document.curves
@@ -108,19 +105,17 @@ class TangentCommands:
         "spline-pointer",
         "Give the selected points handles of their own to drag; Alt+drag a point does too",
         needs=HERMITE_POINTS,
-        title=lambda now: f"Pull Out {vector_word(now.session.document, 1).capitalize()}",
         keywords="handle velocity tangent",
     )
-    @also(POINT_MENU(16), POINT_BAR(31))
+    @also(POINT_MENU(16))
     def _pull_velocities(self) -> None:
         group, reach = self._session.selected.group, _VISIBLE * self._context.central.canvas.camera.pixel_size
-        word = vector_word(self._session.document, 1)
         stands = "stands" if group.only_point else "of each of them stands"
         self._reshape(
-            f"Pull out {word} of",
+            "Pull out velocity of",
             lambda view, points: with_velocities_pulled(view, points, reach),
             group,
-            f"The {word} {stands} out already; drag the square handle.",
+            f"The velocity {stands} out already; drag the square handle.",
         )
 
     def _tell(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:

@@ -9,7 +9,7 @@ from ...actions.keymap import action_name
 from ...actions.needs import Need
 from ...actions.sections import EDIT_ALIGN_ACROSS, EDIT_ALIGN_TO, EDIT_ALIGN_UP, EDIT_DISTRIBUTE, Section
 from ...actions.state import ActionState
-from ...actions.strips import ALIGN_BUTTONS, OBJECT_BAR
+from ...actions.strips import ALIGN_BUTTONS
 from ...document.model import Document
 from ...document.several_curves import changeable, named, what_stays
 from ...document.shapes import whole_shapes
@@ -110,7 +110,7 @@ class AlignCommands:
             needs=TWO,
         ),
     )
-    @also_for_each(lambda each: (ALIGN_BUTTONS(each.place), OBJECT_BAR(40)))
+    @also_for_each(lambda each: (ALIGN_BUTTONS(each.place),))
     def _align(self, each: _Alignment) -> None:
         session, group, edge = self._session, self._session.selected.group, each.edge
         if group.parts:

@@ -8,7 +8,7 @@ from typing import NamedTuple, TypeVar
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
 from ...actions.needs import Need
 from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
-from ...actions.strips import CURVE_MENU, OBJECT_BAR, TRANSFORM_BUTTONS
+from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
 from ...document.readings import readings_of
 from ...document.several_curves import mapped
@@ -135,9 +135,7 @@ class SelectionCommands:
             keywords="mirror reflect",
         ),
     )
-    @also_for_each(
-        lambda each: (CURVE_MENU(16 + each.axis), TRANSFORM_BUTTONS(10 + each.axis), OBJECT_BAR(50))
-    )
+    @also_for_each(lambda each: (CURVE_MENU(16 + each.axis), TRANSFORM_BUTTONS(10 + each.axis)))
     def _flip(self, each: _Flip) -> None:
         self._map(f"Flip {{}} {each.way}", flipping, each.axis)
 

@@ -12,7 +12,6 @@ from ...actions.declaration import action
 from ...actions.sections import EDIT_TRANSFORM_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
-from ...document.paper import DocumentKind, kind_of
 from ...document.readings import Readings, readings_of
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
@@ -48,7 +47,7 @@ class TransformPanelCommands(QObject):
         self._session.pivot_changed.connect(self._render)
         self._store.changed.connect(self._show_state)
 
-    @LatePanel("transformDock", "Transform", on_demand=True, for_drawings=True)
+    @LatePanel("transformDock", "Transform", on_demand=True, is_steady=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         actions = self._context.actions
@@ -121,7 +120,7 @@ class TransformPanelCommands(QObject):
         # A name is shown as it is; all else is a sentence's beginning.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
         return transform.panel.Situated(
-            what, bounds, self._told_place,
+            what, bounds, self._target.centre,
             self._chosen_place, self._angle(),
             session.document.unit, target.refusal_of_keys, self._readings,
         )  # fmt: skip
@@ -131,22 +130,11 @@ class TransformPanelCommands(QObject):
         return readings_of(self._session.committed)
 
     @property
-    def _told_place(self) -> Vector:
-        """The place that X and Y are of, and from which typed sizes grow: the pivot.
-
-        In drawings it is the corner from which X and Y grow, until one of the nine places is chosen.
-        """
-        target = self._target
-        if kind_of(self._session.committed) is DocumentKind.SKETCH or self._chosen_place is not None:
-            return target.centre
-        return target.bounds.place(-1, 1 if self._readings.is_down else -1)
-
-    @property
     def _chosen_place(self) -> tuple[int, int] | None:
-        """Which of the nine places the pivot is, that which nobody chose counting in sketches; or None."""
+        """Which of the nine places the pivot is, or None."""
         bounds, pivot = self._target.bounds, self._target.pivot
         if pivot is None:
-            return None if kind_of(self._session.committed) is DocumentKind.DRAWING else (0, 0)
+            return (0, 0)
         places = [at for at in NINE if bounds.place(*at) == pivot]
         return places[len(places) // 2] if places else None
 
@@ -175,20 +163,19 @@ class TransformPanelCommands(QObject):
         return f"{number(value, 6)} {self._session.document.unit}".rstrip()
 
     def _choose_pivot(self, across: int, up: int) -> None:
-        # In drawings nobody's choice is the corner of X and Y; the middle can be chosen.
-        forgets = (across, up) == (0, 0) and kind_of(self._session.committed) is DocumentKind.SKETCH
+        forgets = (across, up) == (0, 0)
         self._target.pivot = None if forgets else self._target.bounds.place(across, up)
         self._render()
 
     def _place(self, axis: int, value: float) -> None:
         group = self._target.for_keys
-        way = self._readings.meant_at(axis, value) - self._told_place[axis]
+        way = self._readings.meant_at(axis, value) - self._target.centre[axis]
         by = (way, 0.0) if axis == 0 else (0.0, way)
         text = f"Move {self._target.words} to {'xy'[axis]} {self._length(value)}"
         self._change(text, lambda document: moved(document, group, by))
 
     def _size(self, axis: int, value: float) -> None:
-        session, group, about = self._session, self._target.for_keys, self._told_place
+        session, group, about = self._session, self._target.for_keys, self._target.centre
         is_even = self._store.state.keep_proportions
 
         def sized(document: Document) -> Document:

@@ -18,7 +18,6 @@ from ...actions.sections import (
 )
 from ...actions.strips import CANVAS_MENU, SHAPES_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
-from ...document.paper import object_word
 from ...document.several_curves import name_of, named
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
@@ -100,7 +99,7 @@ class ViewCommands:
         elif session.selection:
             session.selected.set_points([])
             name = name_of(session.document, session.selected.curves)
-            what = f"the {object_word(session.document, many=True)}" if name is None else f"“{name}”"
+            what = "the curves" if name is None else f"“{name}”"
             session.say(f"No point is selected; Escape again chooses {what} whole.")
         else:
             self._step_out()
@@ -111,7 +110,7 @@ class ViewCommands:
         if not selected.is_editing:
             if selected.chosen:
                 selected.choose(())
-                session.say(f"No {object_word(session.document)} is chosen.")
+                session.say("No curve is chosen.")
             return
         selected.choose(selected.curves)
         session.say(self._told_whole(selected.chosen))
@@ -121,8 +120,7 @@ class ViewCommands:
         document = self._session.document
         name = name_of(document, chosen)
         are, again = (f"{named(document, chosen)} are", "them") if name is None else (f"“{name}” is", "one")
-        things = object_word(document, many=True)
-        return f"{are} chosen, and edited no longer; clicks choose whole {things}, Enter edits {again}."
+        return f"{are} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
 
     @widget_at(TOOLBAR(35))
     def build_shapes(self) -> ToolbarWidget:

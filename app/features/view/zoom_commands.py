@@ -20,8 +20,6 @@ from .zoom_field import ZoomField
 _FULL_SIZE = 1.0
 _USUAL = (0.25, 0.5, _FULL_SIZE, 2.0, 4.0, 8.0)
 _KEYS = {_FULL_SIZE: "Ctrl+0, Ctrl+1", 2.0: "Ctrl+2"}
-_DRAWING_KEYS = {0.5: "2", _FULL_SIZE: "Ctrl+0, Ctrl+1, 1"}
-"""In drawings the digits zoom, as in other programs."""
 
 _SOME_POINT = Need(
     "a curve with points",
@@ -88,7 +86,7 @@ class ZoomCommands:
 
     # Actions
 
-    @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View", drawing_key="F, 4")
+    @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View")
     @also(TOOLBAR(60), CANVAS_MENU(30), ZOOM_MENU(20))
     def _fit(self) -> None:
         """Show all visible curves; without points the reference image."""
@@ -103,7 +101,6 @@ class ZoomCommands:
         "fit-selection",
         needs=_SOME_POINT,
         keywords="zoom to selection",
-        drawing_key="Shift+F, Ctrl+3, 3",
     )
     @also(ZOOM_MENU(21))
     def _fit_selection(self) -> None:
@@ -116,12 +113,12 @@ class ZoomCommands:
         else:
             framing.fit_views([session.views[place] for place in sorted(session.selected.curves)])
 
-    @action("zoomIn", "Zoom In", VIEW_ZOOM_STEPS, "Ctrl+=, Ctrl++, +, =", "zoom-in", drawing_key="+, =")
+    @action("zoomIn", "Zoom In", VIEW_ZOOM_STEPS, "Ctrl+=, Ctrl++, +, =", "zoom-in")
     def _zoom_in(self) -> None:
         """Zoom in on the canvas, about the pointer if that is over it."""
         self._zoom(ZOOM_STEP)
 
-    @action("zoomOut", "Zoom Out", VIEW_ZOOM_STEPS, "Ctrl+-, -", "zoom-out", drawing_key="-")
+    @action("zoomOut", "Zoom Out", VIEW_ZOOM_STEPS, "Ctrl+-, -", "zoom-out")
     def _zoom_out(self) -> None:
         """Zoom out on the canvas, about the pointer if that is over it."""
         self._zoom(1 / ZOOM_STEP)
@@ -137,7 +134,6 @@ class ZoomCommands:
             "Show the drawing at true size" if share == _FULL_SIZE else f"Zoom to {per_cent_text(share)}",
             f"Zoom to {per_cent_text(share)}",
             keywords="actual true size 1:1" if share == _FULL_SIZE else "",
-            drawing_key=_DRAWING_KEYS.get(share),
         ),
     )
     @also(ZOOM_MENU(10))

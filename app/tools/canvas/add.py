@@ -7,27 +7,26 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import reverse_curve, without_last_point
-from ...document.drawn_kinds import LINES
+from ...document.curve_edits import fresh_curve, reverse_curve, without_last_point
 from ...document.edits import EditError
 from ...document.layers import begun, layer_of
-from ...document.model import Document, Vector
+from ...document.model import Curve, Document, Vector
 from ...document.point_group import NO_POINTS, points_of
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.fitting.reshape import inserted_index
 from ...view_model.points.appending import (
+    Appending,
     closed_by_pen,
     is_quick,
     view_with_point,
+    with_point_appended,
 )
-from ...view_model.points.pen_corners import closed_by_handles, with_free_end
-from ...view_model.points.straight import closed_by_line
+from ...view_model.points.straight import closed_by_line, with_line_appended
 from .. import hints
 from ..drag_machine import EditingHost
 from ..marks import GestureMarks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
-from ..pen_makes import appending, fresh, is_drawing, makes_corners
 from ..pen_session import PenSession, key_of
 from ..pointer import Hint, Hit
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
@@ -63,22 +62,6 @@ class AddTool(Tool):
     def end(self) -> None:
         """Show nothing of what a press would do."""
         self._seen = self._preview = self._spot = None
-
-    def put_down(self, context: ToolContext) -> None:
-        """Remove a curve that is left with one point: on paper nobody sees it."""
-        host = context.host
-        is_lone = len(host.active_view.source.points) == 1 == self._pen.own_points(host)
-        if is_lone and makes_corners(context):
-            place = host.active_index
-            host.change("Remove a lone point", lambda document: without_last_point(document, place))
-
-    def takes_up(self, context: ToolContext) -> bool:
-        """Whether it goes on from the active curve: in drawings a closed one is left alone."""
-        return not (context.view.source.is_closed and is_drawing(context))
-
-    def takes_objects(self, context: ToolContext) -> bool:
-        """Whether what was edited is chosen whole: its points would only be in the way."""
-        return not self.takes_up(context)
 
     def take_over(self, context: ToolContext) -> None:
         """Leave the active curve as it is: nobody was editing it."""
@@ -119,17 +102,11 @@ class AddTool(Tool):
         host = context.host
         place, last = host.active_index, len(host.active_view.source.points) - 1
 
-        def edit(document: Document) -> Document:
-            document = without_last_point(document, place)
-            # The handle for the segment that has gone would be shown, and what comes next is straight.
-            return with_free_end(document, place) if last and makes_corners(context) else document
-
         if not self._pen.own_points(host):
             host.say("There is nothing to take back; a click draws, V selects.")
-        elif host.change(f"Take back point {last}", edit):
+        elif host.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
             if last:
                 host.selected.set_points([last - 1])
-                self._pen.find_end(host, anew=True)
             host.say(f"Took back point {last}." if last else "Took back the curve; a click begins another.")
 
     def _ends_at(self, hit: Hit, host: EditingHost) -> bool:
@@ -148,7 +125,6 @@ class AddTool(Tool):
                 return
         self._pen.draw(key_of(host), last + 1)
         host.selected.set_points([last])
-        self._pen.find_end(host, anew=True)
         host.say(f"Going on with “{view.source.name}”; the next press adds point {last + 1}.")
 
     # Presses
@@ -156,7 +132,6 @@ class AddTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin what a press here does."""
         host, hit = context.host, context.hit
-        self._pen.find_end(host)
         if (part := self._part(context)) is not None:
             self._press_on_part(context, part)
             return
@@ -171,11 +146,11 @@ class AddTool(Tool):
             self._append(context)
 
     def _part(self, context: ToolContext) -> Hit | None:
-        """Return the point or handle that a press is about; of a curve that is left alone, an open end."""
+        """Return the point or handle that a press is about; None for none."""
         host, hit = context.host, context.hit
         if hit is None or hints.is_no_part(hit) or _begins_anew(host):
             return None
-        return hit if self._pen.goes_on_at(hit, host) or not self._pen.leaves(host) else None
+        return hit
 
     def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
         if self._pen.goes_on_at(hit, context.host):
@@ -188,7 +163,7 @@ class AddTool(Tool):
             press_on_part(context, hit)
 
     def _act(self, context: ToolContext) -> PenAct:
-        if _begins_anew(context.host) or (self._pen.leaves(context.host) and not context.pointer.shift):
+        if _begins_anew(context.host):
             return PenAct.BEGIN
         finished = self._pen.is_finished(context.host)
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
@@ -206,8 +181,7 @@ class AddTool(Tool):
             view,
             context.pointer,
             snapper,
-            appending(context),
-            makes_corners(context),
+            _appending(context),
         )
         # Only when it is done: Escape leaves a finished curve finished.
         done = partial(self._pen.draw, key, index)
@@ -216,31 +190,20 @@ class AddTool(Tool):
     def _close(self, context: ToolContext) -> None:
         """Close the curve that is edited, or say why it cannot be closed."""
         host = context.host
-        is_closed = host.change(
-            f"Close {host.active_view.source.name}", lambda _document: self._closed(context)
-        )
-        if is_closed and is_drawing(context):
-            host.selected.choose((host.active_index,))
+        host.change(f"Close {host.active_view.source.name}", lambda _document: self._closed(context))
 
     def _closed(self, context: ToolContext) -> Document:
-        by_line, (document, view) = context.pointer.alt, self._start(context)
-        if makes_corners(context):
-            close = closed_by_pen if by_line else closed_by_handles
-        else:
-            close = closed_by_line if by_line else closed_by_pen
+        document, view = self._start(context)
+        close = closed_by_line if context.pointer.alt else closed_by_pen
         return close(document, context.host.active_index, view)
 
     def _start(self, context: ToolContext) -> tuple[Document, CurveView]:
-        """Return the document, and the view of the curve that is edited, that a press goes on from.
-
-        A click that makes a corner goes on straight from where no handle was drawn out for what comes.
-        """
+        """Return the document, and the view of the curve that is edited, that a press goes on from."""
         host = context.host
-        is_free = makes_corners(context) and not context.pointer.alt and self._pen.has_bare_end(host)
-        document = with_free_end(host.document, host.active_index) if is_free else host.document
+        document = host.document
         if not context.view.source.points:
             place, layer = host.active_index, layer_of(document, host.active_index)
-            document = begun(document, place, layer, lambda: fresh(context)).document
+            document = begun(document, place, layer, lambda: _fresh(context)).document
         if document is host.document:
             return document, context.view
         return document, view_of(document.curves[host.active_index], context.view)
@@ -248,20 +211,20 @@ class AddTool(Tool):
     def _begin(self, context: ToolContext) -> None:
         """Begin another curve, or the empty one in another layer; it is edited from the press on."""
         host = context.host
-        document, place = begun(host.document, host.active_index, host.selected.layer, lambda: fresh(context))
+        document, place = begun(
+            host.document, host.active_index, host.selected.layer, lambda: _fresh(context)
+        )
         begun_curve = document.curves[place]
         done = partial(self._pen.draw, (place, begun_curve.name), 0)
         view, snapper = view_of(begun_curve), context.snappers.for_new(-1)
-        how = appending(context), makes_corners(context)
-        begin = BeginCurve(document, place, view, context.pointer, snapper, *how)
+        begin = BeginCurve(document, place, view, context.pointer, snapper, _appending(context))
         context.drags.press_at_once(context.pointer, begin, on_done=done, active=place, makes=0)
 
     # What a press would do
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do, and show it."""
-        view, document = context.view, context.host.document
-        self._pen.find_end(context.host)
+        view = context.view
         part = self._part(context)
         act = self._act(context) if part is None else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
@@ -272,16 +235,12 @@ class AddTool(Tool):
         snaps = context.settings.snapping.on
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.seen_name))
-        corners = makes_corners(context)
         if part is None:
             act, goes_on = act or PenAct.APPEND, not _begins_anew(context.host)
-            new = fresh(context)
-            return hints.to_add(act, view, document, new, snaps=snaps, corners=corners, goes_on=goes_on)
+            return hints.to_add(act, view, _fresh(context), snaps=snaps, goes_on=goes_on)
         pointer = context.pointer
         dragged, goes_on = dragged_with(context, part), self._pen.goes_on_at(part, context.host)
-        return hints.to_add_on_part(
-            part, view, document, dragged, pointer, snaps=snaps, goes_on=goes_on, corners=corners
-        )
+        return hints.to_add_on_part(part, view, dragged, pointer, snaps=snaps, goes_on=goes_on)
 
     def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
@@ -300,7 +259,7 @@ class AddTool(Tool):
         place = place_in_steps(view, pointer) or free
         document, start = self._start(context)
         self._preview = view_with_point(
-            document, host.active_index, start, place, self._preview, append=appending(context)
+            document, host.active_index, start, place, self._preview, append=_appending(context)
         )
 
     def _view_closed(self, context: ToolContext) -> CurveView | None:
@@ -321,6 +280,17 @@ class AddTool(Tool):
             preview_curve=self._preview if is_shown else None,
             spot=self._spot if is_shown else None,
         )
+
+
+def _appending(context: ToolContext) -> Appending:
+    """Return what a click makes: with Alt a point after a straight line."""
+    return with_line_appended if context.pointer.alt else with_point_appended
+
+
+def _fresh(context: ToolContext) -> Curve:
+    """Return another curve to begin, as the one that is edited."""
+    model = context.host.model
+    return fresh_curve(context.host.document, model, model.parametrization)
 
 
 def _begins_anew(host: EditingHost) -> bool:
@@ -355,13 +325,11 @@ ADD = ToolRecord(
         GestureRow("Click", "add a point"),
         GestureRow(
             "Press and drag",
-            "add a point and set its {handle}; Ctrl or Shift: 15° steps, Alt: ahead alone",
+            "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: ahead alone",
             needs_derivatives=True,
         ),
         GestureRow("Ctrl+click", "add a point at a step of 15°, seen from the last one"),
-        GestureRow(
-            "Alt+click", "corners while clicks make smooth points, and the other way", needs_derivatives=True
-        ),
+        GestureRow("Alt+click", "a corner after a straight line", needs_derivatives=True),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
         GestureRow("Enter, double click", "finish the curve; a click on either end goes on from there"),
@@ -377,5 +345,4 @@ ADD = ToolRecord(
     icon="add",
     tip="Click to add points; drag to pull out their handles",
     in_menu=True,
-    draws=LINES,
 )

@@ -10,7 +10,6 @@ from time import thread_time
 from msgspec.structs import replace
 
 from ...document.curve_edits import fresh_curve, replace_curve
-from ...document.drawn_kinds import LINES
 from ...document.edits import EditError
 from ...document.layers import Begun, begun
 from ...document.model import Curve, Parametrization, Vector
@@ -194,5 +193,4 @@ PENCIL = ToolRecord(
     icon="pencil",
     tip="Draw freehand: a curve of few points near the line",
     in_menu=True,
-    draws=LINES,
 )

@@ -44,10 +44,6 @@ class SelectTool(Tool):
         # has brought handles and a box.
         self._pressed: tuple[CurveView, Hit] | None = None
 
-    def takes_objects(self, context: ToolContext) -> bool:
-        """Whether what was edited is chosen whole when it begins to be used: whole objects are meant."""
-        return True
-
     def press(self, context: ToolContext) -> None:
         """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
         below, line = find_below(context), self._line_clicked_twice(context)
@@ -226,7 +222,7 @@ class SelectTool(Tool):
         view, dragged = context.view, dragged_with(context, hit) if hit is not None else ""
         if hit is not None and hit.curve >= 0:
             view, hit = context.host.views[hit.curve], hit.as_own
-        return hints.to_select(hit, view, context.host.document, dragged, context.pointer, snaps=snaps)
+        return hints.to_select(hit, view, dragged, context.pointer, snaps=snaps)
 
     def _idle_hint(self, context: ToolContext) -> Hint | None:
         """Return what a press beside everything would do, None for nothing in particular."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import msgspec
 import numpy as np
 
@@ -88,18 +86,6 @@ def converted(view: CurveView, family: Family) -> Reshaped:
     left_rule = made.is_manual and not view.source.is_manual
     note = _growth(view, family) or _jumps(view, after)
     return Reshaped(made, residual, left_rule=left_rule, note=note)
-
-
-def change_of_shape(view: CurveView, family: Family) -> float:
-    """Return how far a curve would be from what it is, drawn as one of `family`; infinite where unknown."""
-    if view.curve is None or view.source.family == family:
-        return 0.0
-    after = view_of(view.source.with_family(family))
-    if not (view.is_current and after.is_current):
-        return math.inf
-    t = dense(view.parameters)
-    away = largest_distance(view, t, after, t)
-    return 0.0 if is_kept(away, (view.source,)) else away
 
 
 def needless_change(before: CurveView, after: CurveView) -> float:

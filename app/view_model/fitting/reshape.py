@@ -21,7 +21,6 @@ from ...document.edits import EditError, freeze_parameters, stretched_beside
 from ...document.jet_edits import JetValue, with_jet_values
 from ...document.lines import is_line
 from ...document.model import Curve, Document, ParametrizationKind, Point, Vector
-from ...document.paper import DocumentKind, kind_of
 from ...document.ties import tied_if_parallel
 from ...document.words import number
 from ...families import Family
@@ -69,13 +68,6 @@ class Reshaped(msgspec.Struct, frozen=True):
         words = outcome(self.residual, (self.curve,))
         manual = "The parameters are manual now." if self.left_rule else ""
         return " ".join(each for each in (words[0].upper() + words[1:], manual, self.note) if each)
-
-    def told_in(self, document: Document) -> str:
-        """Return the outcome in the words of a document: who draws on a page did not ask for parameters."""
-        if kind_of(document) is DocumentKind.SKETCH:
-            return self.sentence
-        words = outcome(self.residual, (self.curve,))
-        return " ".join(each for each in (words[0].upper() + words[1:], self.note) if each)
 
 
 def baked(view: CurveView) -> Curve:

@@ -3,7 +3,6 @@
 - ``point_kinds``: the kinds of points.  ``point_columns``: the columns of the point table.
 - ``smoothness``, ``straight``: smooth points and corners, straight segments.
 - ``appending``: points appended, curves closed, and the curve as it would be with a point more.
-  ``pen_corners``: the same with corners.
 - ``midpoints``: a point more in the middle of segments.
 - ``deleting``: points deleted with the shape kept.  ``retracting``: handles retracted.
 - ``wanted``: derivatives set where rules estimate others.

@@ -22,7 +22,6 @@ from .smoothness import (
     ONE_SIDED,
     inner_points,
     made_estimated,
-    made_even,
     made_smooth,
     made_symmetric,
     with_corners,
@@ -57,8 +56,6 @@ class PointKind(msgspec.Struct, frozen=True, kw_only=True):
         `EditError` where it cannot be.
     are_of
         Tells which of some points are of this kind, unless of one before it.
-    made_on_paper
-        The same for documents that are drawn for paper, where handles are lengths; None for what `made` does.
     outline
         Corners of its mark, for one as large as a disc of radius 1; none for a disc.
     is_open
@@ -77,7 +74,6 @@ class PointKind(msgspec.Struct, frozen=True, kw_only=True):
     one: str
     made: Callable[[CurveView, Collection[int]], Curve]
     are_of: Callable[[PointArrays], BoolArray]
-    made_on_paper: Callable[[CurveView, Collection[int]], Curve] | None = None
     outline: Outline = ()
     is_open: bool = False
     ends: str = ""
@@ -123,13 +119,11 @@ SYMMETRIC = PointKind(
     title="Symmetric",
     action="tangentSymmetric",
     key="Shift+Y, Alt+1",
-    tip="One handle mirrors the other at the selected points; where nothing is drawn for paper, one velocity "
-    "on both sides, the mean of two",
+    tip="One velocity on both sides of the selected points, the mean of two; one handle mirrors the other",
     keywords="smooth C1 mirror equal handles length",
     step="Symmetric",
     one="symmetric",
     made=made_symmetric,
-    made_on_paper=made_even,
     are_of=lambda points: np.isfinite(points.given).any(axis=(1, 2, 3)).astype(bool),
     outline=_SQUARE,
     is_open=True,

@@ -1,4 +1,0 @@
-"""What a click of the pen makes.
-
-- ``commands``: its action.
-"""
