@@ -8,7 +8,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QStatusBar
 
 from ..document.model import Vector
-from ..document.readings import PLAIN
+from ..document.readings import PLAIN, Readings
 from ..document.words import number
 from ..widgets.controls import named
 from ..widgets.elided_label import SteadyLabel
@@ -58,6 +58,11 @@ class Readouts:
             self._layer_label.setText(text)
             self._layer_label.setVisible(bool(text))
 
+    def show_unit(self, unit: str, readings: Readings) -> None:
+        """Show the place in this unit from now on, told in this way."""
+        self.unit, self.readings = unit, readings
+        self._render_soon()
+
     def show_place(self, place: Vector | None) -> None:
         """Show where the pointer is on the canvas."""
         self._place_now = place
@@ -81,6 +86,11 @@ class Readouts:
     def _render_soon(self) -> None:
         if not self._soon.isActive():
             self._soon.start()
+
+    def catch_up(self) -> None:
+        """Write the numbers that wait, together with the words beside them."""
+        if self._soon.isActive():
+            self.render()
 
     def render(self) -> None:
         """Write the numbers now."""

@@ -78,7 +78,7 @@ class StatusLine(Guarded, QStatusBar):
         self._soon.stop()
         self._label.colour = theme_of(self.palette()).warning if self.is_refusal else None
         self._label.setText(f"⚠ {self.text}" if self.is_refusal else self.text)
-        self.readouts.render()
+        self.readouts.catch_up()
 
     def show_hint(self, text: str) -> None:
         """Show what a press would do; a sentence just said stays in front."""

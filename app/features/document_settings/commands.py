@@ -53,8 +53,7 @@ class DocumentSettingsCommands:
             canvas.drawing.grid.set_readings(readings)
             canvas.drawing.grid.set_spacing(document.grid_spacing)
             canvas.drawing.units.render(document.unit)
-            readouts = self._context.status_line.readouts
-            readouts.unit, readouts.readings = document.unit, readings
+            self._context.status_line.readouts.show_unit(document.unit, readings)
             if before is not None and before[0] != document.unit and self._panel is not None:
                 name = f"are in {document.unit}" if document.unit else "have no unit"
                 note = exchange.units.note_of_unknown(document.unit)
