@@ -60,6 +60,8 @@ class ToolPlot(PlotWidget):
         self._has_words = False
         self._words_due = QTimer(self, singleShot=True)
         self._words_due.timeout.connect(self.tell)
+        self._hover_due = QTimer(self, singleShot=True, interval=0)
+        self._hover_due.timeout.connect(self.hover_again)
 
     # A subclass fills in these.
 
@@ -127,6 +129,7 @@ class ToolPlot(PlotWidget):
             self._hovered_at(pointer)
         else:
             self._left()
+        self._hover_due.stop()
 
     def _hovered_at(self, pointer: Pointer) -> None:
         if self.tools.is_transforming:
@@ -142,6 +145,10 @@ class ToolPlot(PlotWidget):
         """Tell anew what lies under a pointer that rests while the view moves, or the document."""
         if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
             self._hovered_at(self._pointer_now())
+
+    def hover_soon(self) -> None:
+        """Do that when all has been drawn that has changed; a release does by itself."""
+        self._hover_due.start()
 
     def _left(self) -> None:
         if not self.is_dragging:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 import msgspec
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMainWindow, QToolBar
 
 from ..actions.qactions import Actions
@@ -66,8 +65,7 @@ class WindowContext(msgspec.Struct, frozen=True):
         plot.gesture_began.connect(line.begin_gesture)
         session.interrupted.connect(plot.abandon_gesture)
         for changed in (session.history_changed, session.active_changed):
-            # Later, when everything has been drawn that has changed.
-            changed.connect(plot.hover_again, Qt.ConnectionType.QueuedConnection)
+            changed.connect(plot.hover_soon)
 
 
 def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., object]]:
