@@ -68,6 +68,8 @@ class Session(SessionSignals):
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
         self._home: Choice | None = None
+        # The document that a gesture gave to be shown; `_shown` is what came of it.
+        self._asked: Document | None = None
 
     def __del__(self) -> None:
         self.history.drop()
@@ -85,7 +87,7 @@ class Session(SessionSignals):
         if state is None or state.document is self._committed or state.document == self._committed:
             return
         self.history.end_run()
-        self._home = None
+        self._home = self._asked = None
         self._committed = self._shown = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
@@ -200,7 +202,7 @@ class Session(SessionSignals):
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        document = tidy_shapes(self._following_ones(document), self._shown)
+        asked, document = document, tidy_shapes(self._following_ones(document), self._shown)
         if document is self._shown:
             return True
         if reason := why_safe(self._committed, document):
@@ -211,6 +213,7 @@ class Session(SessionSignals):
             self._views.leave()
         if active is not None and active != self.active_index:
             self._following.begin(active)
+        self._asked = asked
         self._show(document)
         return True
 
@@ -221,16 +224,17 @@ class Session(SessionSignals):
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a curve is safe from that, or no file could hold it."""
-        document = tidy_shapes(self._following_ones(document), self._shown)
+        is_shown = document is self._asked
+        document = self._shown if is_shown else tidy_shapes(self._following_ones(document), self._shown)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
-        if reason := why_safe(self._committed, document):
+        if not is_shown and (reason := why_safe(self._committed, document)):
             return self._refused(reason, "the lock of a curve")
         if reason := why_not_kept(self._committed, document):
             return self._refused(reason, "the file format")
         before = self.state
-        self._home = None
+        self._home = self._asked = None
         after = State(document, self.active_index if active is None else active, self.files.beginning)
         self.history.push(before, after, text, run)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
@@ -242,7 +246,7 @@ class Session(SessionSignals):
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""
-        home, self._home = self._home, None
+        home, self._home, self._asked = self._home, None, None
         if home is None:
             return
         with self.telling:
@@ -305,7 +309,7 @@ class Session(SessionSignals):
         self.history.end_run()
         if not self.is_previewing:
             self._views.leave()
-        self._home = None
+        self._home = self._asked = None
         self.interrupted.emit()
         if state.active != self.active_index:
             self.selected.enter(state.active)
