@@ -143,9 +143,9 @@ class TransformTarget:
         Whole curves have that of any of them, the latest: a pair is mirrored about the foot of one. One of
         several does not have theirs.
         """
-        pivots = [each for each in self._host.box.pivots if not each.is_waiting]
-        if not pivots or self.is_nothing:
+        if not self._host.box.pivots or self.is_nothing:
             return None
+        pivots = [each for each in self._host.box.pivots if not each.is_waiting]
         now = self.anchored()
         found = next(filter(None, (each.at(now) for each in pivots)), None)
         if found is None and now.group.is_whole:

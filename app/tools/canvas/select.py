@@ -234,14 +234,14 @@ class SelectTool(Tool):
     def marks(self, context: ToolContext) -> GestureMarks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
         is_idle, box = self.gesture is None and not context.drags.is_pressed, self._box(context)
-        is_banding = isinstance(self.gesture, Band)
+        is_banding, pivot = isinstance(self.gesture, Band), context.target.pivot
+        centre = box.centre if box is not None else None
         return GestureMarks(
             band=self.gesture.band if isinstance(self.gesture, Band) else None,
             box=box if is_idle else None,
             frame=None if is_idle or is_banding else box,
-            pivot=context.drags.about_at(context.pointer)
-            or (None if is_banding else self._pivot(context, box)),
-            pivot_box=box if is_idle and context.target.pivot is None else None,
+            pivot=context.drags.about_at(context.pointer) or (None if is_banding else pivot or centre),
+            pivot_box=box if is_idle and pivot is None else None,
             snap=context.snappers.caught,
             note=context.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
@@ -260,26 +260,20 @@ class SelectTool(Tool):
         is_inside = box is not None and box.holds(context.pointer)
         return context.target.group if is_inside else None
 
-    @staticmethod
-    def _pivot(context: ToolContext, box: TransformBox | None) -> Vector | None:
-        """Return the pivot: one that was chosen, or the middle of the box, which needs room for it."""
-        if (place := context.target.pivot) is not None:
-            return place
-        return box.centre if box is not None else None
-
     def _is_on_pivot(self, context: ToolContext) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points, handles and lines.
 
         Where whole curves are chosen there is no line to bend, and it comes before these.
         """
         hit, group, box = context.hit, context.target.group, self._box(context)
-        place = self._pivot(context, box)
+        pivot = context.target.pivot
+        place = pivot or (box.centre if box is not None else None)
         # The middle of a straight segment whose ends are selected is that of their box.
         is_line = hit is not None and hit.part in (Part.CURVE, Part.OTHER_CURVE)
         is_beside = hit is None or hit.inside or hit.part is Part.GUIDE
         is_beside |= is_line and group is not None and group.is_whole
         has_room = box is not None and box.is_roomy(context.pointer.scale)
-        is_free = context.target.pivot is not None or (has_room and is_beside)
+        is_free = pivot is not None or (has_room and is_beside)
         return place is not None and is_free and is_on_pivot(place, context.pointer)
 
     def _grip_at(self, context: ToolContext) -> Grip | None:
