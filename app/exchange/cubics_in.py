@@ -26,8 +26,8 @@ from ..document.model import (
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
-from ..view_model.shapes.cubic_joints import WRITTEN_BY_PROGRAMS
-from ..view_model.shapes.cubics import points_of_cubics
+from ..view_model.fitting.cubic_joints import WRITTEN_BY_PROGRAMS
+from ..view_model.fitting.cubics import points_of_cubics
 from .errors import ExchangeError
 from .missed import Missed
 

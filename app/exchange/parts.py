@@ -31,7 +31,7 @@ from ..document.words import names_of
 from ..tasks.progress import Report, silent
 from ..view_model.curve.curve_view import ParametricCurve
 from ..view_model.curve.refusals import in_words
-from ..view_model.shapes.cubics import RELATIVE_TOLERANCE
+from ..view_model.fitting.cubics import RELATIVE_TOLERANCE
 from .drawing.drawing import drawable
 from .errors import ExchangeError
 from .naming import Names

@@ -79,11 +79,6 @@ class FieldForm(FollowsTheme, QWidget):
         self._standing = text
         self._render_problem()
 
-    @property
-    def has_refusal(self) -> bool:
-        """Whether what was asked for last was refused."""
-        return bool(self._refusal)
-
     def clear_refusal(self) -> None:
         """Say no longer why something was refused: it was about something else."""
         self._refusal = ""

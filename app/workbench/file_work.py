@@ -13,7 +13,6 @@ from ..exchange.errors import ExchangeError
 from ..session import Session
 from ..storage.files import StorageError
 from ..storage.format_error import FormatError
-from ..tasks.progress import silent
 from ..tasks.single_task import SingleTask
 from ..tasks.task import Work
 
@@ -68,18 +67,6 @@ class FileWork:
             return False
         self._stopped = lambda: leave("")
         return self.jobs.start(title, work, done, failed)
-
-    def do_now(self, _title: str, work: Work, done: Callable[[Any], object], path: Path, what: str) -> bool:
-        """Do what `start` does while the window waits; return whether it was done."""
-        if self.refuse_second():
-            return False
-        try:
-            found = work(silent)
-        except _EXPECTED as problem:
-            self.refuse(path, what, problem)
-            return False
-        done(found)
-        return True
 
     def compute(self, title: str, work: Work, done: Callable[[Any], object]) -> bool:
         """Compute something for the document; the sentence of an `EditError` is said, and nothing changes.

@@ -22,7 +22,7 @@ from app.exchange.svg.numbers import number
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
-from app.view_model.shapes.cubics import RELATIVE_TOLERANCE
+from app.view_model.fitting.cubics import RELATIVE_TOLERANCE
 from curvecore.bezier.control_points import bezier_segments, cubic_path
 
 SVG = "{http://www.w3.org/2000/svg}"

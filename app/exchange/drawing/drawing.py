@@ -20,8 +20,8 @@ from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.curve.refusals import in_words
+from ...view_model.fitting.cubics import RELATIVE_TOLERANCE
 from ...view_model.geometry.extents import extent_of
-from ...view_model.shapes.cubics import RELATIVE_TOLERANCE
 from ..errors import ExchangeError
 from ..node_types import letters_of
 from .frames import LARGEST, MARGIN, Frame, frame_around, frame_of, frame_with

@@ -4,36 +4,101 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QPoint, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QWidget
 
+from ...appearance.theme import Theme
+from ...document.expression import ExpressionError
 from ...document.guide import Axis, Guide
 from ...document.readings import PLAIN, Readings
+from ...qt.keys import ENTER, PASSING, ClaimsKeys
 from ...qt.labels import Label
+from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named
-from ...widgets.entry_field import EntryEdit, EntryField
 from ...widgets.length_text import read_length
 from ...widgets.number_text import typed_text
+from ...widgets.overlay_frame import OverlayFrame
 
 _TIP = "Where the guide lies: a number or an expression, with a unit if you like, such as 20, 1/3 or 1 in"
+_WIDTH = 110
 
 
-class GuideField(EntryField):
+class _PlaceEdit(ClaimsKeys, QLineEdit):
+    """A line to type into that is done with Enter and given up with Escape.
+
+    Signals
+    -------
+    entered
+        The text is to be taken.
+    given_up
+        It is not: Escape, or a click elsewhere.
+    """
+
+    entered = Signal()
+    given_up = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFixedWidth(_WIDTH)
+
+    def claims(self, event: QKeyEvent) -> bool:
+        return event.key() in (*ENTER, Qt.Key.Key_Escape)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in ENTER:
+            self.entered.emit()
+        elif event.key() == Qt.Key.Key_Escape:
+            self.given_up.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() not in PASSING:
+            self.given_up.emit()
+
+
+class GuideField(OverlayFrame):
     """A small frame beside a ruler, in which the place of one guide is typed.
+
+    Attributes
+    ----------
+    edit
+        The line to type into.
 
     Signals
     -------
     entered
         A guide shall be there.
+    closed
+        It is done, or given up.
     """
 
     entered = Signal(object)
+    closed = Signal()
 
     def __init__(self, below: QWidget) -> None:
+        super().__init__("guideField", below)
+        self.setAccessibleName("Guide")
         self._axis, self._unit, self._readings = Axis.X, "", PLAIN
         self._now = 0.0
-        edit = named(EntryEdit(), "guidePlace", "Place of the guide", _TIP)
-        super().__init__("guideField", "Guide", below, Label(), edit)
+        self._corner: Callable[[], QPoint] = lambda: QPoint(0, 0)
+        self.edit = named(_PlaceEdit(), "guidePlace", "Place of the guide", _TIP)
+        self.edit.entered.connect(self._enter)
+        self.edit.given_up.connect(self.close_field)
+        self.edit.textEdited.connect(lambda: self._say(""))
+        self._label, self._suffix = Label(), Label()
+        self._remark = Label(name="guideRemark", wordWrap=True)
+        row = row_of(self._label, self.edit, self._suffix, spacing=6)
+        column_of(row, self._remark, margins=(8, 6, 8, 6), spacing=4, parent=self)
+        self.hide()
+        self.follow_theme()
+
+    @property
+    def remark(self) -> str:
+        """Why what was typed cannot be used; empty where it can."""
+        return "" if self._remark.isHidden() else self._remark.text()
 
     def open_for(
         self,
@@ -47,14 +112,51 @@ class GuideField(EntryField):
 
         `position` is where it lies so far; None for a new one.
         """
-        self._axis, self._unit, self._readings = axis, unit, readings
+        self._axis, self._unit, self._readings, self._corner = axis, unit, readings, corner
         self._now = 0.0 if position is None else readings.shown_at(axis.coordinate, position)
-        self.ask("" if position is None else typed_text(self._now), unit, corner)
+        self._label.setText(f"{axis.value} =")
+        self._suffix.setText(unit)
+        self._suffix.setVisible(bool(unit))
+        self.edit.setText("" if position is None else typed_text(self._now))
+        self._say("")
+        self.show()
+        self.raise_()
+        self.edit.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.edit.selectAll()
 
-    def _kind(self) -> str:
-        return f"{self._axis.value} ="
+    def close_field(self) -> None:
+        """Put it away, if it is there."""
+        if not self.isHidden():
+            self.hide()
+            self.closed.emit()
 
-    def _take(self, text: str) -> Callable[[], object]:
-        typed = read_length(text, self._unit, self._now)
-        entered = Guide(self._axis, self._readings.meant_at(self._axis.coordinate, typed))
-        return lambda: self.entered.emit(entered)
+    def place(self) -> None:
+        if (layout := self.layout()) is not None:
+            layout.activate()
+        size, below, corner = self.sizeHint(), self.below.size(), self._corner()
+        x = max(min(corner.x(), below.width() - size.width()), 0)
+        y = max(min(corner.y(), below.height() - size.height()), 0)
+        self.setGeometry(x, y, size.width(), size.height())
+
+    def set_theme(self, theme: Theme) -> None:
+        self.set_sheet()
+        self._remark.setStyleSheet(f"color: {theme.warning.name()}")
+
+    def _enter(self) -> None:
+        text = self.edit.text()
+        if not text.strip():
+            self.close_field()
+            return
+        try:
+            typed = read_length(text, self._unit, self._now)
+        except ExpressionError as reason:
+            self._say(f"⚠ {reason}")
+            self.edit.selectAll()
+            return
+        self.close_field()
+        self.entered.emit(Guide(self._axis, self._readings.meant_at(self._axis.coordinate, typed)))
+
+    def _say(self, text: str) -> None:
+        self._remark.setText(text)
+        self._remark.setVisible(bool(text))
+        self.place()

@@ -6,20 +6,19 @@ from functools import partial
 
 from ...actions.declaration import action
 from ...actions.sections import CURVE_SHAPES
-from ...document.several_curves import changeable
+from ...document.several_curves import changeable, named
 from ...document.words import count_of, number
-from ...view_model.shapes.regions import named_operands
-from ...view_model.shapes.simplifying import Simplified, simplified
+from ...view_model.fitting.simplifying import Simplified, simplified
+from ...workbench.computed_step import ComputedStep
 from ...workbench.context import WindowContext
 from .chosen_shapes import A_SHAPE, meant
-from .shape_work import ShapeWork
 
 
 class SimplifyCommands:
     """Simplify."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._session, self._work = context.session, ShapeWork(context)
+        self._session, self._work = context.session, ComputedStep(context)
 
     @action(
         "simplify",
@@ -36,7 +35,7 @@ class SimplifyCommands:
         session = self._session
         document, views = session.committed, session.views
         curves = changeable(document, meant(session))
-        what = f"Simplify {named_operands(document, curves)}"
+        what = f"Simplify {named(document, curves)}"
         self._work.begin(what, partial(simplified, document, views, curves), partial(self._put, what))
 
     def _put(self, what: str, made: Simplified) -> None:

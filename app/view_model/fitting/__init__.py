@@ -4,6 +4,8 @@
 - ``convert``: the same curve as one of another family.
 - ``least_squares``: curves of few points near many.
 - ``segment_fit``: one segment for several.
+- ``simplifying``: the points that the shape does not need left out.
+- ``cubics``, ``cubic_joints``: cubic pieces as the points of a curve.
 """
 
 import lazy_loader as lazy

@@ -7,7 +7,6 @@ line turns. Cusps that the inner side has where a line bends more tightly than h
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import msgspec
@@ -49,12 +48,6 @@ class Line(msgspec.Struct, frozen=True, eq=False):
 def half_width(style: Style) -> float:
     """Return how far a stroke reaches beside its line; 0 of one that is as wide at every zoom."""
     return (style.width or 0.0) / 2.0 if style.has_stroke else 0.0
-
-
-def farthest_reach(style: Style) -> float:
-    """Return a distance that a stroke reaches beyond the box of its line at most."""
-    corner = style.miter_limit if style.join is LineJoin.MITER else 1.0
-    return half_width(style) * max(math.sqrt(2.0) if style.cap is LineCap.SQUARE else 1.0, corner)
 
 
 def line_of(controls: FloatArray, turns: tuple[FloatArray, FloatArray], *, is_closed: bool) -> Line | None:

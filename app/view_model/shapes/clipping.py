@@ -16,7 +16,7 @@ from ...document.style import PLAIN_STYLE, FillRule
 from ...families import HERMITE
 from ...tasks.progress import Report, silent
 from ..curve.curve_view import CurveView
-from .cubics import points_of_cubics
+from ..fitting.cubics import points_of_cubics
 from .regions import Combined, Names, chosen_shapes, outlines_of, replaced, taken_names
 
 

@@ -11,7 +11,7 @@ from curvecore import CurveError, cubic_path
 from ...document.box_edits import Piece
 from ...document.model import Curve
 from ..curve.curve_view import view_of
-from .cubics import RELATIVE_TOLERANCE
+from ..fitting.cubics import RELATIVE_TOLERANCE
 
 
 @lru_cache(maxsize=64)

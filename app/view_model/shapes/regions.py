@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 import msgspec
-import numpy as np
 from msgspec.structs import replace
 
 import curvecore
@@ -18,7 +17,8 @@ from ...document.shape_edits import objects
 from ...document.shapes import shape_of, shapes, tidy_shapes
 from ...document.words import names_of
 from ..curve.curve_view import CurveView
-from .cubics import RELATIVE_TOLERANCE
+from ..fitting.cubics import RELATIVE_TOLERANCE
+from ..fitting.simplifying import size_of
 
 
 class Combined(msgspec.Struct, frozen=True):
@@ -118,9 +118,3 @@ def outlines_of(views: Sequence[CurveView], size: float = 0.0) -> tuple[list[Flo
         outlines.append(outline)
         deviation = max(deviation, float(path.deviation))
     return outlines, deviation
-
-
-def size_of(views: Sequence[CurveView]) -> float:
-    """Return the longer side of the box around the points of curves; 1 where there are none."""
-    points = [view.points for view in views if len(view.points)]
-    return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0

@@ -24,7 +24,6 @@ from ...tasks.progress import Report, part, silent
 from ..curve.curve_view import CurveView
 from .cubic_joints import CORNER
 from .cubics import RELATIVE_TOLERANCE, points_of_cubics
-from .regions import size_of
 
 SHARE = 0.002
 """How far a curve may be from what it was, as a share of the size of all that is simplified."""
@@ -90,6 +89,12 @@ def simplified(
     if not before:
         raise EditError("No curve of these takes fewer points than it has.")
     return Simplified(made, before, after, deviation)
+
+
+def size_of(views: Sequence[CurveView]) -> float:
+    """Return the longer side of the box around the points of curves; 1 where there are none."""
+    points = [view.points for view in views if len(view.points)]
+    return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0
 
 
 def _can_be_simpler(view: CurveView) -> bool:
