@@ -7,9 +7,8 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import Document
 from ...document.style import USUAL_WIDTH
-from .drawing import Drawing, drawing_of
+from .drawing import Drawing
 from .extents import painted_extent
 from .frames import Frame
 
@@ -37,14 +36,3 @@ def _painted(drawing: Drawing) -> tuple[FloatArray, FloatArray]:
         reach = float((high - low).max()) * USUAL_WIDTH / (1 - USUAL_WIDTH) / 2
         low, high = low - reach, high + reach
     return low, high
-
-
-def frame_of(document: Document) -> Frame:
-    """Return the box around the visible curves of a document with their strokes, whatever its page.
-
-    Raises
-    ------
-    ExchangeError
-        If nothing can be drawn.
-    """
-    return trimmed(drawing_of(replace(document, page=None))).frame

@@ -12,13 +12,9 @@ INKSCAPE_SPACE = "http://www.inkscape.org/namespaces/inkscape"
 SODIPODI_SPACE = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
 """Name spaces of what only Inkscape takes note of."""
 
-"""That of references, as programs read them that do not know those without."""
-
 SODIPODI = f"{{{SODIPODI_SPACE}}}"
 INSENSITIVE = f"{SODIPODI}insensitive"
 NODE_TYPES = f"{SODIPODI}nodetypes"
-LOCKED = f"{{{INKSCAPE_SPACE}}}locked"
-"""Element of what was copied in Inkscape: where on the page, from its upper left corner, in pixels."""
 GROUP_MODE = f"{{{INKSCAPE_SPACE}}}groupmode"
 
 _LABELS = (
@@ -32,14 +28,9 @@ _ESCAPED = re.compile("_x([0-9A-Fa-f]{2,5})_")
 
 def name_of(element: ET.Element) -> str:
     """Return what an element is called: by its label, its title or its id; empty without."""
-    return label_of(element) or _in_line(_ESCAPED.sub(_unescaped, element.get("id", "")))
-
-
-def label_of(element: ET.Element) -> str:
-    """Return what somebody called an element, by its label or its title; empty without."""
     label = next((element.get(each, "") for each in _LABELS if element.get(each)), "")
     title = next((child.text for child in element if tag_of(child) == "title" and child.text), "")
-    return _in_line(label or title)
+    return _in_line(label or title or _ESCAPED.sub(_unescaped, element.get("id", "")))
 
 
 def _in_line(name: str) -> str:

@@ -38,8 +38,6 @@ class OurOwn:
         Whether the size of the file says nothing.
     has_page
         Whether it shows a page, and not what its curves take.
-    is_annotated
-        Whether points, a grid or the like are drawn beside its curves.
     """
 
     def __init__(self, root: ET.Element) -> None:
@@ -47,8 +45,6 @@ class OurOwn:
         self.is_so = any(MARK in note for note in notes)
         self.has_nominal_size = self.is_so and root.get("width", "")[-1:].isdigit()
         self.has_page = not self.is_so or root.get("id") == PAGE
-        beside = (each.get("id") in NO_CURVES[1:] for each in root.iter())
-        self.is_annotated = self.is_so and any(beside)
         box = box_of(root.get("viewBox", ""))
         self._usual_width = USUAL_WIDTH * max(box[2:]) if box else 0.0
 

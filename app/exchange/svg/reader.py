@@ -128,7 +128,7 @@ class SvgReader:
 
     def all_paths(self) -> Settled:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
-        drawn = self.drawn()
+        drawn = list(self._drawn(self._root, State(self.sheet.matrix, self.sheet.viewport), depth=0))
         seen = [each for each in drawn if is_seen(each)]
         instead = LEFT_OUT if seen else "it comes in as a line"
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
@@ -140,11 +140,6 @@ class SvgReader:
     def missed(self) -> tuple[Missed, ...]:
         """What does not come in as it is."""
         return tuple(self._missing.found)
-
-    def drawn(self) -> list[Drawn]:
-        """Return all paths of the file, painted or not."""
-        state = State(self.sheet.matrix, self.sheet.viewport)
-        return list(self._drawn(self._root, state, depth=0))
 
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
