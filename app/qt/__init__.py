@@ -6,6 +6,5 @@
 - ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise;
   ``patterns``: of those.
 - ``clips``: what they are cut by.
-- ``picture_data``: what is in PNG and JPEG files.
 - ``sources``: imports without a search through the source of every module.
 """

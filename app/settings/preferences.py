@@ -150,21 +150,6 @@ class Preferences:
     with_estimates = SwitchOfAction("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 
-    text_font = SavedText("text/font")
-    """The family of the font that text was last written in; empty for none."""
-
-    text_fonts = SavedText("text/fonts")
-    """The families that were chosen last, a line for each."""
-
-    text_bold = SwitchOfAction("text/bold", default=False)
-    """Whether it was bold."""
-
-    text_italic = SwitchOfAction("text/italic", default=False)
-    """Whether it was italic."""
-
-    text_in_points = SwitchOfAction("text/in_points", default=False)
-    """Whether sizes of text are told in points, whatever the unit of the document."""
-
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""
 

@@ -84,18 +84,6 @@ def combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
     return result
 
 
-def inverse_of(matrix: FloatArray) -> FloatArray:
-    """Return the matrix (2, 3) that undoes another.
-
-    Raises
-    ------
-    np.linalg.LinAlgError
-        If there is none.
-    """
-    linear = np.linalg.inv(matrix[:, :2])
-    return np.hstack([linear, -(linear @ matrix[:, 2:])])
-
-
 def moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
     """Return points (…, 2) where a matrix puts them."""
     with np.errstate(all="ignore"):

@@ -227,7 +227,7 @@ class CurveListCommands:
     )
     @also(CURVE_LIST_MENU(16))
     def _show_all(self) -> None:
-        """Show all curves, texts, pictures and layers that are hidden."""
+        """Show all curves and layers that are hidden."""
         self._session.change("Show all", all_shown)
 
     @action(
@@ -241,7 +241,7 @@ class CurveListCommands:
     )
     @also(CURVE_LIST_MENU(17))
     def _unlock_all(self) -> None:
-        """Free all curves, texts, pictures and layers that are locked."""
+        """Free all curves and layers that are locked."""
         self._session.change("Unlock all", all_unlocked)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
