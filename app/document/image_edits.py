@@ -6,9 +6,9 @@ import math
 
 from msgspec.structs import replace
 
+from .decimals import decimal_sum
 from .limits import EditError, checked, checked_vector
 from .model import Document, ReferenceImage, Vector
-from .transforms import decimal_sum
 
 _LEAST_SIZE = 1e-9
 

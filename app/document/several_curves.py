@@ -13,13 +13,14 @@ from msgspec.structs import replace
 from . import whole_edits
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
+from .decimals import decimal_sum
 from .edits import moving
 from .layers import front_of, within, without
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
-from .transforms import Affine, decimal_sum, placing, stepping, transform_points
+from .transforms import Affine, placing, stepping, transform_points
 from .words import count_of
 
 

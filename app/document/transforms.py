@@ -16,8 +16,6 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
-from .decimals import decimal_product as decimal_product  # noqa: PLC0414 - most have them from here
-from .decimals import decimal_sum as decimal_sum  # noqa: PLC0414
 from .derivatives import VECTORS
 from .edits import EditError, PointsChange, with_all_changed, with_all_shifted, with_points_elsewhere
 from .limits import checked_vector

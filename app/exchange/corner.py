@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from ..document.decimals import decimal_sum
 from ..document.edits import EditError
 from ..document.model import Document, Guide, Page, Vector
 from ..document.several_curves import stepped, whole_curves
-from ..document.transforms import decimal_sum
 
 
 def shifted(document: Document, by: Vector) -> Document:

@@ -11,10 +11,10 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from ..document.decimals import decimal_sum
 from ..document.guide_edits import place_words
 from ..document.model import Guide, Vector
 from ..document.readings import Readings
-from ..document.transforms import decimal_sum
 from ..document.words import NamedEnum
 from ..view_model.curve.nearest import NearestPoint
 from .pointer import Pointer

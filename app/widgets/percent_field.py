@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
+from ..document.decimals import decimal_sum
 from ..document.expression import ExpressionError
-from ..document.transforms import decimal_sum
 from ..document.words import number
 from .boxes import row_of
 from .controls import named
