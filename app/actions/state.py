@@ -12,10 +12,11 @@ from itertools import chain
 import msgspec
 from msgspec.structs import replace
 
+from ..document.curve_tree import NodeKind, whole_nodes
 from ..document.derivatives import EstimateRule
 from ..document.model import Document, ParametrizationKind
 from ..document.point_group import NO_POINTS, PointGroup
-from ..document.several_curves import is_blank
+from ..document.several_curves import counted, is_blank
 from ..document.shape_edits import are_in_groups, objects
 from ..document.shapes import shape_of, whole_shapes
 from ..document.steps import reshaped
@@ -42,6 +43,8 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         Whether nothing has been drawn yet.
     curve_count
         The number of curves.
+    curve_name
+        The name of the curve.
     family, parametrization, rules
         The rules of the curve; the last by the order of the derivative that each estimates, from 1 on.
     point_count
@@ -54,6 +57,9 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         Whether a curve is edited.
     means_curve, has_highlight
         Whether there is a curve to act on; whether there is something to copy or to delete.
+    highlighted
+        The curves that are duplicated and deleted, as a title: "3 Curves", "Group"; of a shape one alone is
+        a contour.
     has_selected_curve, selected_curve_count
         Whether any curve is edited or chosen; the number of curves that are worked on together.
     chosen_count
@@ -88,6 +94,7 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     window: WindowState
     is_blank: bool
     curve_count: int
+    curve_name: str
     family: Family
     parametrization: ParametrizationKind
     rules: tuple[EstimateRule, ...]
@@ -101,6 +108,7 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     is_editing: bool
     means_curve: bool
     has_highlight: bool
+    highlighted: str
     has_selected_curve: bool
     selected_curve_count: int
     chosen_count: int
@@ -133,11 +141,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     def session(self) -> Session:
         """The session, for what is in none of the facts."""
         return self.besides.session
-
-    @property
-    def state(self) -> WindowState:
-        """The window's state."""
-        return self.window
 
 
 class Besides:
@@ -177,6 +180,7 @@ class ActionFacts:
             window=window,
             is_blank=is_blank(document),
             curve_count=len(document.curves),
+            curve_name=source.name,
             family=source.family,
             parametrization=source.parametrization.kind,
             rules=source.rules,
@@ -190,6 +194,7 @@ class ActionFacts:
             is_editing=selected.is_editing,
             means_curve=selected.means_curve,
             has_highlight=_has_highlight(session),
+            highlighted=_highlighted(session),
             has_selected_curve=bool(marked),
             selected_curve_count=len(selected.curves),
             chosen_count=_count_of_things(document, selected.chosen),
@@ -219,6 +224,17 @@ class ActionFacts:
 
 def _has_highlight(session: Session) -> bool:
     return bool(session.selected.highlight().curves) and not is_blank(session.document)
+
+
+def _highlighted(session: Session) -> str:
+    document, selected = session.document, session.selected
+    curves = selected.highlight(whole_curves=True).curves or selected.whole
+    nodes = whole_nodes(document.curves, curves, document.layers)
+    if len(nodes) > 1:
+        return counted(document, curves).title()
+    (node,) = nodes
+    is_contour = node.kind is NodeKind.CURVE and node.around.shape
+    return "Contour" if is_contour else node.kind.name.title()
 
 
 def _count_of_things(document: Document, chosen: frozenset[int]) -> int:

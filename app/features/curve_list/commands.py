@@ -16,7 +16,6 @@ from ...actions.sections import (
     EDIT_LAYERS,
     EDIT_SELECT,
 )
-from ...actions.state import ActionState
 from ...actions.strips import (
     CANVAS_MENU,
     CHOSEN_MENU,
@@ -25,7 +24,7 @@ from ...actions.strips import (
     CURVE_MENU,
     LAYER_MENU,
 )
-from ...document.curve_tree import Node, NodeKind, whole_nodes
+from ...document.curve_tree import Node, NodeKind
 from ...document.layers import all_shown, all_unlocked, begun_again, layer_node
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
@@ -98,7 +97,7 @@ class CurveListCommands:
         "Duplicate Curve",
         CURVE_NUMBER,
         icon="duplicate",
-        title=lambda now: f"Duplicate {_curves(now)}",
+        title=lambda state: f"Duplicate {state.highlighted}",
     )
     @also(CURVE_MENU(13), CHOSEN_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
@@ -133,7 +132,7 @@ class CurveListCommands:
         CURVE_NUMBER,
         "Shift+Del",
         "delete",
-        title=lambda now: f"Delete {_curves(now)}",
+        title=lambda state: f"Delete {state.highlighted}",
     )
     @also(CURVE_MENU(30), CHOSEN_MENU(15), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
@@ -285,18 +284,6 @@ class CurveListCommands:
     def _choose_one(self) -> None:
         """Choose the curve that is edited alone."""
         self._session.selected.set_curves((self._session.active_index,))
-
-
-def _curves(now: ActionState) -> str:
-    """Return what the highlight is, as a title: "3 Curves", "Group"; of a shape one alone is a contour."""
-    document, selected = now.session.document, now.session.selected
-    meant = selected.highlight(whole_curves=True).curves or selected.whole
-    nodes = whole_nodes(document.curves, meant, document.layers)
-    if len(nodes) > 1:
-        return counted(document, meant).title()
-    (node,) = nodes
-    is_contour = node.kind is NodeKind.CURVE and node.around.shape
-    return "Contour" if is_contour else node.kind.name.title()
 
 
 COMMAND_SETS = (CurveListCommands,)

@@ -57,10 +57,9 @@ def _place_of(family: Family) -> Place:
 def _edited(family: Family) -> Need:
     """Return what the digit of a family needs: pressed by habit, it would rewrite what was drawn."""
 
-    def why(now: ActionState) -> str:
-        name = now.session.active_curve.name
+    def why(state: ActionState) -> str:
         then = f"then the same key makes it {family.title}"
-        return f"Enter edits “{name}”; {then}. The toolbar changes all that are chosen."
+        return f"Enter edits “{state.curve_name}”; {then}. The toolbar changes all that are chosen."
 
     return Need("an edited curve", lambda state: state.is_editing or state.is_blank, why=why)
 

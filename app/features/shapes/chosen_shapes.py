@@ -10,7 +10,7 @@ from ...session import Session
 
 AN_OBJECT: Final = Need("a curve", lambda state: state.has_selected_curve and not state.is_blank)
 
-A_SHAPE: Final = Need("a shape", lambda now: bool(meant(now.session)) and not now.is_blank)
+A_SHAPE: Final = Need("a shape", lambda state: state.has_selected_curve and not state.is_blank)
 
 SEVERAL_SHAPES: Final = Need(
     "two chosen shapes or more", lambda now: is_of_several(now.session.document, meant(now.session))
