@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
-from ..document.gradient import Gradient, GradientKind
 from ..document.style import NO_PAINT, Style
-from ..qt.gradients import brush_of
 from .colours import curve_colour, fill_colour
 from .theme import Theme, rim
 
@@ -54,32 +51,20 @@ def paint_picture(paint: str, theme: Theme, size: int = _SIDE) -> QPixmap:
 def draw_style(painter: QPainter, centre: QPointF, size: float, style: Style, theme: Theme) -> None:
     """Draw a disc of the fill within a ring of the stroke; of a line alone, a disc."""
     painter.setPen(Qt.PenStyle.NoPen)
-    line, stroke = curve_colour(style.stroke, theme), style.stroke_gradient
+    line = curve_colour(style.stroke, theme)
     if not style.has_fill:
         if style.has_stroke:
-            painter.setBrush(line if stroke is None else _across(stroke, style.stroke, centre, size, theme))
+            painter.setBrush(line)
         else:
             painter.setPen(QPen(theme.muted, 1.0))
             painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawEllipse(centre, size / 2, size / 2)
         return
     ring = size / 4
-    painter.setBrush(_across(style.fill_gradient, style.fill, centre, size, theme))
+    painter.setBrush(fill_colour(style.fill, theme))
     if style.has_stroke:
         painter.setPen(QPen(line, ring))
     else:
         painter.setPen(QPen(rim(theme), 1.0))
     radius = (size - (ring if style.has_stroke else 1.0)) / 2
     painter.drawEllipse(centre, radius, radius)
-
-
-def _across(
-    gradient: Gradient | None, paint: str, centre: QPointF, size: float, theme: Theme
-) -> QBrush | QColor:
-    """Return a gradient from the left to the right of a disc, or from its middle; or else a colour."""
-    if gradient is None:
-        return fill_colour(paint, theme)
-    x, y, radius = centre.x(), centre.y(), size / 2
-    left = x if gradient.kind is GradientKind.RADIAL else x - radius
-    whole = replace(gradient, start=(left, y), end=(x + radius, y), side=(left, y + radius), focus=None)
-    return brush_of(whole, theme.curve, 1.0, lambda place: place)

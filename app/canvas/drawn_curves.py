@@ -85,7 +85,7 @@ class DrawnCurves:
         new, old = now[active], views[active]
         style, other = new.source.style, old.source.style
         return (
-            # A gradient goes with what is dragged, and leaves the order of the layers as it is.
+            # A clip goes with what is dragged, and leaves the order of the layers as it is.
             (style is other or (style.is_placed and other.is_placed))
             and new.source.visible is old.source.visible
             and new.source.shape == old.source.shape

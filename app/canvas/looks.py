@@ -44,7 +44,6 @@ def is_plain(view: CurveView) -> bool:
         and style.cap is LineCap.ROUND
         and style.join is LineJoin.ROUND
         and style.stroke_opacity == 1.0
-        and style.stroke_gradient is None
         and not style.clips
     )
 
@@ -83,7 +82,7 @@ def paint_shape(
     """
     style = shape[0].source.style
     width = usual if style.width is None else style.width * shown.sx
-    ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width, theme.curve)
+    ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width)
     paint_printed(painter, parts_of(shape, style, shown), style, ink, shown, line)
 
 

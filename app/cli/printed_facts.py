@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec.structs import asdict
 
-from ..document.gradient import Gradient
 from ..document.readings import Readings
 from ..document.style import NO_PAINT, Style
 from ..view_model.basis.basis_findings import digits_in_words
@@ -145,23 +144,14 @@ def _style_text(style: Style, unit: str) -> str:
     """Return stroke and fill in a line."""
     parts = []
     if style.has_fill:
-        paint = _gradient_text(style.fill_gradient) or style.fill or "in ink"
+        paint = style.fill or "in ink"
         parts.append(f"fill {paint}{_opacity_text(style.fill_opacity)}")
     if style.has_stroke:
         width = "the usual width" if style.width is None else f"{style.width:.6g} {one_line(unit)}".rstrip()
         dashes = f", dashes {' '.join(f'{each:g}' for each in style.dash)}" if style.dash else ""
-        paint = _gradient_text(style.stroke_gradient) or style.stroke or "in ink"
+        paint = style.stroke or "in ink"
         parts.insert(0, f"stroke {paint}{_opacity_text(style.stroke_opacity)}, {width}{dashes}")
     return "; ".join(parts) or NO_PAINT
-
-
-def _gradient_text(gradient: Gradient | None) -> str:
-    """Return kind and colours of a gradient; nothing of none."""
-    if gradient is None:
-        return ""
-    if gradient.tile is not None:
-        return "by a pattern"
-    return f"{gradient.kind.value} gradient {' '.join(stop.colour or 'ink' for stop in gradient.stops)}"
 
 
 def _opacity_text(opacity: float) -> str:

@@ -3,8 +3,7 @@
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.  ``page``: what pictures show.
   ``reference_image``: the picture to trace.
-- ``style``: stroke and fill of a curve.  ``gradient``: paints that are no one colour.
-  ``patterns``: those that every document can use.
+- ``style``: stroke and fill of a curve.
   ``clip``: what it is cut by.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
@@ -26,7 +25,7 @@
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``readings``: how coordinates are told.
 - ``box_edits``: rectangles and ellipses drawn into a box.
-- ``style_edits``: how curves look, and what several have in common.  ``gradient_edits``: kinds of paint.
+- ``style_edits``: how curves look, and what several have in common.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
 - ``places``: where in it something is, in words.

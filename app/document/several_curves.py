@@ -89,12 +89,12 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
 
 
 def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
-    """Let gradients and clips go with those shapes of a group that are in it with all their points."""
+    """Let clips go with those shapes of a group that are in it with all their points."""
     curves = document.curves
     # At every move of a drag: what has none costs no call.
     for curve, _ in group.parts:
         style = curves[curve].style
-        if style.fill_gradient is not None or style.stroke_gradient is not None or style.clips:
+        if style.clips:
             break
     else:
         return document

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Annotated, Final
 
 from msgspec.structs import replace
 
 from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
-from .gradient import Gradient
 from .value import Value, Vector
 from .words import NamedEnum
 
@@ -27,9 +26,6 @@ LEAST_DASH: Final = 1e-3
 
 USUAL_WIDTH: Final = 0.003
 """Of a line whose style does not say it, against the longer side of the page or of the drawing."""
-
-GRADIENTS: Final = {"fill": "fill_gradient", "stroke": "stroke_gradient"}
-"""The field of a gradient, by that of the paint which it takes the place of."""
 
 _PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
 _DASHES = few(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")
@@ -75,8 +71,6 @@ class Style(Value, frozen=True):
         Lengths of dashes and gaps in turn, and where the pattern begins, in multiples of the width.
     fill, fill_rule, fill_opacity
         Paint of the inside; an open curve is closed for it by a straight line.
-    fill_gradient, stroke_gradient
-        What paints in place of the colour, which stands for it where there are no gradients.
     clips
         Areas beyond each of which nothing of it is seen.
     """
@@ -92,8 +86,6 @@ class Style(Value, frozen=True):
     fill: Annotated[str, _PAINT, "Fill"] = NO_PAINT
     fill_rule: Annotated[FillRule, "Fill rule"] = FillRule.NONZERO
     fill_opacity: Annotated[float, SHARE, "Fill opacity"] = 1.0
-    fill_gradient: Annotated[Gradient | None, "Fill gradient"] = None
-    stroke_gradient: Annotated[Gradient | None, "Stroke gradient"] = None
     clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
 
     @property
@@ -114,20 +106,11 @@ class Style(Value, frozen=True):
     def in_colour(self, paint: str) -> Style:
         """Return the style with another colour: of its line, or of its inside where it has no line."""
         is_inside = self.has_fill and not self.has_stroke
-        return self.with_fields({"fill" if is_inside else "stroke": paint})
-
-    def with_fields(self, fields: Mapping[str, object]) -> Style:
-        """Return the style with other values; another colour takes the place of a gradient."""
-        flat = {GRADIENTS[name]: None for name in fields if name in GRADIENTS}
-        return replace(self, **{**flat, **fields})
+        return replace(self, **{"fill" if is_inside else "stroke": paint})
 
     def with_usual_width(self, width: float) -> Style:
         """Return the style with this width where its line has none of its own; 0 leaves it so."""
         return replace(self, width=width) if width and self.width is None else self
-
-    def with_gradient(self, paint: str, gradient: Gradient) -> Style:
-        """Return the style with a gradient as its "fill" or "stroke"."""
-        return replace(self, **{paint: gradient.mean, GRADIENTS[paint]: gradient})
 
     @property
     def swapped(self) -> Style:
@@ -135,56 +118,26 @@ class Style(Value, frozen=True):
         return replace(
             self,
             stroke=self.fill,
-            stroke_gradient=self.fill_gradient,
             stroke_opacity=self.fill_opacity,
             fill=self.stroke,
-            fill_gradient=self.stroke_gradient,
             fill_opacity=self.stroke_opacity,
         )
 
     @property
     def is_placed(self) -> bool:
         """Whether it hangs on places of the plane."""
-        has_gradient = self.fill_gradient is not None or self.stroke_gradient is not None
-        return has_gradient or bool(self.clips)
-
-    @property
-    def has_clear_gradient(self) -> bool:
-        """Whether a gradient that is painted lets something through."""
-        painted = [
-            (self.has_fill, self.fill_gradient, self.fill_opacity),
-            (self.has_stroke, self.stroke_gradient, self.stroke_opacity),
-        ]
-        return any(
-            opacity * min(stop.opacity for stop in gradient.stops) < 1
-            for is_painted, gradient, opacity in painted
-            if is_painted and gradient is not None and not gradient.is_flat
-        )
+        return bool(self.clips)
 
     @property
     def flat(self) -> Style:
-        """The style for curves elsewhere: whole, with the colours in which gradients begin."""
-        if not self.is_placed:
-            return self
-        paints = {"fill": self.fill_gradient, "stroke": self.stroke_gradient}
-        return replace(
-            self.with_fields({name: found.stops[0].colour for name, found in paints.items() if found}),
-            clips=(),
-        )
-
-    @property
-    def gradients(self) -> dict[str, Gradient]:
-        """What paints in place of colours, by the field."""
-        found = {"fill_gradient": self.fill_gradient, "stroke_gradient": self.stroke_gradient}
-        return {name: gradient for name, gradient in found.items() if gradient is not None}
+        """The style for curves elsewhere: whole."""
+        return replace(self, clips=()) if self.is_placed else self
 
     def mapped(self, place: Callable[[Vector], Vector]) -> Style:
         """Return the style with all that lies in the plane where an affine map puts it."""
         if not self.is_placed:
             return self
-        gradients = {name: each.mapped(place) for name, each in self.gradients.items()}
-        clips = tuple(each.mapped(place) for each in self.clips)
-        return replace(self, **gradients, clips=clips)
+        return replace(self, clips=tuple(each.mapped(place) for each in self.clips))
 
     @property
     def colour(self) -> str:
@@ -195,5 +148,3 @@ class Style(Value, frozen=True):
 
 PLAIN_STYLE: Final = Style()
 """A line in the ink of the theme."""
-
-"""Nothing at all."""

@@ -26,7 +26,7 @@ def with_style(document: Document, curves: Collection[int], **fields: object) ->
     return with_each(
         document,
         whole_shapes(document, curves),
-        lambda curve: replace(curve, style=curve.style.with_fields(fields)),
+        lambda curve: replace(curve, style=replace(curve.style, **fields)),
     )
 
 
@@ -34,10 +34,7 @@ def colours_of(curves: Iterable[Curve]) -> list[str]:
     """Return the colours that curves are painted in, those of most of them first."""
     found = Counter[str]()
     for curve in curves:
-        style = curve.style
-        for paint, gradient in ((style.fill, style.fill_gradient), (style.stroke, style.stroke_gradient)):
-            stops = () if gradient is None else gradient.stops
-            found.update([*dict.fromkeys(each.colour for each in stops)] or [paint])
+        found.update([curve.style.fill, curve.style.stroke])
     return [paint for paint, _ in found.most_common() if paint not in (INK, NO_PAINT)]
 
 

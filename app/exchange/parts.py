@@ -145,34 +145,12 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
     return [Source(*each) for each in curves], tuple(remarks)
 
 
-def said_of_paints(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    """Return what a format has to say that knows colours alone, no gradients and clips."""
-    named = list(styles)
-    said = (_said_of_gradients, _said_of_clips)
-    return tuple(sentence for each in said for sentence in each(named))
-
-
-def _said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+def said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
+    """Return what a format has to say that knows no clips."""
     names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.clips))
     if not names:
         return ()
     return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} clipped, and written whole.",)
-
-
-def _said_of_gradients(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    said, styles = list[str](), list(styles)
-    for kind, colour in (("gradient", "mean colour"), ("pattern", "colour")):
-        names = [
-            f"“{name}”"
-            for name, style in styles
-            if any((each.tile is not None) is (kind == "pattern") for each in style.gradients.values())
-        ]
-        names = list(dict.fromkeys(names))
-        if len(names) == 1:
-            said.append(f"{names[0]} has a {kind}; its {colour} stands for it.")
-        elif names:
-            said.append(f"{names_of(names)} have {kind}s; their {colour}s stand for them.")
-    return tuple(said)
 
 
 def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:

@@ -7,14 +7,12 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QTransform
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QTransform
 
 from curvecore.arrays import FloatArray
 
-from ..document.gradient import Gradient
 from ..document.style import LineCap, LineJoin, Style
 from ..qt.clips import clipped
-from ..qt.gradients import brush_of
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pixel_map import PixelMap
@@ -56,14 +54,11 @@ class Ink(msgspec.Struct, frozen=True, eq=False):
     ----------
     stroke, fill, width
         Of line and inside.
-    ink
-        What stops of gradients without a colour have.
     """
 
     stroke: QColor
     fill: QColor
     width: float
-    ink: QColor
 
 
 def paint_printed(
@@ -91,12 +86,6 @@ def paint_printed(
 def to_pixels(shown: PixelMap) -> QTransform:
     """Return the way from the plane to pixels."""
     return QTransform(shown.sx, 0, 0, -shown.sy, -shown.x0 * shown.sx, shown.y0 * shown.sy)
-
-
-def _smoothly(painter: QPainter, gradient: Gradient | None) -> None:
-    """Let tiles of a pattern be painted smoothly: they do not lie on the grid of the pixels."""
-    if gradient is not None and gradient.tile is not None:
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
 
 
 def _whole_path(parts: Sequence[Part], shown: PixelMap) -> QPainterPath | None:
@@ -137,11 +126,7 @@ def _fill(
 ) -> None:
     area = _area(parts, shown) if whole is None else whole
     area.setFillRule(FILL_RULES[style.fill_rule])
-    if style.fill_gradient is None:
-        painter.fillPath(area, with_opacity(ink.fill, style.fill_opacity))
-    else:
-        _smoothly(painter, style.fill_gradient)
-        painter.fillPath(area, _brush(style.fill_gradient, ink, style.fill_opacity, shown))
+    painter.fillPath(area, with_opacity(ink.fill, style.fill_opacity))
 
 
 def _area(parts: Sequence[Part], shown: PixelMap) -> QPainterPath:
@@ -158,10 +143,6 @@ def _area(parts: Sequence[Part], shown: PixelMap) -> QPainterPath:
     return area
 
 
-def _brush(gradient: Gradient, ink: Ink, opacity: float, shown: PixelMap) -> QBrush | QColor:
-    return brush_of(gradient, ink.ink, opacity, lambda place: shown.point(*place))
-
-
 def _stroke(
     painter: QPainter,
     parts: Sequence[Part],
@@ -171,10 +152,8 @@ def _stroke(
     whole: QPainterPath | None,
     line: RoundLine,
 ) -> None:
-    _smoothly(painter, style.stroke_gradient)
-    pen, width = _pen(style, ink, shown), min(ink.width, _WIDEST)
-    # Stops may let through what pieces that overlap have twice.
-    is_opaque = pen.color().alphaF() == 1.0 and style.stroke_gradient is None
+    pen, width = _pen(style, ink), min(ink.width, _WIDEST)
+    is_opaque = pen.color().alphaF() == 1.0
     is_dashed = bool(pen.dashPattern())
     reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
     if is_dashed:
@@ -205,17 +184,14 @@ def _line(parts: Sequence[Part], shown: PixelMap, reach: float) -> QPainterPath:
     return path
 
 
-def _pen(style: Style, ink: Ink, shown: PixelMap) -> QPen:
+def _pen(style: Style, ink: Ink) -> QPen:
     """Return the pen of a line; where its dashes are too short to be seen it is paler in place of them."""
     width = min(ink.width, _WIDEST)
     opacity = style.stroke_opacity
     is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
     if style.dash and not is_dashed:
         opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)
-    pen = pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
-    if style.stroke_gradient is not None:
-        pen.setBrush(_brush(style.stroke_gradient, ink, opacity, shown))
-    return pen
+    return pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
 
 
 def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:

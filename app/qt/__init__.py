@@ -3,8 +3,7 @@
 - ``overrides``: guarded overrides: an exception ends in the method that Qt called.
 - ``keys``: keys that a widget takes before its window does.
 - ``labels``: words of others as they are written, not as HTML.
-- ``strokes``: pens and fill rules of styles, for the screen and for print.  ``gradients``: brushes, likewise;
-  ``patterns``: of those.
+- ``strokes``: pens and fill rules of styles, for the screen and for print.
 - ``clips``: what they are cut by.
 - ``sources``: imports without a search through the source of every module.
 """

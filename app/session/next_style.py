@@ -9,7 +9,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from ..document.model import Document
-from ..document.style import GRADIENTS, Style
+from ..document.style import Style
 
 
 class Marked(Enum):
@@ -39,8 +39,6 @@ class _Kept(NamedTuple):
 class NextStyle:
     """Style of what is drawn next: that which the person chose or set last, in any document.
 
-    A gradient is laid over one shape alone: what is drawn next has the last colour from before it, or none.
-
     Attributes
     ----------
     marked
@@ -49,7 +47,6 @@ class NextStyle:
 
     def __init__(self) -> None:
         self._kept: _Kept | None = None
-        self._flat = dict[str, str]()
         self.marked = Marked.OPENED
 
     def is_of_active(self, marked: Collection[int]) -> bool:
@@ -68,25 +65,10 @@ class NextStyle:
         if not curve.points:
             return curve.style
         if self._is_as_active(marked):
-            style = curve.style
-        elif self._kept is not None:
-            style = self._kept.in_document(document)
-        else:
-            style = blank().curves[0].style
-        return self._without_gradients(style, blank)
-
-    def _without_gradients(self, style: Style, blank: Callable[[], Document]) -> Style:
-        """Return a style with the last flat paints, or those of new documents, in place of its gradients."""
-        if not style.gradients:
-            return style
-        usual = blank().curves[0].style
-        return style.with_fields(
-            {
-                paint: self._flat.get(paint, getattr(usual, paint))
-                for paint, field in GRADIENTS.items()
-                if field in style.gradients
-            }
-        )
+            return curve.style
+        if self._kept is not None:
+            return self._kept.in_document(document)
+        return blank().curves[0].style
 
     def note(self, document: Document, marked: Collection[int], active: int) -> None:
         """Take note of the style of what was chosen until now; of several, of the active or front one.
@@ -117,6 +99,3 @@ class NextStyle:
     def take(self, document: Document, style: Style) -> None:
         """Draw with a style of a document from now on."""
         self._kept = _Kept(style, document.unit)
-        for paint, field in GRADIENTS.items():
-            if field not in style.gradients:
-                self._flat[paint] = getattr(style, paint)

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from enum import Enum, auto
+from functools import partial
 from typing import Any, Final
 
 import msgspec
@@ -124,6 +125,33 @@ def _begins_text(line: object) -> bool:
     return not (isinstance(line, dict) and line.get("follows"))
 
 
+def _is_pattern(paint: object) -> bool:
+    return isinstance(paint, dict) and paint.get("tile") is not None
+
+
+def _is_gradient(paint: object) -> bool:
+    return isinstance(paint, dict) and paint.get("tile") is None
+
+
+def _with_opacity(field: str, style: Values, gradient: object) -> None:
+    """Let the colour that stands for a gradient be seen as much as its stops are."""
+    if not isinstance(gradient, dict) or _is_pattern(gradient):
+        return
+    stops = _dicts(gradient.get("stops"))
+    opacities = [each.get("opacity", 1.0) for each in stops]
+    if opacities and all(isinstance(each, int | float) for each in [*opacities, style.get(field, 1.0)]):
+        style[field] = style.get(field, 1.0) * sum(opacities) / len(opacities)
+
+
+def _dropped_paint(paint: str) -> list[Dropped]:
+    """Return the rows of a gradient or a pattern that was there besides its mean colour."""
+    field, mend = f"{paint}_gradient", partial(_with_opacity, f"{paint}_opacity")
+    return [
+        Dropped(Place.STYLE, field, "gradient", is_loss=_is_gradient, mend=mend),
+        Dropped(Place.STYLE, field, "pattern", is_loss=_is_pattern),
+    ]
+
+
 DROPPED: list[Dropped] = [
     *(Dropped(Place.GUIDE, field) for field in ("lean", "across", "locked")),
     # A rectangle, an ellipse or a star is what its points say.
@@ -143,6 +171,8 @@ DROPPED: list[Dropped] = [
         "orders of fill and line",
         lambda order: order == "stroke",
     ),
+    *_dropped_paint("fill"),
+    *_dropped_paint("stroke"),
     Dropped(Place.STYLE, "blur", "blur"),
     Dropped(Place.STYLE, "masks", "mask", is_shared=True),
     Dropped(Place.STYLE, "opacity", mend=_fade),

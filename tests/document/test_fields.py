@@ -11,10 +11,9 @@ from msgspec.structs import replace
 from app.document.clip import Clip, ring_of
 from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
-from app.document.gradient import Gradient, Stop, Tile
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
-from app.document.style import GRADIENTS, Style
+from app.document.style import Style
 from app.document.value import Value
 from app.exchange.rescaled import enlarged
 from app.families import HERMITE
@@ -22,9 +21,6 @@ from app.storage.format_error import FormatError
 from app.storage.validation import validate, validate_changes
 
 PAIR = (1.0, 2.0)
-STOPS = (Stop(0.25, "#112233", 0.5), Stop(0.75))
-TILE = Tile("<rect width='1' height='1'/>", (1.0, 2.0, 3.0, 4.0))
-GRADIENT = Gradient(STOPS, start=PAIR, end=(3.0, 4.0), side=(5.0, 6.0), focus=PAIR, tile=TILE)
 CLIP = Clip((ring_of([PAIR, (3.0, 4.0), (5.0, 6.0), (7.0, 8.0)]),))
 
 
@@ -42,8 +38,6 @@ FULL_CURVE = replace(
     style=Style(
         width=1.0,
         dash=(1.0, 2.0),
-        fill_gradient=GRADIENT,
-        stroke_gradient=GRADIENT,
         clips=(CLIP,),
     ),
     groups=("Group 1",),
@@ -134,10 +128,6 @@ def test_every_length_goes_with_the_unit():
         if value_at(FULL, way) and value_at(twice, way) != 2.0 * value_at(FULL, way)
     }
     of_styles = {"miter_limit", "dash", "stroke_opacity", "fill_opacity"}
-    of_stops = {"offset", "opacity"}
-    of_styles |= {f"{name}.stops.{part}" for name in GRADIENTS.values() for part in of_stops}
-    # Between start, end and side of the pattern, which go with the unit.
-    of_styles |= {f"{name}.tile.view" for name in GRADIENTS.values()}
     of_curves = {"points.t", "parametrization.alpha", "parametrization.end"}
     of_curves |= {f"style.{name}" for name in of_styles}
     assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity"}

@@ -17,10 +17,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, QPushButton
 
 from app.document.export import NEVER_EXPORTED, Export
-from app.document.gradient import Gradient, Stop
 from app.document.model import Document, Page, make_curve
 from app.document.shape_edits import grouped
-from app.document.style import Style
 from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
 from app.exchange.reading import import_file
@@ -738,26 +736,3 @@ def test_what_an_export_leaves_out_is_said_in_the_window(editor, dialog, tmp_pat
     editor.trigger("copyPathData")
     editor.wait_for_work()
     assert "“Twice”" in editor.message
-
-
-def test_a_pdf_says_which_gradients_are_pictures_in_it(editor, dialog, tmp_path, monkeypatch):
-    """It called itself sharp at every size, and was not where a gradient ended in nothing."""
-    clear, full = (
-        Style(fill="#ff0000", fill_gradient=Gradient((Stop(0.0, "#ff0000"), Stop(1.0, "#ff0000", opacity))))
-        for opacity in (0.0, 1.0)
-    )
-    corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)]
-    curves = tuple(
-        replace(make_curve(corners, family=HERMITE), closed=True, name=name, style=style)
-        for name, style in (("Glow", clear), ("Sky", full))
-    )
-    editor.session.commit(replace(editor.session.document, curves=curves), "Paint")
-    said = (
-        "“Glow” has a gradient with transparency, which is a picture of at most 1000 pixels a side in a PDF."
-    )
-    choose_format(dialog, ".pdf")
-    settled(editor, dialog)
-    assert dialog.told.text() == said
-    path = tmp_path / "a.pdf"
-    export(editor, dialog, path, monkeypatch)
-    assert (said in editor.message, path.read_bytes().count(b"/Subtype /Image") > 0) == (True, True)

@@ -20,7 +20,6 @@ from PySide6.QtWidgets import (
 
 from app.appearance.colours import CURVE_COLOURS
 from app.appearance.theme import LIGHT, ThemeMode
-from app.document.gradient import Gradient, Stop
 from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
 from app.document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
@@ -382,14 +381,13 @@ def test_colours_of_the_document_are_offered_behind_those_used_last(editor, pane
     """Of an opened drawing its own colours had to be picked or typed."""
     editor.window.preferences.recent_colours = "#123456"
     document = editor.session.document
-    blue, fade = Stop(0.0, "#0000aa"), Stop(1.0, "#0000bb")
     one = document.curves[0].style
-    one = one.with_fields({"stroke": "#bb1100", "fill": "#00bb22"})
-    faded = replace(one, fill_gradient=Gradient((blue, fade), start=(0, 0), end=(1, 0), side=(0, 1)))
+    one = replace(one, stroke="#bb1100", fill="#00bb22")
+    other = replace(one, fill="#0000aa", stroke=NO_PAINT)
     curves = [replace(document.curves[0], style=one, name=f"C {at}") for at in range(2)]
     more = [f"#{at:06x}" for at in range(1, 12)]
-    rest = [replace(document.curves[0], style=one.with_fields({"stroke": each}), name=each) for each in more]
-    curves = (*curves, replace(curves[0], style=faded, name="F"), *rest)
+    rest = [replace(document.curves[0], style=replace(one, stroke=each), name=each) for each in more]
+    curves = (*curves, replace(curves[0], style=other, name="F"), *rest)
 
     def offered():
         names = [each.objectName() for each in panel.findChildren(QToolButton)]
@@ -398,7 +396,7 @@ def test_colours_of_the_document_are_offered_behind_those_used_last(editor, pane
     editor.session.commit(replace(document, curves=curves), "Open")
     editor.settle()
     # Those of most curves first, as many as there is room for.
-    expected = ["#123456", "#00bb22", "#bb1100", "#0000aa", "#0000bb", *more]
+    expected = ["#123456", "#00bb22", "#bb1100", "#0000aa", *more]
     assert offered() == expected[: len(offered())]
     assert len(offered()) == len(CURVE_COLOURS) + 1
     width = panel.sizeHint().width()

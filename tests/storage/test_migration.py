@@ -129,12 +129,12 @@ def test_one_field_is_counted_by_several_nouns_and_mended(with_rows):
         style["fill_opacity"] = style.get("fill_opacity", 1.0) * value["opacity"]
 
     with_rows(
-        Dropped(Place.STYLE, "paint", "pattern", is_loss=lambda value: value["kind"] == "pattern", mend=fade),
-        Dropped(Place.STYLE, "paint", "gradient", is_loss=lambda value: value["kind"] != "pattern"),
+        Dropped(Place.STYLE, "paint", "mosaic", is_loss=lambda value: value["kind"] == "pattern", mend=fade),
+        Dropped(Place.STYLE, "paint", "wash", "washes", is_loss=lambda value: value["kind"] != "pattern"),
     )
     styles = [{"paint": {"kind": kind, "opacity": 0.5}} for kind in ("linear", "pattern", "radial")]
     found = decode_counting(older(*(curve(str(at), style=style) for at, style in enumerate(styles))))
-    assert found.left_out.words == ("1 pattern", "2 gradients")
+    assert found.left_out.words == ("1 mosaic", "2 washes")
     assert [each.style.fill_opacity for each in found.document.curves] == [0.5] * 3
 
 
@@ -213,3 +213,15 @@ def test_the_command_line_tells_it(path, tmp_path, capsys):
     assert json.loads(capsys.readouterr().out)["left_out"] == {"text": 2, "picture": 1}
     assert main(["convert", "--json", str(path), str(tmp_path / "c.svg")]) == 0
     assert json.loads(capsys.readouterr().out)["remarks"] == [SENTENCE]
+
+
+def test_the_mean_colour_stands_for_a_gradient_as_far_as_it_was_seen():
+    stops = [{"offset": 0.0, "colour": "#ff0000"}, {"offset": 1.0, "colour": "#ff0000", "opacity": 0.0}]
+    fading = {"fill": "#ff0000", "fill_opacity": 0.5, "fill_gradient": {"stops": stops}}
+    tile = {"body": "<path d='M0 0H4V8H0Z'></path>", "view": [0.0, 0.0, 8.0, 8.0]}
+    tiled = {"stroke": "#0000ff", "stroke_gradient": {"stops": stops, "kind": "pattern", "tile": tile}}
+    found = decode_counting(older(curve("a", style=fading), curve("b", style=tiled), curve("c")))
+    assert found.left_out.words == ("1 gradient", "1 pattern")
+    first, second, _ = (each.style for each in found.document.curves)
+    assert (first.fill, first.fill_opacity) == ("#ff0000", 0.25)
+    assert (second.stroke, second.stroke_opacity) == ("#0000ff", 1.0)

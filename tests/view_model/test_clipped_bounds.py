@@ -19,7 +19,6 @@ from app.families import HERMITE
 from app.view_model.boxes.alignment import align_curves
 from app.view_model.boxes.bounds import bounds_of
 from app.view_model.boxes.resizing import resized
-from app.view_model.boxes.shape_boxes import box_of_shape
 from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
 
@@ -65,8 +64,6 @@ def test_the_box_is_that_of_what_is_seen(document, as_drawn):
     # What is hidden altogether is nothing beside what is seen.
     assert box(document, 0, 1, 2, as_drawn=as_drawn) == (10, -70, 90, -15)
     assert box(document, 0, clipped=False) == (10, -50, 50, -10)
-    # Gradients are laid across the whole of it.
-    assert box_of_shape(views_of(document), range(1)) == ((10.0, -50), (50.0, -10))
 
 
 @pytest.mark.parametrize("places", [(0,), (1,), (0, 1)])

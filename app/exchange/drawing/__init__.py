@@ -4,9 +4,8 @@
   ``outlines``: one curve as such.  ``frames``: what a picture shows.
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
 - ``trim``: the frame at true size, without a margin.  ``extents``: of what is painted.
-- ``image``: it as PNG and PDF.  ``painting``: how it is painted; ``annotation_painting``: what goes with it;
-  ``devices``: what is painted on.  All four need Qt.
-  ``preview``: a small picture of a picture.
+- ``image``: it as PNG and PDF.  ``painting``: how it is painted; ``annotation_painting``: what goes with it.
+  All three need Qt.  ``preview``: a small picture of a picture.
 - ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs
   Qt.  ``pillow``: what writes some of them.
 """

@@ -7,9 +7,9 @@ first: Qt then never sees the coordinates of the document, however large, small 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import msgspec
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
@@ -26,7 +26,6 @@ from PySide6.QtGui import (
 
 from ... import __version__
 from ...document.model import Document
-from ...document.words import names_of
 from ...tasks.progress import Report, part, silent
 from ..errors import ExchangeError
 from ..formats import Written
@@ -35,7 +34,7 @@ from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from .drawing import Drawing
 from .frames import Frame
-from .painting import FINEST, FINEST_TILES, Painting
+from .painting import Painting
 from .preview import PicturePreview
 from .styles import PictureStyle
 
@@ -129,8 +128,7 @@ def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     wide, high = _page_size(drawing, options)
     page = (wide / POINTS_PER_MILLIMETRE, high / POINTS_PER_MILLIMETRE)
     size = _size_text(drawing.frame, options, page, "mm")
-    seen = _preview(drawing, options, options.vector_style(document), f"Page of {size}", room)
-    return replace(seen, moved=" ".join([*filter(None, [seen.moved]), *_pictures_in(drawing)]))
+    return _preview(drawing, options, options.vector_style(document), f"Page of {size}", room)
 
 
 def _size_text(frame: Frame, options: Options, size: tuple[float, float], unit: str) -> str:
@@ -266,27 +264,7 @@ def pdf_file(document: Document, options: Options) -> Written:
     style = options.vector_style(document)
     drawing = _drawing(document, options, style)
     with application():
-        remarks = (*drawing.remarks, *_pictures_in(drawing))
-        return Written(_page(drawing, options, style), drawing.deviation, remarks)
-
-
-def _pictures_in(drawing: Drawing) -> tuple[str, ...]:
-    """Return the sentences about gradients and patterns that are pictures in a PDF; none without."""
-    clear = [shape[0] for shape in drawing.shapes if shape[0].style.has_clear_gradient]
-    patterned = [each.name for each in clear if any(one.tile for one in each.style.gradients.values())]
-    others = [each.name for each in clear if each.name not in patterned]
-    found = [
-        (others, FINEST, "a gradient", "gradients", " with transparency"),
-        (patterned, FINEST_TILES, "a pattern", "patterns", ""),
-    ]
-    return tuple(_pictured(names, most, *words) for names, most, *words in found if names)
-
-
-def _pictured(names: Sequence[str], most: int, one: str, many: str, more: str) -> str:
-    """Return that shapes of these names have something that is a picture."""
-    has, what = (f"has {one}", "is a picture") if len(names) == 1 else (f"have {many}", "are pictures")
-    named = names_of([f"“{name}”" for name in names])
-    return f"{named} {has}{more}, which {what} of at most {most} pixels a side in a PDF."
+        return Written(_page(drawing, options, style), drawing.deviation, drawing.remarks)
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:

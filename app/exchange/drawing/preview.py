@@ -18,7 +18,7 @@ class PicturePreview:
     size
         What its file says of its size, in a line.
     moved
-        What became of colours that could not be seen on the paper, or of gradients; empty for nothing.
+        What became of colours that could not be seen on the paper; empty for nothing.
     """
 
     image: QImage

@@ -26,7 +26,7 @@ from ..parts import (
     beziers_of,
     measured,
     one_line,
-    said_of_paints,
+    said_of_clips,
     sources_of,
 )
 from ..tikz_style import tikz_command
@@ -99,7 +99,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
-    remarks = drawing.remarks + said_of_paints((each.name, each.style) for each in drawing.outlines)
+    remarks = drawing.remarks + said_of_clips((each.name, each.style) for each in drawing.outlines)
     return _picture(lines, deviation, remarks, "tikz")
 
 

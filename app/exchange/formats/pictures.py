@@ -123,7 +123,7 @@ FORMATS = (
     Format(
         endings=(".pdf",),
         title="PDF document",
-        description="One page, sharp at every size but for patterns and clear gradients.",
+        description="One page, sharp at every size.",
         place=30,
         options=(*PICTURE, TOLERANCE),
         write=lambda document, options: drawing.image.pdf_file(document, options),

@@ -1,7 +1,7 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``gradient_elements``, ``clip_elements``,
+  ``style_attributes``, ``clip_elements``,
   ``numbers``: styles and numbers as text.
   ``defined_elements``: what those that are referred to have in common.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
@@ -11,8 +11,6 @@
 - ``escapes``: text in XML.
 - ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
-- ``patterns``: those of fills and strokes, each with a body of its own out of ``tiles``.
-  ``tile_documents``: documents as such, and back.
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.

@@ -3,4 +3,3 @@ from . import for_clipboard as for_clipboard
 from . import fragments as fragments
 from . import our_own as our_own
 from . import reader as reader
-from . import tile_documents as tile_documents

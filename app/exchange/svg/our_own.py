@@ -57,9 +57,6 @@ class OurOwn:
         if not self.is_so:
             return style
         stroke, fill = map(_restored_paint, (style.stroke, style.fill))
-        for name, gradient in style.gradients.items():
-            stops = (replace(stop, colour=_restored_paint(stop.colour)) for stop in gradient.stops)
-            style = replace(style, **{name: replace(gradient, stops=tuple(stops))})
         usual = self._usual_width
         is_usual = style.width is not None and abs(style.width - usual) <= _ROUNDING * usual
         return replace(style, stroke=stroke, fill=fill, width=None if is_usual else style.width)

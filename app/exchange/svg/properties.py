@@ -15,7 +15,6 @@ from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
 from .cascade import INHERITED
 from .flaw import Flaw
-from .gradients import Ground
 from .lengths import Viewport, length
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
@@ -86,17 +85,19 @@ class StyleReader:
     def __init__(self, paints: Paints) -> None:
         self._paints = paints
 
-    def style(self, properties: Properties, ground: Ground, scale: float) -> tuple[Style, tuple[Flaw, ...]]:
-        """Return the style of a shape on its ground, whose lengths are scaled so, and what of it is lost.
+    def style(
+        self, properties: Properties, viewport: Viewport, scale: float
+    ) -> tuple[Style, tuple[Flaw, ...]]:
+        """Return the style of a shape whose lengths are scaled so, and what of it is lost.
 
         Raises
         ------
         ExchangeError
             For a width that is no length.
         """
-        values, viewport = properties.values, ground.viewport
+        values = properties.values
         current = values["color"]
-        stroke, fill = (self._paints.paint(values[name], current, ground) for name in ("stroke", "fill"))
+        stroke, fill = (self._paints.paint(values[name], current) for name in ("stroke", "fill"))
         width = _length(values, "stroke-width", viewport) * scale
         if not 0 < width <= MAX_MAGNITUDE:
             stroke = Paint("none")
@@ -113,7 +114,6 @@ class StyleReader:
             fill=fill.colour,
             fill_rule=_one_of(FillRule, values["fill-rule"], FillRule.NONZERO),
             fill_opacity=_opacity(fill, properties, "fill-opacity"),
-            fill_gradient=fill.gradient,
         )
         if stroke.colour == "none":
             return style, tuple(flaws)
@@ -137,7 +137,6 @@ def _with_stroke(
         dash=dash,
         dash_offset=offset,
         stroke_opacity=_opacity(stroke, properties, "stroke-opacity"),
-        stroke_gradient=stroke.gradient,
     )
 
 

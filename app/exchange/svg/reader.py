@@ -7,13 +7,11 @@ read, and no DTD or entity inside it. What does not come in as it is drawn is to
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import msgspec
 import numpy as np
-
-from curvecore.arrays import FloatArray
 
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
@@ -25,7 +23,6 @@ from .cascade import Cascade
 from .clips import Clips
 from .elements import Elements
 from .flaw import Flaw
-from .gradients import Ground
 from .groups import Drawn, Settled, is_seen, settled, with_line
 from .guides import guides_of
 from .lengths import Viewport
@@ -284,7 +281,7 @@ class SvgReader:
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         controls = [each.controls for each in drawn]
-        look = self._look(element, state, scale, controls, keeps_width=keeps_width)
+        look = self._look(element, state, scale, keeps_width=keeps_width)
         look = replace(look, shape=name) if len(drawn) > 1 else look
         clips = self._clips.of_shape(declared, state, controls, look.style)
         look = replace(look, style=msgspec.structs.replace(look.style, clips=clips)) if clips else look
@@ -312,12 +309,10 @@ class SvgReader:
         element: ET.Element,
         state: State,
         scale: float,
-        outlines: Sequence[FloatArray],
         *,
         keeps_width: bool,
     ) -> Look:
-        ground = Ground(state.matrix, state.viewport, outlines)
-        style, flaws = self._styles.style(state.properties, ground, scale)
+        style, flaws = self._styles.style(state.properties, state.viewport, scale)
         if style.has_stroke and not keeps_width and is_uneven(state.matrix):
             flaws = (*flaws, _UNEVEN)
         if state.properties.is_visible:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...document.style import GRADIENTS, NO_PAINT, FillRule, LineCap, LineJoin, Style
+from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ..drawing.styles import PictureStyle
-from .gradient_elements import GradientElements
 from .numbers import number
 
 
@@ -14,14 +13,10 @@ def style_attributes(
     style: Style,
     picture: PictureStyle,
     usual_width: float,
-    gradients: GradientElements,
 ) -> str:
     """Return a style as attributes, each after a blank; what SVG takes for granted is left out."""
-    flat = {"fill": picture.fill_of(style), "stroke": picture.stroke_of(style)}
-    served = {name: gradients.reference(each) for name, each in style.gradients.items()}
-    paints = {name: served.get(GRADIENTS[name], colour) for name, colour in flat.items()}
-    pairs = [("fill", paints["fill"] if style.has_fill else NO_PAINT), *_of_fill(style)]
-    pairs += _of_stroke(style, paints["stroke"], usual_width)
+    pairs = [("fill", picture.fill_of(style) if style.has_fill else NO_PAINT), *_of_fill(style)]
+    pairs += _of_stroke(style, picture.stroke_of(style), usual_width)
     return "".join(f' {name}="{value}"' for name, value in pairs)
 
 

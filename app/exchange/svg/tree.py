@@ -10,7 +10,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.style import Style
 from ..drawing.drawing import Drawing
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
@@ -18,7 +17,6 @@ from ..naming import Names
 from ..node_types import guessed, joined
 from .clip_elements import ClipElements
 from .escapes import quoted
-from .gradient_elements import GradientElements
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
 from .style_attributes import style_attributes
@@ -58,14 +56,13 @@ class Tree:
         self._open: tuple[str, ...] = ()
         self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
-        self._gradients = GradientElements(style, self._ids)
         self.clips = ClipElements(self._ids)
         self.lines: list[str] = []
 
     @property
     def definitions(self) -> list[str]:
         """What paints what was written and cuts it, in an element of their own."""
-        found = [*self._gradients.lines, *self.clips.lines]
+        found = [*self.clips.lines]
         return ["  <defs>", *found, "  </defs>"] if found else []
 
     def add(self, place: int) -> None:
@@ -82,7 +79,7 @@ class Tree:
     def _drawn(self, shape: tuple[Outline, ...], called: str, end: str) -> str:
         """Return the element that draws a shape."""
         first = shape[0]
-        style = self._styled(first.style, self._usual_width)
+        style = style_attributes(first.style, self._style, self._usual_width)
         clips = first.style.clips
         cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
         runs = f' d="{path_data(shape)}"{_node_types_of(shape)}'
@@ -93,9 +90,6 @@ class Tree:
         return not outline.visible and not any(
             self._layers[name].is_hidden for name in self._layers_of(outline)
         )
-
-    def _styled(self, style: Style, usual_width: float) -> str:
-        return style_attributes(style, self._style, usual_width, self._gradients)
 
     def close(self) -> None:
         """Close all groups."""

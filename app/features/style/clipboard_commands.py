@@ -14,14 +14,11 @@ from ...actions.declaration import action, also
 from ...actions.needs import CHOSEN
 from ...actions.sections import EDIT_STYLE
 from ...actions.strips import CHOSEN_MENU
-from ...document.gradient_edits import in_unit_box, out_of_unit_box, with_shape_styles
-from ...document.model import Document
 from ...document.several_curves import named
-from ...document.shapes import shape_of
 from ...document.style import Style
+from ...document.style_edits import with_style
 from ...storage.field_check import check_fields
 from ...storage.format_error import FormatError
-from ...view_model.boxes.shape_boxes import box_of_first_shape, box_of_shape
 from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard
 from ...workbench.context import WindowContext
 
@@ -53,10 +50,7 @@ class StyleClipboardCommands:
     def _copy(self) -> None:
         """Copy stroke and fill of the curve that is edited."""
         session, data = self._session, QMimeData()
-        shape = shape_of(session.document, session.active_index)
-        style = msgspec.structs.replace(session.active_curve.style, clips=())
-        copied = in_unit_box(style, box_of_shape(session.views, shape))
-        data.setData(STYLE, msgspec.json.encode(copied))
+        data.setData(STYLE, msgspec.json.encode(session.active_curve.style.flat))
         put_on_clipboard(data)
         session.say(f"Copied the style of “{session.active_curve.seen_name}”.")
 
@@ -88,20 +82,16 @@ class StyleClipboardCommands:
     def _give_first(self, drawing: Imported) -> None:
         """Give the style of the first element of a drawing, in the unit of the document."""
         unit = self._session.document.unit
-        self._give(_style_of_first(exchange.rescaled.in_unit(drawing.document, unit)))
+        self._give(exchange.rescaled.in_unit(drawing.document, unit).curves[0].style)
 
     def _give(self, found: Style) -> None:
-        """Give a style, its gradients laid over each shape as they lay over that which it was copied from."""
+        """Give the selected curves a style; what they are cut by stays."""
         session, curves = self._session, self._session.selected.marked
         subject = named(session.document, curves)
         words = f"Paste style to {subject}"
-        views = session.views
-
-        def fitted(shape: range, style: Style) -> Style:
-            pasted = out_of_unit_box(found, box_of_shape(views, shape)) if found.gradients else found
-            return msgspec.structs.replace(pasted, clips=style.clips)
-
-        if session.change(words, lambda document: with_shape_styles(document, curves, fitted)):
+        fields = msgspec.structs.asdict(found)
+        del fields["clips"]
+        if session.change(words, lambda document: with_style(document, curves, **fields)):
             session.say(f"Pasted the style to {subject}.")
 
 
@@ -113,13 +103,7 @@ def _style_in(data: QMimeData) -> Style | None:
             check_fields(found, "style")
             return found
         if copied := own_in(data):
-            return _style_of_first(copied)
+            return copied.curves[0].style
     except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
         pass
     return None
-
-
-def _style_of_first(document: Document) -> Style:
-    """Return the style of the first shape, as one for a shape in the unit box."""
-    style = msgspec.structs.replace(document.curves[0].style, clips=())
-    return in_unit_box(style, box_of_first_shape(document.curves)) if style.is_placed else style

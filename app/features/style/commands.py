@@ -15,7 +15,6 @@ from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
 from ...document.model import Document, make_curve
 from ...document.several_curves import named
-from ...document.style import GRADIENTS
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
 from ...session.next_style import Marked
@@ -33,6 +32,8 @@ from .used_colours import UsedColours
 
 if TYPE_CHECKING:
     from .panel import StylePanel
+
+_PAINTS = ("fill", "stroke")
 
 
 class StyleCommands:
@@ -98,7 +99,7 @@ class StyleCommands:
     # Changes
 
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
-        self._colours.remember(*(fields[name] for name in GRADIENTS if name in fields))
+        self._colours.remember(*(fields[name] for name in _PAINTS if name in fields))
         self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
         self._note_set(fields)
 
@@ -199,7 +200,7 @@ class StyleCommands:
     )
     def _swap(self) -> None:
         """Paint the inside as the line is now, and the line as the inside, with their opacities."""
-        self._edit(GRADIENTS, with_paints_swapped, what="Swap fill and stroke")
+        self._edit(_PAINTS, with_paints_swapped, what="Swap fill and stroke")
 
 
 COMMAND_SETS = (

@@ -1,6 +1,6 @@
 """Boxes around points and curves, and what is moved or stretched by them.
 
-- ``bounds``: the box of points or curves.  ``shape_boxes``: the box of a whole shape.
+- ``bounds``: the box of points or curves.
 - ``stretch``: what fills another box.  ``alignment``: curves aligned by theirs.
 - ``pivot``: the place that transforms are about, and what they did.
 - ``exact_boxes``: exact boxes of many curves at once.
