@@ -56,7 +56,6 @@ UNLOCKED_CURVE = Need(
     "a curve through two points or more that is not locked",
     lambda state: state.is_current and not state.is_locked,
 )
-SOME_LAYER = Need("a layer that new curves come into", lambda now: bool(now.session.selected.layer))
 PAGE = Need("a page", lambda now: now.session.document.page is not None)
 TWO_POINTS = Need("two points or more", lambda state: state.point_count > 1)
 SECOND_CURVE = Need("a second curve", lambda state: state.curve_count > 1)

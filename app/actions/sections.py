@@ -112,10 +112,6 @@ EDIT_ALIGN_ACROSS = EDIT.section("Align and Distribute", is_separated=False)
 EDIT_ALIGN_UP = EDIT.section("Align and Distribute")
 EDIT_DISTRIBUTE = EDIT.section("Align and Distribute")
 EDIT_ALIGN_TO = EDIT.section("Align and Distribute")
-EDIT_LAYERS = EDIT.section("Layers", is_separated=False)
-EDIT_LAYER_MOVES = EDIT.section(
-    "Layers", also=[CHOSEN_MENU(22), CURVE_MENU(46), CURVE_LIST_MENU(61)], called="Layer"
-)
 EDIT_DELETE = EDIT.section(is_separated=False)
 EDIT_CLIPBOARD = EDIT.section()
 EDIT_COPY_AS = EDIT.section("Copy and Paste Special", is_separated=False)

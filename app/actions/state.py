@@ -229,7 +229,7 @@ def _has_highlight(session: Session) -> bool:
 def _highlighted(session: Session) -> str:
     document, selected = session.document, session.selected
     curves = selected.highlight(whole_curves=True).curves or selected.whole
-    nodes = whole_nodes(document.curves, curves, document.layers)
+    nodes = whole_nodes(document.curves, curves)
     if len(nodes) > 1:
         return counted(document, curves).title()
     (node,) = nodes

@@ -19,8 +19,6 @@
 - ``several_curves``: of several curves at once, and curves from elsewhere.  ``point_group``: points of
   several that change together.  ``whole_edits``: whole curves put elsewhere in one pass.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
-- ``layers``: groups that are layers; what is new comes into one.  ``layer_order``: theirs, with empty ones.
-  ``empty_layer``: such a one.
 - ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``readings``: how coordinates are told.

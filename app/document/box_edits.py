@@ -9,8 +9,7 @@ from itertools import pairwise
 from msgspec.structs import replace
 
 from ..families import HERMITE
-from .curve_edits import free_name, fresh_curve, is_numbered, replace_curve
-from .layers import front_of, in_front, without
+from .curve_edits import add_curve, free_name, fresh_curve, is_numbered, replace_curve, without
 from .limits import checked_vector
 from .model import Document, Parametrization, ParametrizationKind, Point, Vector
 from .style import Style
@@ -53,13 +52,13 @@ def _between(start: Vector, end: Vector, share: float) -> Vector:
     return (start[0] + (end[0] - start[0]) * share, start[1] + (end[1] - start[1]) * share)
 
 
-def drawn_place(document: Document, active: int, layer: str = "") -> int:
-    """Return the place of a curve that is drawn: in front in a layer, an empty active curve left out."""
-    return front_of(_rest(document, active), layer).place
+def drawn_place(document: Document, active: int) -> int:
+    """Return the place of a curve that is drawn: in front, an empty active curve left out."""
+    return len(_rest(document, active).curves)
 
 
 def with_pieces_drawn(
-    document: Document, active: int, name: str, pieces: Sequence[Piece], style: Style, layer: str = ""
+    document: Document, active: int, name: str, pieces: Sequence[Piece], style: Style
 ) -> Document:
     """Return the document with a closed cubic curve of pieces, each of which begins where the last one ends.
 
@@ -73,14 +72,12 @@ def with_pieces_drawn(
         curve = fresh_curve(document, replace(model, style=style), Parametrization())
     if is_numbered(curve.name):
         curve = replace(curve, name=free_name(rest, name))
-    front = front_of(rest, layer)
-    made = in_front(rest, front, curve)
-    curve = made.curves[front.place]
     rule = curve.parametrization
     if rule.kind is not ParametrizationKind.CHORD_LENGTH:
         rule = Parametrization()
     curve = replace(curve.with_family(HERMITE), closed=True, parametrization=rule)
-    return replace_curve(made, front.place, replace(curve, points=_points(pieces, rule.end - rule.start)))
+    place, made = len(rest.curves), replace(curve, points=_points(pieces, rule.end - rule.start))
+    return replace_curve(add_curve(rest, place, curve), place, made)
 
 
 def _rest(document: Document, active: int) -> Document:

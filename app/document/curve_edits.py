@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Sequence
 from itertools import chain, count
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -26,6 +27,31 @@ def add_curve(document: Document, index: int, curve: Curve) -> Document:
     return replace(document, curves=(*document.curves[:index], curve, *document.curves[index:]))
 
 
+def without(document: Document, curve: int) -> Document:
+    """Return the document without a curve, be it the last one."""
+    return replace(document, curves=(*document.curves[:curve], *document.curves[curve + 1 :]))
+
+
+class Begun(NamedTuple):
+    """A document, and the place of an empty curve in it that is drawn next."""
+
+    document: Document
+    place: int
+
+
+def begun(document: Document, active: int, fresh: Curve) -> Begun:
+    """Return the document with the empty curve that is drawn next.
+
+    That is the active one where it is empty and free, in the style of the `fresh` one; or else that one.
+    """
+    model = document.curves[active]
+    if model.points or model.locked:
+        return Begun(add_curve(document, len(document.curves), fresh), len(document.curves))
+    if model.style != fresh.style:
+        document = document.with_curve(active, replace(model, style=fresh.style))
+    return Begun(document, active)
+
+
 def replace_curve(document: Document, curve: int, new: Curve) -> Document:
     """Put `new` in the place of a curve; every number is checked."""
     return set_points(document.with_curve(curve, new), curve, new.points)
@@ -41,7 +67,7 @@ def with_parts(document: Document, index: int, first: Curve, *others: Curve) -> 
 
 def remove_curve(document: Document, curve: int) -> Document:
     """Remove a curve; the last one leaves an empty curve of its family behind."""
-    rest = (*document.curves[:curve], *document.curves[curve + 1 :])
+    rest = without(document, curve).curves
     if not rest:
         rest = (unstyled_model(document.curves[curve]),)
     return replace(document, curves=rest)

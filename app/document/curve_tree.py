@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from enum import Enum, auto
-from itertools import takewhile
 
 import msgspec
-from msgspec.structs import replace
 
-from .model import Curve, Document
+from .model import Curve
 from .words import count_of
 
 
@@ -19,7 +17,6 @@ class NodeKind(Enum):
     CURVE = auto()
     SHAPE = auto()
     GROUP = auto()
-    LAYER = auto()
 
 
 class Container(msgspec.Struct, frozen=True):
@@ -59,7 +56,7 @@ class Node(msgspec.Struct, frozen=True):
     around
         What it is in.
     parts
-        What is in it, in the order of the document; nothing in a curve or an empty layer.
+        What is in it, in the order of the document; nothing in a curve.
     """
 
     kind: NodeKind
@@ -77,7 +74,7 @@ class Node(msgspec.Struct, frozen=True):
     def inside(self) -> Container:
         """The surroundings of what is in it."""
         groups = self.around.groups
-        if self.kind in (NodeKind.GROUP, NodeKind.LAYER):
+        if self.kind is NodeKind.GROUP:
             return Container((*groups, self.name))
         return Container(groups, self.name)
 
@@ -146,54 +143,15 @@ def group_around(curves: Sequence[Curve], place: int, depth: int) -> range:
     return range(start, _run_end(curves, place, depth, len(curves)))
 
 
-def whole_nodes(curves: Sequence[Curve], chosen: Collection[int], layers: Collection[str] = ()) -> list[Node]:
-    """Return the largest parts of the tree all of whose curves are chosen; of `layers` what is in them."""
-    return list(_wholes(tree_of(curves), frozenset(chosen), frozenset(layers)))
+def whole_nodes(curves: Sequence[Curve], chosen: Collection[int], left: Collection[str] = ()) -> list[Node]:
+    """Return the largest parts of the tree all of whose curves are chosen; of groups `left` their parts."""
+    return list(_wholes(tree_of(curves), frozenset(chosen), frozenset(left)))
 
 
-def _wholes(nodes: Sequence[Node], chosen: frozenset[int], layers: frozenset[str]) -> Iterator[Node]:
+def _wholes(nodes: Sequence[Node], chosen: frozenset[int], left: frozenset[str]) -> Iterator[Node]:
     for node in nodes:
-        is_layer = node.kind is NodeKind.GROUP and node.name in layers
-        if not is_layer and chosen.issuperset(node.places):
+        is_left = node.kind is NodeKind.GROUP and node.name in left
+        if not is_left and chosen.issuperset(node.places):
             yield node
         else:
-            yield from _wholes(node.parts, chosen, layers)
-
-
-def layered_tree(document: Document) -> tuple[Node, ...]:
-    """Return the tree with its layers as such, also those that are empty.
-
-    Where an empty one is no curve says: it is right behind the next layer beside it, or in front of all.
-    """
-    curves = document.curves
-    return tuple(
-        _layered(tree_of(curves), document, OUTSIDE, len(curves)) if document.layers else tree_of(curves)
-    )
-
-
-def _layered(nodes: Sequence[Node], document: Document, inside: Container, end: int) -> Iterator[Node]:
-    """Yield what is in a layer, or in none; `end` is the place behind it."""
-    here = inside.groups[-1] if inside.groups else ""
-    empty = {each.name for each in document.empty_layers if each.inside == here}
-    beside = {node.name for node in nodes if node.kind is NodeKind.GROUP}
-    order = [name for name in document.layers if name in empty or name in beside]
-
-    def in_front_of_next(at: int) -> Iterator[Node]:
-        while order and order[0] in empty:
-            node = Node(NodeKind.LAYER, order.pop(0), range(at, at), inside)
-            yield replace(node, parts=tuple(_layered((), document, node.inside, at)))
-
-    for node in nodes:
-        if node.kind is NodeKind.GROUP and node.name in order:
-            yield from in_front_of_next(node.places.start)
-            order.remove(node.name)
-            parts = tuple(_layered(node.parts, document, node.inside, node.places.stop))
-            yield replace(node, kind=NodeKind.LAYER, parts=parts)
-        else:
-            yield node
-    yield from in_front_of_next(end)
-
-
-def layers_around(document: Document, curve: int) -> tuple[str, ...]:
-    """Return the layers that a curve is in, the outermost first."""
-    return tuple(takewhile(document.layers.__contains__, document.curves[curve].groups))
+            yield from _wholes(node.parts, chosen, left)

@@ -11,7 +11,6 @@ from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
-from .empty_layer import EmptyLayer
 from .export import NEVER_EXPORTED, Export
 from .fields import LENGTH, at_least, between, printed
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
@@ -296,11 +295,6 @@ class Document(Value, frozen=True):
         Lines to draw along.
     page
         What pictures of it show; None for what its curves take.
-    layers
-        Names of those of its groups that are layers, and of the layers that are empty, from the back to the
-        front, each after the one that it is in: see ``layers``.
-    empty_layers
-        What else is known of those that are empty.
     export
         Its last export.
     y_up
@@ -314,8 +308,6 @@ class Document(Value, frozen=True):
     grid_spacing: Annotated[Length, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
     page: Page | None = None
-    layers: tuple[str, ...] = ()
-    empty_layers: tuple[EmptyLayer, ...] = ()
     export: Export = NEVER_EXPORTED
     y_up: bool = False
 

@@ -32,8 +32,6 @@ class Choice(msgspec.Struct, frozen=True):
         The curves that are worked on together, and those acted on as wholes.
     is_editing
         Whether the active curve is edited.
-    layer
-        The layer that was chosen after all that; None for none.
     """
 
     active: int
@@ -41,7 +39,6 @@ class Choice(msgspec.Struct, frozen=True):
     curves: frozenset[int]
     chosen: frozenset[int]
     is_editing: bool
-    layer: str | None = None
 
 
 def free_curves(document: Document) -> frozenset[int]:
@@ -154,7 +151,7 @@ def followed_choice(choice: Choice, before: Sequence[Curve], after: Sequence[Cur
         kept = frozenset({active} if is_editing or len(after) > len(before) else ())
     curves = kept or frozenset({active})
     chosen = kept if not is_editing or len(kept) > 1 else frozenset()
-    return Choice(active, points, curves, chosen, is_editing, choice.layer)
+    return Choice(active, points, curves, chosen, is_editing)
 
 
 def _are_left(edited: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]) -> bool:

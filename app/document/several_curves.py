@@ -11,11 +11,10 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from . import whole_edits
-from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each
+from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each, without
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
 from .decimals import decimal_sum
-from .edits import moving
-from .layers import front_of, within, without
+from .edits import AlreadySoError, moving
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
 from .shape_edits import contained, with_own_names
@@ -53,7 +52,7 @@ def what_stays(document: Document, curves: Collection[int]) -> str:
     left = frozenset(curves) - changeable(document, curves)
     if not left:
         return ""
-    count = len(whole_nodes(document.curves, whole_shapes(document, left), document.layers))
+    count = len(whole_nodes(document.curves, whole_shapes(document, left)))
     return f"{count_of(count, 'locked object')} {'stays' if count == 1 else 'stay'}"
 
 
@@ -129,6 +128,20 @@ def with_appearance(
     )
 
 
+def all_shown(document: Document) -> Document:
+    """Show what is hidden."""
+    if all(each.visible for each in document.curves):
+        raise AlreadySoError("Nothing is hidden.")
+    return with_appearance(document, range(len(document.curves)), visible=True)
+
+
+def all_unlocked(document: Document) -> Document:
+    """Free what is locked."""
+    if not any(each.locked for each in document.curves):
+        raise AlreadySoError("Nothing is locked.")
+    return with_appearance(document, range(len(document.curves)), locked=False)
+
+
 def remove_curves(document: Document, curves: Collection[int]) -> Document:
     """Remove curves; where none is left, an empty one is."""
     before = document
@@ -139,16 +152,14 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
 
 
 def alone(document: Document, curves: Collection[int]) -> Document:
-    """Return some curves of a document in a document of their own, with their layers and without a page.
+    """Return some curves of a document in a document of their own, without a page.
 
     Lines whose styles say no width are as wide as on the page.
     """
     chosen = tuple(document.curves[place] for place in sorted(curves))
     if (page := document.page) is not None:
         chosen = tuple(_with_width(curve, page.usual_width) for curve in chosen)
-    around = {name for curve in chosen for name in curve.groups}
-    layers = tuple(name for name in document.layers if name in around)
-    return tidy_shapes(replace(document, curves=chosen, image=None, page=None, layers=layers))
+    return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
 
 
 def _with_width(curve: Curve, usual: float) -> Curve:
@@ -188,7 +199,7 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
     it.
     """
     copied = dict[Container, tuple[int, list[int]]]()
-    for node in whole_nodes(document.curves, curves, document.layers):
+    for node in whole_nodes(document.curves, curves):
         around, at = node.around, node.places.stop
         if around.shape:
             around, at = around.around, shape_of(document, node.places.start).stop
@@ -197,9 +208,7 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
     new, places = document, dict[int, int]()
     for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
         at = place + len(places)
-        new = add_curves(
-            new, list(contained(document.curves, originals, around, document.layers).values()), at, around
-        )
+        new = add_curves(new, list(contained(document.curves, originals, around).values()), at, around)
         places |= zip(originals, range(at, at + len(originals)), strict=True)
     return Added(new, tuple(places[curve] for curve in sorted(places)))
 
@@ -215,26 +224,20 @@ def add_curves(
     return replace(document, curves=(*document.curves[:at], *own, *document.curves[at:]))
 
 
-def add_imported(document: Document, new: Document, layer: str = "") -> tuple[Document, int]:
-    """Return the document with the curves of another in front in a layer, and the place of the first of them.
+def add_imported(document: Document, new: Document) -> tuple[Document, int]:
+    """Return the document with the curves of another in front, and the place of the first of them.
 
     A lone curve without points is what a new document begins with; it gives way, and with it unit, page and
-    guides. The other's picture to trace comes along where there is none yet, and its layers to a document
-    that has neither curves nor layers.
+    guides. The other's picture to trace comes along where there is none yet.
     """
     is_begun = not is_blank(document)
-    base = document if is_begun else without(document, 0)
-    place, container = front_of(base, layer)
-    own = within(with_own_names(new.curves, base), container)
-    image = document.image or new.image
-    document = replace(base, curves=(*base.curves[:place], *own, *base.curves[place:]), image=image)
+    base, image = document if is_begun else without(document, 0), document.image or new.image
+    place, own = len(base.curves), with_own_names(new.curves, base)
+    document = replace(base, curves=(*base.curves, *own), image=image)
     if is_begun:
         return document, place
     unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
-    document = replace(document, unit=unit, page=page, guides=guides)
-    if document.layers:
-        return document, 0
-    return replace(document, layers=new.layers, empty_layers=new.empty_layers), 0
+    return replace(document, unit=unit, page=page, guides=guides), 0
 
 
 def left_behind(document: Document, new: Document) -> list[str]:
@@ -277,19 +280,16 @@ def counted(document: Document, curves: Collection[int]) -> str:
     """Return "3 curves"; with whole shapes or groups among them, "2 shapes"."""
     marked = [document.curves[curve] for curve in curves]
     if [each for each in marked if each.shape or each.groups]:
-        return counted_nodes(whole_nodes(document.curves, curves, document.layers))
+        return counted_nodes(whole_nodes(document.curves, curves))
     return count_of(len(curves), "curve")
 
 
 def name_of(document: Document, curves: Collection[int]) -> str | None:
-    """Return the name of the curve, or of the shape or group that they are; None where they are several.
-
-    The only thing in a layer is meant, and not the layer.
-    """
+    """Return the name of the curve, or of the shape or group that they are; None where they are several."""
     if len(curves) == 1:
         return document.curves[next(iter(curves))].name
     first = document.curves[min(curves, default=0)]
     if not curves or not (first.shape or first.groups):
         return None
-    ways = (whole_nodes(document.curves, curves, layers) for layers in (document.layers, ()))
-    return next((nodes[0].name for nodes in ways if len(nodes) == 1), None)
+    nodes = whole_nodes(document.curves, curves)
+    return nodes[0].name if len(nodes) == 1 else None

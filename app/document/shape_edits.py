@@ -13,9 +13,8 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, with_each
-from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, layers_around, tree_of, whole_nodes
+from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, tree_of, whole_nodes
 from .edits import EditError
-from .layer_order import with_layer_named_anew
 from .model import Curve, Document
 from .selection import Choice
 from .shapes import SHARED, shape_of, shared_start, whole_shapes, with_values
@@ -67,9 +66,9 @@ def moved_into(
 
 
 def contained(
-    curves: Sequence[Curve], chosen: Collection[int], container: Container, layers: Collection[str] = ()
+    curves: Sequence[Curve], chosen: Collection[int], container: Container, left: Collection[str] = ()
 ) -> dict[int, Curve]:
-    """Return the chosen curves as they are in a shape or group, by their places; of `layers` what is in them.
+    """Return the chosen curves as they are in a shape or group, by their places; of groups `left` the parts.
 
     Raises
     ------
@@ -78,7 +77,7 @@ def contained(
     """
     chosen = frozenset(chosen)
     there = [curve for place, curve in enumerate(curves) if container.holds(curve) and place not in chosen]
-    nodes = whole_nodes(curves, chosen, layers)
+    nodes = whole_nodes(curves, chosen, left)
     if not there and any(node.name in (container.shape, *container.groups) for node in _holders(nodes)):
         raise EditError("A shape or a group cannot go into itself.")
     of_shape = {name: getattr(there[0], name) for name in SHARED} if there and container.shape else {}
@@ -182,51 +181,39 @@ def broken_apart(document: Document, curves: Collection[int]) -> Document:
 
 
 def objects(document: Document, curves: Collection[int]) -> list[Node]:
-    """Return what some curves are as things of their own: whole groups, but no layers, and whole shapes."""
-    return whole_nodes(document.curves, whole_shapes(document, curves), document.layers)
+    """Return what some curves are as things of their own: whole groups, and whole shapes."""
+    return whole_nodes(document.curves, whole_shapes(document, curves))
 
 
 def grouped(document: Document, curves: Collection[int]) -> Gathered:
-    """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them.
-
-    Of several layers, in that of the topmost.
-    """
-    chosen, layers = whole_shapes(document, curves), document.layers
-    nodes, top = whole_nodes(document.curves, chosen, layers), max(chosen)
-    shared = shared_start(*(node.around.groups for node in nodes))
-    around = max(shared, layers_around(document, top), key=len)
+    """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them."""
+    chosen = whole_shapes(document, curves)
+    nodes, top = whole_nodes(document.curves, chosen), max(chosen)
+    around = shared_start(*(node.around.groups for node in nodes))
     own, name = document.curves[top].groups, free_group_name(document, "Group")
     is_deeper = len(own) > len(around)
     at = group_around(document.curves, top, len(around)).stop if is_deeper else top + 1
     inside = {
         place: replace(curve, groups=(*around, name, *curve.groups[len(around) :]))
-        for place, curve in contained(document.curves, chosen, Container(around), layers).items()
+        for place, curve in contained(document.curves, chosen, Container(around)).items()
     }
     return gathered(document, inside, at)
 
 
 def are_in_groups(document: Document, curves: Collection[int]) -> bool:
-    """Whether any of some curves are in a group; layers are none."""
-    return any(
-        len(document.curves[place].groups) > len(layers_around(document, place))
-        for place in curves
-        if document.curves[place].groups
-    )
+    """Whether any of some curves are in a group."""
+    return any(document.curves[place].groups for place in curves)
 
 
 def groups_meant(document: Document, curves: Collection[int]) -> list[Node]:
-    """Return the groups all of whose curves are chosen, the outermost; or else those right around curves.
-
-    Layers are none of them.
-    """
-    nodes = whole_nodes(document.curves, curves, document.layers)
+    """Return the groups all of whose curves are chosen, the outermost; or else those right around curves."""
+    nodes = whole_nodes(document.curves, curves)
     whole = [node for node in nodes if node.kind is NodeKind.GROUP]
     if whole:
         return whole
     found = {}
     for place in sorted(curves):
-        groups = document.curves[place].groups
-        if len(groups) > len(layers_around(document, place)):
+        if groups := document.curves[place].groups:
             places = group_around(document.curves, place, len(groups) - 1)
             found[places] = Node(NodeKind.GROUP, groups[-1], places, Container(groups[:-1]))
     return list(found.values())
@@ -252,14 +239,13 @@ def _without_group(curve: Curve, depth: int) -> Curve:
 
 
 def pressed(document: Document, curve: int, choice: Choice) -> frozenset[int]:
-    """Return the curves that a press on one of them means: a layer's outermost group, or else its shape.
+    """Return the curves that a press on one of them means: its outermost group, or else its shape.
 
     A group is entered, and what is in it meant, while a curve of it is edited, or chosen but not all of them.
     """
     chosen = choice.chosen
     here = choice.active if choice.is_editing or choice.active in chosen else -1
-    outer = len(layers_around(document, curve))
-    for depth in range(outer, len(document.curves[curve].groups)):
+    for depth in range(len(document.curves[curve].groups)):
         around = group_around(document.curves, curve, depth)
         if here not in around or all(place in chosen for place in around):
             return frozenset(around)
@@ -282,8 +268,8 @@ def next_pressed(document: Document, choice: Choice, step: int) -> frozenset[int
 
 
 def free_group_name(document: Document, stem: str) -> str:
-    """Return a name "Shape 1" that no shape, no group and no layer has."""
-    taken = {*names_of(document.curves), *document.layers}
+    """Return a name "Shape 1" that no shape and no group has."""
+    taken = names_of(document.curves)
     return next(name for number in count(1) if (name := f"{stem} {number}") not in taken)
 
 
@@ -300,13 +286,13 @@ def named_anew(document: Document, node: Node, name: str) -> Document:
         raise EditError(f"A {kind} needs a name.")
     if name == node.name:
         return document
-    if name in names_of(document.curves) or name in document.layers:
+    if name in names_of(document.curves):
         raise EditError(f"“{name}” is the name of another shape or group.")
     if node.kind is NodeKind.SHAPE:
         return with_each(document, node.places, lambda curve: replace(curve, shape=name))
     at = node.depth
     return with_each(
-        with_layer_named_anew(document, node.name, name),
+        document,
         node.places,
         lambda curve: replace(curve, groups=(*curve.groups[:at], name, *curve.groups[at + 1 :])),
     )
@@ -319,7 +305,7 @@ def with_own_names(
 
     That of the `container` which they come into stays.
     """
-    taken = {*names_of(document.curves), *document.layers}
+    taken = names_of(document.curves)
     fresh = {name: name for name in ("", container.shape, *container.groups)}
     for name in (each for curve in curves for each in (curve.shape, *curve.groups)):
         if name not in fresh:

@@ -12,7 +12,6 @@ from operator import attrgetter, is_
 
 from msgspec.structs import replace
 
-from .layer_order import with_tidy_layers
 from .model import Curve, Document
 from .steps import reshaped
 from .words import count_of
@@ -24,7 +23,6 @@ _DEEPEST = 50
 """Groups that may be within each other."""
 
 _looks = attrgetter(*SHARED, "shape")
-_layers = attrgetter("layers", "empty_layers")
 
 
 def shape_of(document: Document, curve: int) -> range:
@@ -84,16 +82,15 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
     it is not looked for again.
     """
     if before is not None and (
-        reshaped(before, document) is not None
-        or (_layers(before) == _layers(document) and _look_the_same(before.curves, document.curves))
+        reshaped(before, document) is not None or _look_the_same(before.curves, document.curves)
     ):
         return document
     if not any(curve.shape or curve.groups for curve in document.curves):
-        return with_tidy_layers(document, before)
+        return document
     curves = list(_with_own_groups(_with_whole_shapes(document)))
     if any(new is not old for new, old in zip(curves, document.curves, strict=True)):
-        document = replace(document, curves=tuple(curves))
-    return with_tidy_layers(document, before)
+        return replace(document, curves=tuple(curves))
+    return document
 
 
 def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
@@ -165,12 +162,7 @@ def shape_problem(document: Document) -> str:
     if tidy is document:
         return ""
     if tidy.curves == document.curves:
-        if all(
-            sorted(map(str, a)) == sorted(map(str, b))
-            for a, b in zip(_layers(tidy), _layers(document), strict=True)
-        ):
-            return ""
-        return "layers must name groups that there are, or that empty_layers has, each once"
+        return ""
     place = next(
         i for i, pair in enumerate(zip(tidy.curves, document.curves, strict=True)) if pair[0] is not pair[1]
     )

@@ -17,7 +17,6 @@ FEATURES = (
     "import_export",
     "curves",
     "shapes",
-    "layers",
     "tangents",
     "rules",
     "own_families",

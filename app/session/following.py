@@ -107,13 +107,12 @@ class Following:
     def select_returned(self, document: Document, then: Choice | None) -> None:
         """Select points, or curves, that undo or redo has brought back; edit or choose what was `then`.
 
-        That is so, too, where what was edited or chosen since goes with the step, as copies and an empty
-        layer do.
+        That is so, too, where what was edited or chosen since goes with the step, as copies do.
         """
         selected, now, before = self._session.selected, self._session.committed, document.curves
         curves = now.curves
         returned = returned_curves(before, curves)
-        is_left = len(before) > len(curves) or document.layers != now.layers
+        is_left = len(before) > len(curves)
         if then is not None and _comes_back(then, returned, selected, is_left=is_left):
             selected.restore(then)
         elif len(returned) > 1 or (returned and not selected.is_editing):

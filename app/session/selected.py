@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..document.layers import layer_of
 from ..document.point_group import NO_POINTS
 from ..document.selection import Choice
 from ..document.several_curves import is_blank
@@ -51,8 +50,6 @@ class Selected:
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
         self.next_style = NextStyle()
-        # The layer that was chosen since a curve was; None where that of the active curve is meant.
-        self._layer: str | None = None
 
     @property
     def points(self) -> frozenset[int]:
@@ -104,15 +101,7 @@ class Selected:
         return whole_shapes(self._session.document, self.curves)
 
     @property
-    def layer(self) -> str:
-        """The layer that what is new comes into, empty for none: that of what was chosen last, or itself."""
-        document, layer = self._session.document, self._layer
-        if layer is not None and (not layer or layer in document.layers):
-            return layer
-        return layer_of(document, self._session.active_index)
-
-    @property
     def choice(self) -> Choice:
         """All that is selected now."""
         active = self._session.active_index
-        return Choice(active, self.group, self.curves, self.chosen, self.is_editing, self._layer)
+        return Choice(active, self.group, self.curves, self.chosen, self.is_editing)

@@ -62,12 +62,6 @@ class Selection(Selected):
         if self.hovered != before:
             self._session.hovered_changed.emit(self.hovered)
 
-    def set_layer(self, layer: str | None) -> None:
-        """Have what is new come into a layer, until a curve is chosen; None for that of the active curve."""
-        before, self._layer = self.layer, layer
-        if self.layer != before:
-            self._session.layer_changed.emit()
-
     # Curves
 
     def activate(self, index: int) -> None:
@@ -124,7 +118,7 @@ class Selection(Selected):
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
         self.next_style.note(session.document, self.marked, session.active_index)
-        before, places, layer = self.choice, range(len(session.document.curves)), self.layer
+        before, places = self.choice, range(len(session.document.curves))
         wanted = active if active is not None and active in places else session.active_index
         existing = frozenset(index for index in indices if index in places)
         if wanted not in existing:
@@ -143,16 +137,11 @@ class Selection(Selected):
         if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
             self._session.box.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
-        # Whoever chooses nothing goes on where he was.
-        self._layer = None if existing else layer
-        if self.layer != layer:
-            session.layer_changed.emit()
 
     def restore(self, choice: Choice) -> None:
         """Select what was selected before; the active curve is the one of then already."""
         self._take(choice.curves if choice.is_editing else choice.chosen, is_editing=choice.is_editing)
         self.set_group(choice.points)
-        self.set_layer(choice.layer)
 
     def enter(self, index: int) -> None:
         """Make curve `index` the active one; what belonged to the other is put away."""

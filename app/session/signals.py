@@ -27,8 +27,6 @@ class SessionSignals(QObject):
         The scrub line was moved to another t, or put away (None).
     pivot_changed
         Another pivot was chosen, or it has gone along with what it was chosen for.
-    layer_changed
-        What is new comes into another layer.
     grips_changed
         The grips of the box around what is selected do something else.
     file_changed
@@ -60,7 +58,6 @@ class SessionSignals(QObject):
     hovered_changed = Signal(int)
     scrub_changed = Signal(object)
     pivot_changed = Signal()
-    layer_changed = Signal()
     grips_changed = Signal()
     file_changed = Signal()
     opened = Signal()

@@ -153,6 +153,8 @@ def _dropped_paint(paint: str) -> list[Dropped]:
 
 
 DROPPED: list[Dropped] = [
+    Dropped(Place.DOCUMENT, "layers"),
+    Dropped(Place.DOCUMENT, "empty_layers", "empty layer"),
     *(Dropped(Place.GUIDE, field) for field in ("lean", "across", "locked")),
     # A rectangle, an ellipse or a star is what its points say.
     Dropped(Place.CURVE, "form"),

@@ -47,13 +47,6 @@ class SelectionHost(Protocol):
     def choice(self) -> Choice:
         """All that is selected now."""
 
-    @property
-    def layer(self) -> str:
-        """The layer that what is new comes into; empty for none."""
-
-    def set_layer(self, layer: str) -> None:
-        """Have what is new come into a layer."""
-
     def restore(self, choice: Choice) -> None:
         """Select what was selected before."""
 

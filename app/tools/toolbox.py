@@ -114,10 +114,7 @@ class Toolbox:
         self._chosen.pick_up()
         if self._chosen.takes_up(self.context) and not self._host.selected.is_editing:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
-            selected = self._host.selected
-            layer = selected.layer
-            selected.take_up()
-            selected.set_layer(layer)
+            self._host.selected.take_up()
             self._chosen.take_over(self.context)
 
     def lay_above(self, record: ToolRecord | None) -> None:

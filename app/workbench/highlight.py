@@ -7,9 +7,8 @@ from typing import Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QApplication
 
-from ..document.layers import begun_again, layer_node, layer_of, without_layer
 from ..document.model import Document
-from ..document.several_curves import active_after_removal, counted
+from ..document.several_curves import active_after_removal
 from ..document.words import number
 from ..session import Change, Session
 from ..session.highlight import Highlight
@@ -42,7 +41,7 @@ def highlighted(context: WindowContext) -> Highlight:
 def highlighted_curves(context: WindowContext) -> frozenset[int]:
     """Return what commands on curves are about: rows of the list that has the focus, or the highlight."""
     focus, selected = QApplication.focusWidget(), context.session.selected
-    if isinstance(focus, ListsCurves) and focus.meant:
+    if isinstance(focus, ListsCurves):
         return focus.meant
     return selected.highlight(whole_curves=True).curves or selected.whole
 
@@ -53,7 +52,7 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
     """
     document, active, edited = session.document, session.active_index, session.selected.edited
-    gone, deleted, layer = what.curves_of(document), list[Deletion](), session.selected.layer
+    gone, deleted = what.curves_of(document), list[Deletion]()
 
     def without(document: Document, curve: int, indices: Collection[int]) -> Document:
         deleted.append(without_points(session.views[curve], indices))
@@ -65,28 +64,12 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
     delete = without if keeps_shape else leaving
     change = session.change(
         f"{verb} {what.words(document)}",
-        lambda document: begun_again(what.removed_from(document, delete), document, layer),
+        lambda document: what.removed_from(document, delete),
         active=active_after_removal(document, gone, active, edited) if gone else None,
     )
     if change:
         session.selected.set_points([])
         _say_change(session, what, deleted)
-    return change
-
-
-def delete_layer(session: Session, layer: str) -> Change:
-    """Remove a layer with all that is in it, as one step."""
-    places = layer_node(session.document, layer).places
-    what = f"with {counted(session.document, places)}" if places else "which was empty"
-    change = session.change(
-        f"Delete {layer}",
-        lambda document: without_layer(document, layer),
-        active=active_after_removal(session.document, places, session.active_index) if places else None,
-    )
-    if change:
-        session.selected.choose(())
-        session.selected.set_layer(layer_of(session.document, session.active_index))
-        session.say(f"Deleted layer “{layer}”{' ' if places else ', '}{what}.")
     return change
 
 

@@ -1,4 +1,4 @@
-"""Words at the right of the status line: the layer, the pointer's place, t and the Lebesgue constant."""
+"""Words at the right of the status line: the pointer's place, t and the Lebesgue constant."""
 
 from __future__ import annotations
 
@@ -18,9 +18,6 @@ _LEBESGUE_TIP = (
     "with the velocities and accelerations that are estimated from them"
 )
 
-_LONGEST_LAYER = 24
-"""Characters of a layer's name that are shown."""
-
 _SOON_MS = 33
 """Milliseconds after which numbers are written that change with every move: nobody reads faster."""
 
@@ -35,12 +32,10 @@ class Readouts:
     """
 
     def __init__(self, line: QStatusBar) -> None:
-        self._layer_label = named(SteadyLabel(), "layerNow", tip="New curves come into this layer")
         self._place_label = named(SteadyLabel(), "pointerPlace")
         self._t_label = named(SteadyLabel(), "pointerT")
         self._lebesgue_label = named(SteadyLabel(), "lebesgueConstant", tip=_LEBESGUE_TIP)
-        self._layer_label.hide()
-        for label in (self._layer_label, self._place_label, self._t_label, self._lebesgue_label):
+        for label in (self._place_label, self._t_label, self._lebesgue_label):
             line.addPermanentWidget(label)
         self._place_now: Vector | None = None
         self._t_here: float | None = None
@@ -49,14 +44,6 @@ class Readouts:
         self.unit, self.readings = "", PLAIN
         self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self.render)
-
-    def show_layer(self, layer: str | None) -> None:
-        """Show which layer new curves come into, empty for none; nothing where there are no layers."""
-        cut = layer if layer is None or len(layer) <= _LONGEST_LAYER else f"{layer[: _LONGEST_LAYER - 1]}…"
-        text = "" if cut is None else f"Layer: {cut or 'none'}"
-        if text != self._layer_label.text():
-            self._layer_label.setText(text)
-            self._layer_label.setVisible(bool(text))
 
     def show_unit(self, unit: str, readings: Readings) -> None:
         """Show the place in this unit from now on, told in this way."""

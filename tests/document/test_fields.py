@@ -9,7 +9,6 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.clip import Clip, ring_of
-from app.document.empty_layer import EmptyLayer
 from app.document.fields import fields_of
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
@@ -48,8 +47,6 @@ FULL = Document(
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
     guides=(Guide(Axis.X, 1.0),),
     page=Page(0.0, 0.0, 1.0, 1.0),
-    layers=("Layer 1",),
-    empty_layers=(EmptyLayer("Layer 1"),),
 )
 """A number wherever a document may have one."""
 

@@ -187,16 +187,13 @@ def test_groups_and_names_in_the_dialects_of_their_programs():
     )
     found = curves(body)
     assert [curve.name for curve in found] == ["Leaf", "Inner mark", "Rect 7", "alone", "r"]
-    layer = "Layer <1>"
+    outer = "Layer <1>"
     assert [curve.groups for curve in found] == [
-        (layer, "Badge 2"), (layer, "Group"), (layer, "Group"), (layer,), ("g1",),
+        (outer, "Badge 2"), (outer, "Group"), (outer, "Group"), (outer,), ("g1",),
     ]  # fmt: skip
-    # A press passes through layers, so that the only one of a file is in nobody's way.
-    only = f'<g inkscape:groupmode="layer" id="layer1"><path d="{LINE}"/><path d="{LINE}"/></g>'
-    assert {curve.groups for curve in curves(only)} == {("layer1",)}
 
 
-def test_hidden_and_locked_layers():
+def test_hidden_and_locked_groups():
     body = (
         f'<g style="display:none"><path d="{LINE}"/></g><g sodipodi:insensitive="true"><path d="{LINE}"/></g>'
     )

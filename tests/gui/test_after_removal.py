@@ -67,7 +67,7 @@ def test_undo_of_all_points_gone_brings_them_back_selected_and_of_a_whole_curve_
     assert state(four) == ("ABCD", False, "B", "")
 
 
-@pytest.mark.parametrize("name", ["duplicateSelection", "duplicateCurve", "newCurve", "newLayer"])
+@pytest.mark.parametrize("name", ["duplicateSelection", "duplicateCurve", "newCurve"])
 def test_undo_of_what_was_added_leaves_chosen_what_was_before(four, name):
     """Nothing was chosen, and the next key said so."""
     four.session.selected.choose([1, 2])

@@ -353,50 +353,20 @@ LAYERS = (
 )
 
 
-def test_layers_and_guides_of_inkscape_come_in_and_go_out_again(editor, tmp_path):
-    """A press took a whole layer, and layers went out as groups, open and shown, without the guides."""
+def test_layers_of_inkscape_come_in_as_groups_of_their_names_and_its_guides_come_and_go(editor, tmp_path):
     blank(editor)
     path = tmp_path / "layers.svg"
     path.write_text(LAYERS)
-    document, selected = imported(editor, path), editor.session.selected
-    assert document.layers == ("Back", "Art work")
-    # What is drawn goes to the front, but not where it may not.
-    assert selected.layer == "Art work"
-
-    def press(x, y):
-        for _ in range(3):
-            editor.escape()
-        place = document.page.y + document.page.height - y
-        editor.click((x, place))
-        return {
-            editor.session.document.curves[i].name for i in selected.choice.chosen or {selected.choice.active}
-        }
-
-    assert press(12, 12) == {"left"}
-    assert press(47, 12) == {"right"}
-    assert press(12, 32) == {"one", "two"}
-    # No layer is taken apart or taken whole by what concerns groups.
-    editor.trigger("ungroupCurves")
-    press(12, 12)
-    assert not editor.action("ungroupCurves").isEnabled()
-    selected.choose((1, 3))
-    editor.trigger("groupCurves")
-    document = editor.session.document
-    assert [curve.groups for curve in document.curves if "Group 1" in curve.groups] == [
-        ("Art work", "Group 1")
-    ] * 2
+    document = imported(editor, path)
+    assert [curve.groups for curve in document.curves] == [
+        ("Back",), ("Art work",), ("Art work",), ("Art work", "pair"), ("Art work", "pair"),
+    ]  # fmt: skip
+    assert [(each.locked, each.visible) for each in document.curves] == [(True, False)] + [(False, True)] * 4
     text = svg_of(document, Options(unit="mm")).text
-    assert (
-        '<g id="Back" inkscape:groupmode="layer" inkscape:label="Back" sodipodi:insensitive="true"'
-        ' style="display:none">' in text
-    )
-    assert '<g id="Art_work" inkscape:groupmode="layer" inkscape:label="Art work">' in text
+    assert '<g id="Art_work" inkscape:label="Art work">' in text
     assert text.count("insensitive") == text.count("display") == 1
-    # What stands above the origin here hangs below it there.
-    assert (document.page.y, min(point.y for curve in document.curves for point in curve.points)) == (0, 0)
-    assert '<path id="left" d="M 5 5' in text
     again = from_lower_left(read_svg(text.encode()).document)
-    assert again.layers == document.layers
+    assert [curve.groups for curve in again.curves] == [curve.groups for curve in document.curves]
     assert len(again.guides) == 2
     assert set(again.guides) == set(document.guides)
     assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4

@@ -15,7 +15,7 @@ NO_CURVE = "No curve is chosen; click one, or press Ctrl+A for all."
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
 BY_THEMSELVES = {
-    *("newCurve", "newLayer", "pastePoints", "pasteInPlace", "pasteAsCurve"),
+    *("newCurve", "pastePoints", "pasteInPlace", "pasteAsCurve"),
     *("undo", "redo", "commandPalette"),
 }
 """Actions that are about the document as a whole, or add to it."""

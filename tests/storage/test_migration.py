@@ -60,6 +60,13 @@ def test_fields_of_the_document_are_dropped_and_counted():
     assert decode(encode(found.document)) == found.document
 
 
+def test_layers_are_groups_and_empty_ones_are_dropped_and_counted():
+    empty = [{"name": "Sketch", "inside": "", "visible": False}]
+    found = decode_counting(older(curve(groups=["Art"]), layers=["Art", "Sketch"], empty_layers=empty))
+    assert found.document.curves[0].groups == ("Art",)
+    assert found.left_out == LeftOut({"empty layer": 1}, ("1 empty layer",))
+
+
 def test_guides_that_lean_are_dropped_and_counted_and_all_others_can_be_moved():
     upright = {"axis": "x", "position": 2.0, "lean": 0.0, "across": 0.0, "locked": True}
     leaning = {"axis": "y", "position": 1.0, "lean": 30.0, "across": 4.0}

@@ -13,7 +13,6 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
-from ...document.empty_layer import EmptyLayer
 from ...document.model import Curve, Document, Guide, Vector
 from ...document.style import USUAL_WIDTH, Style
 from ...document.words import names_of
@@ -87,7 +86,7 @@ class Drawing(msgspec.Struct, frozen=True):
         Whether the frame is the document's page.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
-    layers, empty_layers, guides
+    guides
         As in `Document`.
     """
 
@@ -99,8 +98,6 @@ class Drawing(msgspec.Struct, frozen=True):
     annotations: tuple[Annotation, ...] = ()
     has_page: bool = False
     hidden: tuple[tuple[int, Outline], ...] = ()
-    layers: tuple[str, ...] = ()
-    empty_layers: tuple[EmptyLayer, ...] = ()
     guides: tuple[Guide, ...] = ()
 
     @property
@@ -209,8 +206,6 @@ def drawing_of(
         tuple(_beyond(outlines, frame)) if document.page is not None else (),
         has_page=document.page is not None,
         hidden=hidden,
-        layers=document.layers,
-        empty_layers=document.empty_layers,
         guides=document.guides,
     )
 

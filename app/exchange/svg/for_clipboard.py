@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ...document.layers import out_of_layers
 from ...document.model import Document
 from ...tasks.progress import Report, silent
 from ..formats import Written
@@ -23,6 +22,6 @@ def svg_for_clipboard(document: Document, report: Report = silent) -> Written:
     ExchangeError
         As `svg_of`.
     """
-    # Who pastes it has layers and guides of his own.
-    plain = replace(out_of_layers(document), page=None, guides=())
+    # Who pastes it has guides of his own.
+    plain = replace(document, page=None, guides=())
     return svg_of(in_unit(plain, "px"), Options(unit="px", report=report))

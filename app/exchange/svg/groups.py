@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
-from ...document.empty_layer import EmptyLayer
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
 from ..naming import Names
@@ -53,30 +51,18 @@ def _held(drawn: Sequence[Drawn]) -> dict[Group, set[int]]:
 
 
 def _is_one(group: Group, elements: Collection[int]) -> bool:
-    return bool(group.name) or group.is_layer or len(elements) > 1
+    return bool(group.name) or len(elements) > 1
 
 
-class Settled(NamedTuple):
-    """Paths with the names of their groups, and the layers."""
-
-    paths: list[ImportedPath]
-    layers: tuple[str, ...]
-    empty_layers: tuple[EmptyLayer, ...]
-
-
-def settled(drawn: Sequence[Drawn], layers: Sequence[tuple[Group, ...]] = ()) -> Settled:
+def settled(drawn: Sequence[Drawn]) -> list[ImportedPath]:
     """Return paths with the names of their groups, another one for each.
 
-    A group without a name, around a single shape, is none. The `layers` of the file are there in any case,
-    each with those around it.
+    A group without a name, around a single shape, is none.
     """
     held = _held(drawn)
     kept = {group for group, elements in held.items() if _is_one(group, elements)}
     names = _Given()
-    paths = [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
-    empty = tuple(names.empty(each) for each in layers if each[-1] not in held)
-    order = tuple(names.name(each[-1]) for each in layers)
-    return Settled(paths, order, empty)
+    return [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
 
 
 class _Given:
@@ -86,16 +72,6 @@ class _Given:
         self._of_group: dict[Group, str] = {}
         self._of_shape: dict[int, str] = {}
         self._groups, self._shapes = Names(), Names()
-
-    def name(self, group: Group) -> str:
-        """Return the name of a group."""
-        return self._chain([group])[0]
-
-    def empty(self, layers: Sequence[Group]) -> EmptyLayer:
-        """Return a layer without paths, the last of those within each other."""
-        *around, own = self._chain(layers)
-        last = layers[-1]
-        return EmptyLayer(own, around[-1] if around else "", last.visible, last.locked)
 
     def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
         """Return a path with names of its groups, and one of its shape, that no others have."""
@@ -113,6 +89,5 @@ class _Given:
         """Return the names of groups within each other."""
         for group in groups:
             if group not in self._of_group:
-                usual = "Layer" if group.is_layer else "Group"
-                self._of_group[group] = self._groups.different(group.name or usual)
+                self._of_group[group] = self._groups.different(group.name or "Group")
         return tuple(self._of_group[group] for group in groups)

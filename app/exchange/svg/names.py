@@ -15,7 +15,6 @@ SODIPODI_SPACE = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
 SODIPODI = f"{{{SODIPODI_SPACE}}}"
 INSENSITIVE = f"{SODIPODI}insensitive"
 NODE_TYPES = f"{SODIPODI}nodetypes"
-GROUP_MODE = f"{{{INKSCAPE_SPACE}}}groupmode"
 
 _LABELS = (
     f"{{{INKSCAPE_SPACE}}}label",

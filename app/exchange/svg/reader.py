@@ -23,7 +23,7 @@ from .cascade import Cascade
 from .clips import Clips
 from .elements import Elements
 from .flaw import Flaw
-from .groups import Drawn, Settled, is_seen, settled, with_line
+from .groups import Drawn, is_seen, settled, with_line
 from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
@@ -39,7 +39,7 @@ from .matrices import (
     transform_of,
 )
 from .missing import NOT_READ, Missing, effects_on
-from .names import GROUP_MODE, INSENSITIVE, NODE_TYPES, name_of
+from .names import INSENSITIVE, NODE_TYPES, name_of
 from .our_own import OurOwn
 from .paint import Paints, share_of
 from .properties import StyleReader
@@ -84,15 +84,13 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = SvgReader(root, tolerance)
-    drawn, guides = reader.all_paths(), reader.guides()
-    found = imported(drawn.paths, missed=reader.missed)
+    paths, guides = reader.all_paths(), reader.guides()
+    found = imported(paths, missed=reader.missed)
     document = msgspec.structs.replace(
         found.document,
         unit=reader.sheet.unit,
         page=reader.sheet.page,
         guides=guides,
-        layers=drawn.layers,
-        empty_layers=drawn.empty_layers,
     )
     return replace(found, document=tidy_shapes(document))
 
@@ -104,8 +102,6 @@ class SvgReader:
     ----------
     sheet
         Its size.
-    layers
-        The layers that were met, each with those around it.
     """
 
     def __init__(self, root: ET.Element, tolerance: float | None = None) -> None:
@@ -121,9 +117,8 @@ class SvgReader:
         self._clips = Clips(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
-        self.layers: list[tuple[Group, ...]] = []
 
-    def all_paths(self) -> Settled:
+    def all_paths(self) -> list[ImportedPath]:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
         drawn = list(self._drawn(self._root, State(self.sheet.matrix, self.sheet.viewport), depth=0))
         seen = [each for each in drawn if is_seen(each)]
@@ -131,7 +126,7 @@ class SvgReader:
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
             self._missing.note(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
-        return settled(seen or [with_line(each) for each in drawn], self.layers)
+        return settled(seen or [with_line(each) for each in drawn])
 
     @property
     def missed(self) -> tuple[Missed, ...]:
@@ -204,12 +199,7 @@ class SvgReader:
     def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
         name, state = state.copied or name_of(element), replace(state, copied="")
         if tag == "g" or (depth > 0 and name):
-            is_layer = element.get(GROUP_MODE) == "layer" and all(each.is_layer for each in state.groups)
-            visible = state.properties.is_displayed
-            group = Group(self._visited, name, is_layer, visible, state.is_locked)
-            state = replace(state, groups=(*state.groups, group))
-            if is_layer:
-                self.layers.append(state.groups)
+            state = replace(state, groups=(*state.groups, Group(self._visited, name)))
         if tag == "svg" and depth > 0:
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             state = self._in_view_box(element, element, state, (x, y))

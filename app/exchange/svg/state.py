@@ -55,17 +55,10 @@ class Group:
         Another one for each, however they are called.
     name
         What the file calls it; empty where it does not.
-    is_layer
-        Whether it is a layer of Inkscape's, in nothing but layers.
-    visible, locked
-        What it says of a layer in which there is nothing.
     """
 
     number: int
     name: str
-    is_layer: bool = False
-    visible: bool = True
-    locked: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import takewhile
 
 import numpy as np
 
@@ -35,8 +34,6 @@ class Tree:
         What was written so far.
     clips
         What it is cut by.
-
-    Of the drawing's layers it says whether all in them is hidden or locked; empty ones are written, too.
     """
 
     def __init__(
@@ -46,13 +43,6 @@ class Tree:
         shapes: Sequence[tuple[Outline, ...]],
     ) -> None:
         self._style, self._usual_width, self._shapes = style, drawing.usual_width, shapes
-        self._layers = {name: _LayerState() for name in drawing.layers}
-        self._empty = [each for each in drawing.empty_layers if each.name in self._layers]
-        for each in self._empty:
-            self._layers[each.name] = _LayerState(is_hidden=not each.visible, is_locked=each.locked)
-        for outline in (each for shape in shapes for each in shape):
-            for name in self._layers_of(outline):
-                self._layers[name].add(outline)
         self._open: tuple[str, ...] = ()
         self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
@@ -69,10 +59,8 @@ class Tree:
         """Write the outlines of a shape as one path, or what it is the frame of."""
         first = self._shapes[place][0]
         self._go_into(first.groups)
-        # What a layer says goes for all in it.
-        unseen = ' display="none"' if self._is_unseen(first) else ""
-        around = [self._layers[name] for name in self._layers_of(first)]
-        locked = _LOCKED if first.locked and not any(each.is_locked for each in around) else ""
+        unseen = "" if first.visible else ' display="none"'
+        locked = _LOCKED if first.locked else ""
         called, more = self._called(place), f"{unseen}{locked}"
         self._write(self._drawn(self._shapes[place], called, f"{more}/>"))
 
@@ -85,57 +73,20 @@ class Tree:
         runs = f' d="{path_data(shape)}"{_node_types_of(shape)}'
         return self.clips.around(f"<path{called}{runs}{style}{cut}{end}", clips[1:])
 
-    def _is_unseen(self, outline: Outline) -> bool:
-        """Whether a shape itself is hidden, and not a layer around it."""
-        return not outline.visible and not any(
-            self._layers[name].is_hidden for name in self._layers_of(outline)
-        )
-
     def close(self) -> None:
         """Close all groups."""
         self._go_into(())
-        self._add_empty("")
 
     def _go_into(self, groups: tuple[str, ...]) -> None:
         common = 0
         while groups[common : common + 1] == self._open[common : common + 1] != ():
             common += 1
         while len(self._open) > common:
-            self._add_empty(self._open[-1])
             self._open = self._open[:-1]
             self._write("</g>")
         for name in groups[common:]:
-            if name in self._layers:
-                self._add_empty(self._open[-1] if self._open else "", before=name)
-            self._write(self._layer(name) if name in self._layers else f"<g{self._group(name)}>")
+            self._write(f"<g{self._group(name)}>")
             self._open = (*self._open, name)
-
-    def _add_empty(self, outer: str, before: str = "") -> None:
-        """Write the empty layers in an open one, all that are left or those before another one."""
-        behind = takewhile(lambda name: name != before, self._layers)
-        for each in [
-            each for name in behind for each in self._empty if (each.name, each.inside) == (name, outer)
-        ]:
-            self._empty.remove(each)
-            self._write(self._layer(each.name))
-            self._open = (*self._open, each.name)
-            self._add_empty(each.name)
-            self._open = self._open[:-1]
-            self._write("</g>")
-
-    def _layer(self, name: str) -> str:
-        """Return the tag that opens a layer; one in another says only what that does not."""
-        state, around = self._layers[name], [self._layers[each] for each in self._open]
-        own = self._ids.different(stem(name, "layer"))
-        tag = f'<g id="{own}" inkscape:groupmode="layer" inkscape:label="{quoted(name)}"'
-        if state.is_locked and not any(each.is_locked for each in around):
-            tag += _LOCKED
-        if state.is_hidden and not any(each.is_hidden for each in around):
-            tag += ' style="display:none"'
-        return f"{tag}>"
-
-    def _layers_of(self, outline: Outline) -> Iterator[str]:
-        return takewhile(self._layers.__contains__, outline.groups)
 
     def _write(self, element: str) -> None:
         self.lines.append("  " * (len(self._open) + 1) + element)
@@ -175,19 +126,6 @@ def node_types(shape: Sequence[Outline], *, always: bool = False) -> str:
         return words
     taken = [(guessed(each.control_points, closed=each.closed), each.closed) for each in shape]
     return words if joined(taken) != words else ""
-
-
-class _LayerState:
-    """Whether all in a layer is hidden, and whether all is locked; of an empty one, what it says itself."""
-
-    def __init__(self, *, is_hidden: bool = False, is_locked: bool = False) -> None:
-        self.is_hidden, self.is_locked, self._is_empty = is_hidden, is_locked, True
-
-    def add(self, outline: Outline) -> None:
-        """Take note of something in it."""
-        self.is_hidden = not outline.visible and (self._is_empty or self.is_hidden)
-        self.is_locked = outline.locked and (self._is_empty or self.is_locked)
-        self._is_empty = False
 
 
 def stem(name: str, kind: str) -> str:

@@ -42,7 +42,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many
     cubics as the tolerance takes; the largest deviation stands in a comment and in the metadata. The curves
     of a shape are one path, in their groups and with its style; hidden ones are there, and not displayed.
-    Layers and guides are Inkscape's.
+    Guides are Inkscape's.
     Points are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
 
     Raises

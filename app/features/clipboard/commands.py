@@ -9,7 +9,6 @@ from ...actions.needs import HIGHLIGHTED
 from ...actions.sections import EDIT_CLIPBOARD
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document.edits import EditError
-from ...document.layers import out_of_layers
 from ...document.model import Curve, Document, Point
 from ...document.readings import Readings, readings_of
 from ...exchange.table.clipboard import write_block
@@ -58,9 +57,7 @@ class ClipboardCommands:
         session, mark = self._session, decimal_mark()
         readings = readings_of(session.document)
         if len(what.points.parts) != 1:
-            curves, layers = self._copied_curves(what), session.document.layers
-            copy = out_of_layers(Document(curves, unit=session.document.unit, layers=layers))
-            return Offer(CURVES, copy)
+            return Offer(CURVES, Document(self._copied_curves(what), unit=session.document.unit))
         ((curve, indices),) = what.points.parts
         view = session.views[curve]
         clip = copied(view, indices)

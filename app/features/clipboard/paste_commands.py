@@ -17,7 +17,6 @@ from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
-from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Vector
 from ...document.readings import readings_of
 from ...document.several_curves import name_of, named
@@ -124,8 +123,6 @@ class PasteCommands:
     ) -> None:
         """Add what is read beside the window to the document that is open; few `points` at once."""
         beginning, target = self._session.files.beginning, self._target(place)
-        # Before anything is read.
-        front_of(target.document, target.layer)
 
         def work(report: Report) -> tuple[Imported, Arrival]:
             found = read(part(report, 0.0, 0.5))
@@ -147,7 +144,7 @@ class PasteCommands:
 
     def _target(self, place: Vector | None) -> Target:
         session, pixel = self._session, self._context.central.canvas.camera.pixel_size
-        return Target(session.committed, place, pixel, session.selected.layer, session.views)
+        return Target(session.committed, place, pixel, session.views)
 
     def _add(self, arrival: Arrival, remarks: Sequence[str]) -> None:
         session, places = self._session, arrival.places
@@ -190,16 +187,16 @@ class PasteCommands:
 
     def _add_curve(self, pasted: PointsContent) -> None:
         session = self._session
-        front = front_of(session.document, session.selected.layer)
+        place = len(session.document.curves)
         name = curve_edits.free_name(session.document)
         if pasted.like is not None:
             curve = copied_as_new_curve(pasted.like, name)
         else:
             refuse_unordered(pasted.points, pasted.first_row) if pasted.points[0].t is not None else None
             curve = as_new_curve(session.active_curve, pasted.points, name)
-        document = in_front(session.document, front, curve)
-        edits.set_points(document, front.place, curve.points)
-        if session.change(f"Paste as {name}", lambda _: document, active=front.place):
+        document = curve_edits.add_curve(session.document, place, replace(curve, shape="", groups=()))
+        edits.set_points(document, place, curve.points)
+        if session.change(f"Paste as {name}", lambda _: document, active=place):
             self._show_points()
             session.say(f"Pasted {count_of(len(curve.points), 'point')} as “{name}”{pasted.note}.")
 

@@ -6,14 +6,13 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
-from ...actions.needs import SOME_CURVE, SOME_LAYER, Need
+from ...actions.needs import SOME_CURVE, Need
 from ...actions.sections import (
     CURVE_ALL_FREE,
     CURVE_COLOUR,
     CURVE_NAME,
     CURVE_NUMBER,
     CURVE_PROPERTIES,
-    EDIT_LAYERS,
     EDIT_SELECT,
 )
 from ...actions.strips import (
@@ -22,14 +21,13 @@ from ...actions.strips import (
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
-    LAYER_MENU,
 )
-from ...document.curve_tree import Node, NodeKind
-from ...document.layers import all_shown, all_unlocked, begun_again, layer_node
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
     active_after_removal,
     add_copies,
+    all_shown,
+    all_unlocked,
     changeable,
     counted,
     name_of,
@@ -40,7 +38,7 @@ from ...document.several_curves import (
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
-from ...workbench.highlight import delete_layer, highlighted_curves
+from ...workbench.highlight import highlighted_curves
 from ...workbench.strip_menu import strip_menu
 from .entries import Marks
 from .panel import CurveList
@@ -74,12 +72,10 @@ class CurveListCommands:
         session = self._session
         session.interrupted.connect(self.panel.abandon)
         session.selected_curves_changed.connect(self._render)
-        session.layer_changed.connect(self._render)
         return self.panel
 
-    def _open_menu(self, place: QPoint, node: Node | None) -> None:
-        is_layer = node is not None and node.kind is NodeKind.LAYER
-        strip_menu(self._context, LAYER_MENU if is_layer else CURVE_LIST_MENU).popup(place)
+    def _open_menu(self, place: QPoint) -> None:
+        strip_menu(self._context, CURVE_LIST_MENU).popup(place)
 
     def render(self, view: CurveView) -> None:
         """Show the curves of the document."""
@@ -87,7 +83,7 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session, selected = self._session, self._session.selected
-        marks = Marks(session.active_index, selected.is_editing, selected.marked, selected.layer)
+        marks = Marks(session.active_index, selected.is_editing, selected.marked)
         self.panel.render_document(session.document, marks)
 
     # Number
@@ -139,16 +135,12 @@ class CurveListCommands:
         """Delete the curve, or all that are selected."""
         self._delete_all(highlighted_curves(self._context))
 
-    def _delete_all(self, curves: frozenset[int], layer: str = "") -> None:
+    def _delete_all(self, curves: frozenset[int]) -> None:
         session, document = self._session, self._session.document
-        if layer:
-            delete_layer(session, layer)
-            return
         free, stays = changeable(document, curves), what_stays(document, curves)
-        layer = session.selected.layer
         is_done = session.change(
             f"Delete {named(document, free)}",
-            lambda document: begun_again(remove_curves(document, free), document, layer),
+            lambda document: remove_curves(document, free),
             active=active_after_removal(document, free, session.active_index, session.selected.edited),
         )
         if is_done and stays:
@@ -162,29 +154,6 @@ class CurveListCommands:
         """Give the curve another name."""
         self._dock.bring_up()
         self.panel.view.edit_name(self.panel.view.current)
-
-    @action("renameLayer", "Rename Layer…", EDIT_LAYERS, needs=SOME_LAYER)
-    @also(LAYER_MENU(10))
-    def _rename_layer(self) -> None:
-        """Give the layer that new curves come into another name."""
-        self._dock.bring_up()
-        self.panel.view.edit_name(self.panel.model.show_layer())
-
-    @action("layerVisible", "Hide or Show Layer", EDIT_LAYERS, icon="eye", needs=SOME_LAYER)
-    @also(LAYER_MENU(11))
-    def _switch_layer_visible(self) -> None:
-        """Hide the layer that new curves come into, or show it again."""
-        self._rows.switch_row_visible(self._layer_now)
-
-    @action("layerLocked", "Lock or Unlock Layer", EDIT_LAYERS, icon="lock", needs=SOME_LAYER)
-    @also(LAYER_MENU(12))
-    def _switch_layer_locked(self) -> None:
-        """Keep the layer that new curves come into safe from changes, or free it again."""
-        self._rows.switch_row_locked(self._layer_now)
-
-    @property
-    def _layer_now(self) -> Node:
-        return layer_node(self._session.committed, self._session.selected.layer)
 
     @action(
         "curveVisible",
@@ -226,7 +195,7 @@ class CurveListCommands:
     )
     @also(CURVE_LIST_MENU(16))
     def _show_all(self) -> None:
-        """Show all curves and layers that are hidden."""
+        """Show all curves that are hidden."""
         self._session.change("Show all", all_shown)
 
     @action(
@@ -240,7 +209,7 @@ class CurveListCommands:
     )
     @also(CURVE_LIST_MENU(17))
     def _unlock_all(self) -> None:
-        """Free all curves and layers that are locked."""
+        """Free all curves that are locked."""
         self._session.change("Unlock all", all_unlocked)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")

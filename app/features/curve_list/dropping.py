@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import msgspec
 
-from ...document.curve_tree import OUTSIDE, Container, Node, NodeKind
+from ...document.curve_tree import OUTSIDE, Container, Node
 from .entries import Entry
 
 
@@ -21,8 +21,6 @@ class Drop(msgspec.Struct, frozen=True):
         The place of the document that it is before.
     container
         The shape or group that it is in.
-    behind
-        The layers there that it would be in front of, the foremost first.
     is_onto
         Whether it is on the row, hence in front in the shape or group of that, and not above it.
     """
@@ -30,7 +28,6 @@ class Drop(msgspec.Struct, frozen=True):
     gap: int
     at: int
     container: Container
-    behind: tuple[str, ...] = ()
     is_onto: bool = False
 
 
@@ -47,19 +44,13 @@ def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
     while way[-1] != outer:
         way.append(way[-1].around)
     container = way[max(0, min(len(way) - 1, inner.depth - depth))]
-    behind = _layers_in(container, [entry.node for entry in entries[gap:]])
-    return Drop(gap, below.places.stop if below is not None else 0, container, behind)
+    return Drop(gap, below.places.stop if below is not None else 0, container)
 
 
 def drop_onto(entries: Sequence[Entry], row: int) -> Drop:
     """Return the place in the shape or group of a row, in front of what is there."""
     node = entries[row].node
-    behind = _layers_in(node.inside, node.parts[::-1])
-    return Drop(row, node.places.stop, node.inside, behind, is_onto=True)
-
-
-def _layers_in(container: Container, nodes: Iterable[Node]) -> tuple[str, ...]:
-    return tuple(node.name for node in nodes if node.kind is NodeKind.LAYER and node.around == container)
+    return Drop(row, node.places.stop, node.inside, is_onto=True)
 
 
 def stays(drop: Drop, dragged: Node, row: int) -> bool:

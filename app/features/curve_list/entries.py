@@ -24,7 +24,7 @@ class Row(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """Row of the list: a curve, a shape, a group or a layer, and whether it is open."""
+    """Row of the list: a curve, a shape or a group, and whether it is open."""
 
     node: Node
     is_open: bool = False
@@ -59,18 +59,11 @@ class Marks(NamedTuple):
         The active curve, and whether it is edited.
     curves
         The curves that are chosen, or edited.
-    layer
-        The layer that what is new comes into.
     """
 
     active: int = 0
     is_editing: bool = True
     curves: frozenset[int] = frozenset()
-    layer: str = ""
-
-    def is_layer_now(self, entry: Entry) -> bool:
-        """Whether an entry is the layer that what is new comes into."""
-        return entry.node.kind is NodeKind.LAYER and entry.node.name == self.layer
 
     def is_edited(self, entry: Entry) -> bool:
         """Whether an entry is the curve that is edited, or a folded shape that it is in."""
@@ -78,10 +71,8 @@ class Marks(NamedTuple):
         return self.is_editing and is_one and self.active in entry.node.places
 
     def is_chosen(self, entry: Entry) -> bool:
-        """Whether an entry is of what is chosen; a layer, while new curves come there and none is."""
-        if not self.curves:
-            return self.is_layer_now(entry)
-        return bool(entry.places) and entry.places <= self.curves
+        """Whether an entry is of what is chosen."""
+        return entry.places <= self.curves
 
     def is_chosen_whole(self, entry: Entry) -> bool:
         """Whether an entry is chosen to be acted on as a whole: not where it alone is edited."""
@@ -93,11 +84,6 @@ class Marks(NamedTuple):
         is_folded = entry.opens and not entry.is_open
         is_marked = self.is_edited(entry) or self.is_chosen(entry)
         return is_folded and not is_marked and not self.curves.isdisjoint(entry.node.places)
-
-    def chosen_layer(self, entry: Entry) -> str:
-        """Return the name of an entry that is a layer, all that is chosen being in it; empty of others."""
-        is_layer = entry.node.kind is NodeKind.LAYER and self.is_chosen(entry)
-        return entry.node.name if is_layer and self.curves <= entry.places else ""
 
     def words_of(self, entry: Entry) -> str:
         """Return what of this is to be said of an entry, after its name and facts."""

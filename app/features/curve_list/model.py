@@ -1,7 +1,7 @@
 """The curves of the document as a Qt list model: the one in front at the top, shapes and groups above theirs.
 
 A document has its curves in the order in which they are drawn, hence from the back to the front; rows are
-counted the other way round. A shape, a group or a layer is an entry of its own, and what is in it has rows
+counted the other way round. A shape or a group is an entry of its own, and what is in it has rows
 while it is open. Everything outside Qt's indices names a curve by its place in the document.
 """
 
@@ -13,12 +13,10 @@ from operator import is_not
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from ...document.curve_tree import Container, Node, NodeKind, counted_nodes, layered_tree
-from ...document.layers import layer_node, looks_of
+from ...document.curve_tree import Node, NodeKind, counted_nodes, tree_of
 from ...document.model import Document
 from ...document.several_curves import is_blank
 from ...document.steps import changed_besides_points
-from ...document.style import PLAIN_STYLE
 from ...qt.overrides import Guarded
 from .entries import Entry, Key, Marks, Row, entries_of, row_of_curve, rows_around, state_of
 
@@ -59,7 +57,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         self._open: set[Key] = set()
 
     def show_document(self, document: Document, marks: Marks) -> None:
-        """Show the curves and layers of `document`, and what is chosen; only what changed is announced."""
+        """Show the curves of `document`, and what is chosen; only what changed is announced."""
         self.marks = marks
         before, self._document = self._document, document
         if before is None:
@@ -83,7 +81,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         }
 
     def _build(self, document: Document) -> None:
-        tree = layered_tree(document)
+        tree = tree_of(document.curves)
         # What is no more is folded when something of its name is there again: in another document, for one.
         self._open &= {_key(node) for top in tree for node in top.walk()}
         self._put(list(entries_of(tree, self._open)))
@@ -127,9 +125,9 @@ class CurveListModel(Guarded, QAbstractListModel):
         parts = self._document.curves[node.places.start : node.places.stop]
         if node.kind is NodeKind.CURVE:
             return row_of_curve(parts[0])
-        what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}" if parts else "empty layer"
-        style = parts[0].style if parts else PLAIN_STYLE
-        return Row(node.name, style, *looks_of(self._document, node), what)
+        visible, locked = any(each.visible for each in parts), all(each.locked for each in parts)
+        what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}"
+        return Row(node.name, parts[0].style, visible, locked, what)
 
     # Rows and places
 
@@ -159,27 +157,8 @@ class CurveListModel(Guarded, QAbstractListModel):
         """Return the row of the shape or group that the entry of a row is in; None for none."""
         return self._rows_around[row]
 
-    def _layer_row(self) -> int | None:
-        """Return the row of the layer that what is new comes into, if it has one."""
-        return next((row for row, each in enumerate(self.entries) if self.marks.is_layer_now(each)), None)
-
-    def show_layer(self) -> int:
-        """Open what the layer that what is new comes into is in, and return its row."""
-        assert self._document is not None
-        around = layer_node(self._document, self.marks.layer).around.groups
-        self._open |= {(NodeKind.LAYER, Container(around[:at]), name) for at, name in enumerate(around)}
-        self._build(self._document)
-        row = self._layer_row()
-        assert row is not None
-        return row
-
     def row_about(self, places: frozenset[int], place: int) -> int:
-        """Return the row about these curves, one of which is at `place`; or else that of the one.
-
-        Of no curves it is that of the empty layer that what is new comes into.
-        """
-        if not places and (layer := self._layer_row()) is not None and not self.entries[layer].places:
-            return layer
+        """Return the row about these curves, one of which is at `place`; or else that of the one."""
         rows = self._rows_about(place)
         return next((row for row in rows if self.entries[row].places == places), self.row_of(place))
 
@@ -209,8 +188,7 @@ class CurveListModel(Guarded, QAbstractListModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return row.name
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            here = ", new curves come here" if self.marks.is_layer_now(entry) else ""
-            return f"{row.name}, {row.facts}{state_of(row, entry)}{self.marks.words_of(entry)}{here}"
+            return f"{row.name}, {row.facts}{state_of(row, entry)}{self.marks.words_of(entry)}"
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
@@ -222,9 +200,7 @@ class CurveListModel(Guarded, QAbstractListModel):
 
 
 def _have_same_tree(before: Document, after: Document) -> bool:
-    """Whether what is in which shape, group and layer is the same, and at the same places."""
-    if (before.layers, before.empty_layers) != (after.layers, after.empty_layers):
-        return False
+    """Whether what is in which shape and group is the same, and at the same places."""
     old, new = before.curves, after.curves
     # By identity first, without a step of Python's own: there are thousands.
     others = compress(zip(old, new, strict=False), map(is_not, old, new))
@@ -232,7 +208,7 @@ def _have_same_tree(before: Document, after: Document) -> bool:
 
 
 def _walked(document: Document) -> Iterator[Node]:
-    return (node for top in layered_tree(document) for node in top.walk())
+    return (node for top in tree_of(document.curves) for node in top.walk())
 
 
 def _key(node: Node) -> Key:

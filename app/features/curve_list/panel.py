@@ -38,7 +38,7 @@ class CurveList(Guarded, QWidget):
     row_meant
         A menu about the row of a node is wanted.
     menu_requested
-        A menu for a node, or else the active curve, is wanted at a place of the screen.
+        A menu is wanted at a place of the screen.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class CurveList(Guarded, QWidget):
     colour_looked_at = Signal(object, str)
     colour_given_up = Signal()
     row_meant = Signal(object)
-    menu_requested = Signal(QPoint, object)
+    menu_requested = Signal(QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -130,4 +130,4 @@ class CurveList(Guarded, QWidget):
             place = self.view.parts.entry_rect(self.view.current).center()
         if (node := self.view.parts.node_at(place)) is not None:
             self.row_meant.emit(node)
-        self.menu_requested.emit(self.view.viewport().mapToGlobal(place), node)
+        self.menu_requested.emit(self.view.viewport().mapToGlobal(place))

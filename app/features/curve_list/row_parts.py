@@ -87,9 +87,7 @@ class RowParts:
         row = self.row_at(place)
         for spot in (Spot.SWATCH, Spot.LOCK, Spot.EYE):
             if spot_rect(self.entry_rect(row), spot).contains(place):
-                # There is nothing to colour in an empty layer.
-                is_empty = spot is Spot.SWATCH and not self._model.entries[row].places
-                return Spot.NAME if is_empty else spot
+                return spot
         return Spot.NAME
 
     def tip_at(self, place: QPoint) -> str:

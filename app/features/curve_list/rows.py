@@ -73,10 +73,7 @@ class RowDelegate(Guarded, QStyledItemDelegate):
         model = self._model
         if model.marks.is_chosen_whole(entry):
             self._paint_ring(painter, swatch, theme.accent)
-        if entry.node.kind is NodeKind.LAYER:
-            # That into which what is new comes is seen at once.
-            self._paint_switch(painter, swatch, "layers", model.marks.is_layer_now(entry))
-        elif entry.node.kind is NodeKind.GROUP:
+        if entry.node.kind is NodeKind.GROUP:
             # What is in a group need not look the same.
             self._paint_switch(painter, swatch, "group", True)
         else:

@@ -49,7 +49,7 @@ class CurveListView(ClaimsKeys, QListView):
     moved
         A row was dragged to another place (Node, Drop).
     deletion_wanted
-        These curves shall be deleted (a set), or the layer of this name with them.
+        These curves shall be deleted (a set).
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class CurveListView(ClaimsKeys, QListView):
     all_wanted = Signal()
     spot_clicked = Signal(object, object)
     moved = Signal(object, object)
-    deletion_wanted = Signal(object, str)
+    deletion_wanted = Signal(object)
 
     def __init__(self, model: CurveListModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -76,9 +76,8 @@ class CurveListView(ClaimsKeys, QListView):
         self.setModel(model)
         tip = (
             "The curve in front is at the top. Click a row to choose it, or to edit its curve while one is"
-            " edited; what is new comes into the layer that is clicked; right-click › Edit Curve shows its"
-            " points. Double-click to rename, drag to another place; Ctrl or Shift+click chooses several."
-            " Left and Right fold shapes and groups"
+            " edited; right-click › Edit Curve shows its points. Double-click to rename, drag to another"
+            " place; Ctrl or Shift+click chooses several. Left and Right fold shapes and groups"
         )
         named(self, "curveList", "Curves", tip)
         self._delegate = RowDelegate(self, model, self.parts)
@@ -119,8 +118,6 @@ class CurveListView(ClaimsKeys, QListView):
         if row >= self.curves.rowCount():
             return False
         entry, marks = self.curves.entries[row], self.curves.marks
-        if not marks.curves:
-            return marks.is_layer_now(entry)
         is_of_one = len(marks.curves) == 1 and marks.active in entry.places and not entry.is_open
         return entry.places == marks.curves or is_of_one
 
@@ -141,14 +138,9 @@ class CurveListView(ClaimsKeys, QListView):
 
     @property
     def meant(self) -> frozenset[int]:
-        """The curves that commands are about while the list has the keys: of an open shape also one alone.
-
-        None while a layer is the present one and nothing in it is chosen.
-        """
+        """The curves that commands are about while the list has the keys: of an open shape also one alone."""
         marks = self.curves.marks
-        if marks.chosen_layer(self.curves.entries[self._current]) and not marks.curves:
-            return frozenset()
-        here = self._places(self._current) or marks.curves or frozenset({marks.active})
+        here = self._places(self._current)
         return marks.curves if len(marks.curves) > 1 else here
 
     @property
@@ -270,8 +262,7 @@ class CurveListView(ClaimsKeys, QListView):
         elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:
             self.edit_name(self._current)
         elif _deletes(event):
-            entry = self.curves.entries[self._current]
-            self.deletion_wanted.emit(self.meant, self.curves.marks.chosen_layer(entry))
+            self.deletion_wanted.emit(self.meant)
         else:
             # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
             event.ignore()

@@ -18,7 +18,6 @@ from ...actions.strips import (
     POINT_MENU,
 )
 from ...document import curve_edits
-from ...document.layers import front_of, in_front
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import NO_POINTS, some_points
 from ...document.several_curves import named, whole_curves
@@ -54,10 +53,12 @@ class CurveCommands:
     @also(CANVAS_MENU(22), CURVE_LIST_MENU(30), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
         """Add a curve to the document."""
-        session, front = self._session, front_of(self._session.document, self._session.selected.layer)
+        session, place = self._session, len(self._session.document.curves)
         fresh = curve_edits.fresh_curve(session.document, session.model, Parametrization())
         if session.change(
-            f"New {fresh.name}", lambda document: in_front(document, front, fresh), active=front.place
+            f"New {fresh.name}",
+            lambda document: curve_edits.add_curve(document, place, fresh),
+            active=place,
         ):
             self._context.actions["addTool"].trigger()
 

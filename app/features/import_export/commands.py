@@ -14,7 +14,6 @@ from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import FILE_EXCHANGE
 from ...document.edits import EditError
-from ...document.layers import foremost_layer, free_layer
 from ...document.model import Document
 from ...document.shapes import counted_shapes
 from ...document.words import count_of, listed, number
@@ -198,10 +197,9 @@ class ImportCommands:
         new, begins = taken.document, anew or session.files.is_untouched
         target = self._target(anew)
         rest = self._words_about_missed(path, taken) + self._words_about_rest(new, anew)
-        layer = "" if begins else free_layer(target, session.selected.layer)
 
         def work(report: Report) -> Arrival:
-            return intake.intake(target, new, lambda share: report(share, "Computing curves"), layer)
+            return intake.intake(target, new, lambda share: report(share, "Computing curves"))
 
         def done(arrival: Arrival) -> None:
             try:
@@ -209,8 +207,7 @@ class ImportCommands:
                     session.refuse(_NOT_IMPORTED.format(listed([path.name])))
                     return
                 if not begins and session.committed is not target:
-                    now = free_layer(session.committed, session.selected.layer)
-                    arrival = intake.intake(session.committed, new, layer=now)
+                    arrival = intake.intake(session.committed, new)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
                 if self._put(path, arrival, begins=begins, anew=anew):
                     said = "Opened" if anew and path == self._opened else "Imported"
@@ -222,7 +219,7 @@ class ImportCommands:
 
         self._meant_for = self._documents
         if intake.points_of(new) < intake.MANY_POINTS:
-            done(intake.intake(target, new, layer=layer))
+            done(intake.intake(target, new))
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
@@ -286,8 +283,6 @@ class ImportCommands:
             # Nobody has chosen them: what is drawn next is not to look like them.
             selected.next_style.marked = Marked.OPENED
             selected.choose(())
-        if is_all:
-            selected.set_layer(foremost_layer(document))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         central = self._context.central

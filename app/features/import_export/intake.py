@@ -30,14 +30,13 @@ def intake(
     document: Document,
     new: Document,
     told: Callable[[float], object] | None = None,
-    layer: str = "",
 ) -> Arrival:
-    """Return a document with the curves of another in front in a layer, and views of them if one is `told`.
+    """Return a document with the curves of another in front, and views of them if one is `told`.
 
     What is an inch there is an inch here; to an empty document they bring their unit, page and guides.
     """
     new = _sized_for(document, new)
-    filled, first = add_imported(document, new, layer)
+    filled, first = add_imported(document, new)
     # As the door of the session leaves it, whose curves the views are to be of.
     filled = tidy_shapes(plain(filled, document), document)
     places = range(first, first + len(new.curves))

@@ -7,9 +7,8 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import fresh_curve, reverse_curve, without_last_point
+from ...document.curve_edits import begun, fresh_curve, reverse_curve, without_last_point
 from ...document.edits import EditError
-from ...document.layers import begun, layer_of
 from ...document.model import Curve, Document, Vector
 from ...document.point_group import NO_POINTS, points_of
 from ...view_model.curve.curve_view import CurveView, view_of
@@ -169,10 +168,7 @@ class AddTool(Tool):
         return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
 
     def _append(self, context: ToolContext) -> None:
-        host, layer = context.host, context.host.selected.layer
-        if not context.view.source.points and layer != layer_of(host.document, host.active_index):
-            self._begin(context)
-            return
+        host = context.host
         index, key = len(context.view.source.points), key_of(host)
         snapper, (document, view) = context.snappers.for_new(index), self._start(context)
         append = AppendPoint(
@@ -202,18 +198,15 @@ class AddTool(Tool):
         host = context.host
         document = host.document
         if not context.view.source.points:
-            place, layer = host.active_index, layer_of(document, host.active_index)
-            document = begun(document, place, layer, lambda: _fresh(context)).document
+            document = begun(document, host.active_index, _fresh(context)).document
         if document is host.document:
             return document, context.view
         return document, view_of(document.curves[host.active_index], context.view)
 
     def _begin(self, context: ToolContext) -> None:
-        """Begin another curve, or the empty one in another layer; it is edited from the press on."""
+        """Begin another curve, or the empty one; it is edited from the press on."""
         host = context.host
-        document, place = begun(
-            host.document, host.active_index, host.selected.layer, lambda: _fresh(context)
-        )
+        document, place = begun(host.document, host.active_index, _fresh(context))
         begun_curve = document.curves[place]
         done = partial(self._pen.draw, (place, begun_curve.name), 0)
         view, snapper = view_of(begun_curve), context.snappers.for_new(-1)

@@ -71,8 +71,8 @@ class DrawInBox(Drag, frozen=True):
     ----------
     drawn
         What it draws.
-    active, layer
-        The curve that was edited at the press, and the layer to draw in.
+    active
+        The curve that was edited at the press.
     start
         Where the press was.
     unit
@@ -87,7 +87,6 @@ class DrawInBox(Drag, frozen=True):
 
     drawn: BoxCurve
     active: int
-    layer: str
     start: Vector
     snapper: Snapper
     unit: str
@@ -121,7 +120,7 @@ class DrawInBox(Drag, frozen=True):
             raise EditError("Drag to the side and up or down: the box has no area.")
         pieces = self.drawn.pieces((left, low), (right, high))
         name = self.drawn.name.capitalize()
-        return with_pieces_drawn(self.document, self.active, name, pieces, self.style, self.layer)
+        return with_pieces_drawn(self.document, self.active, name, pieces, self.style)
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
@@ -178,11 +177,11 @@ class BoxCurveTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin to draw."""
         host, snapper, drawn = context.host, context.snappers.for_new(-1), self._drawn
-        active, layer, start = host.active_index, host.selected.layer, snapper.at(context.pointer)
+        active, start = host.active_index, snapper.at(context.pointer)
         self._drag = DrawInBox(
-            host.document, drawn, active, layer, start, snapper, context.settings.unit, host.model.style
+            host.document, drawn, active, start, snapper, context.settings.unit, host.model.style
         )
-        place = drawn_place(host.document, active, layer)
+        place = drawn_place(host.document, active)
         context.drags.press(context.pointer, self._drag, lambda: host.say(f"{drawn.hint}."), active=place)
 
     def end(self) -> None:

@@ -9,9 +9,8 @@ from time import thread_time
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import fresh_curve, replace_curve
+from ...document.curve_edits import Begun, begun, fresh_curve, replace_curve
 from ...document.edits import EditError
-from ...document.layers import Begun, begun
 from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
@@ -90,10 +89,8 @@ class Drawing(Gesture):
 
 
 def _begun(host: EditingHost) -> Begun:
-    document, layer = host.document, host.selected.layer
-    return begun(
-        document, host.active_index, layer, lambda: fresh_curve(document, host.model, Parametrization())
-    )
+    document = host.document
+    return begun(document, host.active_index, fresh_curve(document, host.model, Parametrization()))
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:

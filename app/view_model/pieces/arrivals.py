@@ -1,4 +1,4 @@
-"""Curves that come from elsewhere: in front in a layer, and where the pointer is."""
+"""Curves that come from elsewhere: in front, and where the pointer is."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 import msgspec
 from msgspec.structs import replace
 
+from ...document.curve_edits import without
 from ...document.curve_tree import Container
-from ...document.layers import front_of, within, without
 from ...document.model import Curve, Document, Vector
 from ...document.several_curves import add_curves, is_blank, moved, whole_curves
 from ...document.shapes import shape_of
@@ -42,15 +42,14 @@ class Arrival(msgspec.Struct, frozen=True):
         return self.document.curves[self.places.start : self.places.stop]
 
 
-def with_curves(document: Document, curves: Sequence[Curve], layer: str = "") -> Arrival:
-    """Add curves in front in a layer, visible and free, under names of their own.
+def with_curves(document: Document, curves: Sequence[Curve]) -> Arrival:
+    """Add curves in front, visible and free, under names of their own.
 
     A lone curve without points is what a new document begins with; it gives way.
     """
     base = without(document, 0) if is_blank(document) else document
-    first, container = front_of(base, layer)
-    added = add_curves(base, within(curves, container), first, container)
-    return Arrival(added, range(first, first + len(curves)))
+    first = len(base.curves)
+    return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
 
 
 class Target(msgspec.Struct, frozen=True):
@@ -64,8 +63,6 @@ class Target(msgspec.Struct, frozen=True):
         Where their middle is to be; None where they are.
     pixel
         How exactly.
-    layer
-        In which layer they come to be in front.
     views
         Views of curves that may be what comes, too: nothing is computed anew of a copy.
     """
@@ -73,12 +70,11 @@ class Target(msgspec.Struct, frozen=True):
     document: Document
     place: Vector | None = None
     pixel: float = 1.0
-    layer: str = ""
     views: Sequence[CurveView] = ()
 
     def filled(self, curves: Sequence[Curve], told: Callable[[float], object] | None = None) -> Arrival:
         """Return the document with the curves; where somebody is `told`, it is validated and has views."""
-        added = with_curves(self.document, curves, self.layer)
+        added = with_curves(self.document, curves)
         known = {id(view.source.points): view for view in self.views}
         originals = [known.get(id(curve.points)) for curve in added.curves]
         if self.place is not None:
