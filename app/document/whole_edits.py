@@ -47,9 +47,10 @@ def _changed(
             whole.append(part[0])
         else:
             rest.append(part)
-    new = iter(place([*chain.from_iterable([curves[each].points for each in whole])]))
-    for each in whole:
-        curve = curves[each]
-        curves[each] = replace(curve, points=tuple(islice(new, len(curve.points))))
-    document = replace(document, curves=tuple(curves))
+    if whole:
+        new = iter(place([*chain.from_iterable([curves[each].points for each in whole])]))
+        for each in whole:
+            curve = curves[each]
+            curves[each] = replace(curve, points=tuple(islice(new, len(curve.points))))
+        document = replace(document, curves=tuple(curves))
     return replace(group, parts=tuple(rest)).changed_apart(document, edit) if rest else document
