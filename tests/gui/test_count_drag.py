@@ -1,0 +1,10 @@
+"""A drag of a point goes through so much of the program, and no more."""
+
+from tests.count_drag import second_drag, total
+
+
+def test_a_drag_goes_through_few_functions(new_editor):
+    functions, files, calls = total(second_drag(new_editor))
+    assert functions <= 900
+    assert files <= 180
+    assert calls <= 7000
