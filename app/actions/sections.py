@@ -140,7 +140,6 @@ CURVE_STYLE = CURVE.section("Properties", is_separated=False, needs=NOTHING)
 CURVE_SETTINGS = CURVE.section("Properties")
 CURVE_NAME = CURVE.section("Properties", is_separated=False)
 CURVE_SHAPES = CURVE.section("Paths", is_separated=False, also=[CHOSEN_MENU(35), CURVE_LIST_MENU(56)])
-CURVE_CLIPS = CURVE.section("Arrange", is_separated=False)
 CURVE_GROUPS = CURVE.section("Arrange", is_separated=False)
 CURVE_ORDER = CURVE.section(
     "Arrange", also=[CHOSEN_MENU(21), CURVE_MENU(45), CURVE_LIST_MENU(20)], called="Order"

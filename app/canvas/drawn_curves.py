@@ -83,10 +83,8 @@ class DrawnCurves:
         if list(compress(range(len(now)), map(is_not, now, views))) not in ([], [active]):
             return False
         new, old = now[active], views[active]
-        style, other = new.source.style, old.source.style
         return (
-            # A clip goes with what is dragged, and leaves the order of the layers as it is.
-            (style is other or (style.is_placed and other.is_placed))
+            new.source.style is old.source.style
             and new.source.visible is old.source.visible
             and new.source.shape == old.source.shape
             # Under a drag there is a curve in every frame.

@@ -13,7 +13,6 @@ from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.geometry.clips import leave
 from ..view_model.geometry.fills import is_inside, windings
 from .looks import line_of
 
@@ -60,8 +59,7 @@ class FilledAreas:
         for number in reversed(np.flatnonzero(around).tolist()):
             views = self._drawn(self._shapes[number])
             turns = windings([line_of(view, shown).points for view in views], place)
-            style, there = views[0].source.style, shown.plane(*pixel)
-            if is_inside(turns, style.fill_rule)[0] and leave(style.clips, there):
+            if is_inside(turns, views[0].source.style.fill_rule)[0]:
                 yield self._shapes[number]
 
     def _find(self) -> None:

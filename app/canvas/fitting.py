@@ -13,7 +13,6 @@ from curvecore.arrays import FloatArray
 from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
-from ..view_model.boxes.bounds import seen_line_box
 from ..view_model.curve.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -181,7 +180,7 @@ def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     They are those of the curves, and at most three times as large as their points.
     One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
     """
-    extents = np.array([_seen_of(view) for view in views if len(view.points)]).reshape(-1, 2, 2, 2)
+    extents = np.array([view.extent for view in views if len(view.points)]).reshape(-1, 2, 2, 2)
     points, curves = extents[:, 0], extents[:, 1]
     size = np.ptp(points, axis=1).max(axis=1)
     low = np.maximum(curves[:, 0], points[:, 0] - size[:, None])
@@ -189,11 +188,3 @@ def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     visible = np.maximum(1e-6 * np.abs(high).max(axis=1), 1e-7)
     counts = np.where(size > 0.0, np.maximum((high - low).max(axis=1), visible), 4.0)
     return np.stack([low, high], axis=1), counts
-
-
-def _seen_of(view: CurveView) -> FloatArray:
-    """Return the extent of a curve, of a clipped one that of what is seen."""
-    if not view.source.style.clips or not len(view.polyline):
-        return view.extent
-    seen = seen_line_box(view)
-    return np.array([seen, seen])

@@ -12,7 +12,6 @@ from ..document.model import Vector
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.geometry.clips import leave
 from .hit_test import CURVE_REACH, PixelOutline
 from .looks import line_of
 
@@ -35,7 +34,7 @@ class LineFinder:
         self._views, self._outline = views, None
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
-        """Return the curve at `pixel`, the last one where several lie; what is clipped away is none."""
+        """Return the curve at `pixel`, the last one where several lie."""
         if not self._views:
             return None
         if self._outline is None or self._outline.shown is not shown:
@@ -69,7 +68,6 @@ class _Outline:
         )
         low, high = self._boxes[:, 0] - reach, self._boxes[:, 1] + reach
         near = np.flatnonzero(((low <= place) & (place <= high)).all(axis=1)).tolist()
-        near = [each for each in near if leave(self._views[each][1].source.style.clips, place)]
         if near != self._near:
             self._near = near
             polylines = [pixels_of(self._views[each][1], self.shown) for each in near]
@@ -86,10 +84,8 @@ def _box_of(view: CurveView) -> tuple[FloatArray, float]:
 
 
 def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
-    """Whether the line of a curve that is seen there lies within reach of a pixel."""
+    """Whether the line of a curve that is seen lies within reach of a pixel."""
     if not (view.source.visible and view.has_curve):
-        return False
-    if not leave(view.source.style.clips, shown.plane(*pixel)):
         return False
     nearest = PixelOutline([pixels_of(view, shown)]).nearest(pixel)
     return nearest is not None and nearest.distance <= CURVE_REACH

@@ -44,7 +44,6 @@ def is_plain(view: CurveView) -> bool:
         and style.cap is LineCap.ROUND
         and style.join is LineJoin.ROUND
         and style.stroke_opacity == 1.0
-        and not style.clips
     )
 
 

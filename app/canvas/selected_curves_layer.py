@@ -15,7 +15,6 @@ from ..plotting.drawing import Stroke
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
-from ..view_model.boxes.bounds import seen_line_box
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
 from .looks import Shape, is_plain, line_of, printed_width
@@ -95,10 +94,8 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         stroke.draw(painter)
 
     def _is_boxed(self, view: CurveView, shown: PixelMap) -> bool:
-        """Whether a box marks a curve: its line is too fine to be drawn on, or clips hide some."""
-        if self._is_line(view):
-            return False
-        return bool(view.source.style.clips) or 0 < self._printed_width(view, shown) < _WIDE
+        """Whether a box marks a curve: its line is too fine to be drawn on."""
+        return not self._is_line(view) and 0 < self._printed_width(view, shown) < _WIDE
 
     def _printed_width(self, view: CurveView, shown: PixelMap) -> float:
         return printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
@@ -160,7 +157,7 @@ def _ring(painter: QPainter, radius: float, _form: int) -> None:
 
 def _frames_of(views: Sequence[CurveView], shown: PixelMap, scale: float) -> list[QRect]:
     """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
-    corners = shown.points(np.concatenate([seen_line_box(view) for view in views])).reshape(-1, 2, 2)
+    corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
     widths = [printed_width(view.source.style, shown, _WIDTH * scale) for view in views]
     pads = BESIDE * scale + np.array(widths)[:, None] / 2
     names = [view.source.shape for view in views]

@@ -4,7 +4,6 @@
   rules that estimate them.  ``limits``: the numbers that they may hold.  ``page``: what pictures show.
   ``reference_image``: the picture to trace.
 - ``style``: stroke and fill of a curve.
-  ``clip``: what it is cut by.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
 - ``decimals``: numbers added as they are written.

@@ -108,7 +108,7 @@ def free_copy_name(name: str, taken: Collection[str]) -> str:
 def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
     """Return an empty curve with family, rules and style of `model`, under a name free in `document`."""
     name, settings = free_name(document), model.settings
-    fresh = Curve(name, model.family, parametrization, (), settings=settings, style=model.style.flat)
+    fresh = Curve(name, model.family, parametrization, (), settings=settings, style=model.style)
     return fresh.with_rules_of(model)
 
 

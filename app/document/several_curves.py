@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -13,7 +13,6 @@ from msgspec.structs import replace
 from . import whole_edits
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each, without
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
-from .decimals import decimal_sum
 from .edits import AlreadySoError, moving
 from .model import Curve, Document, Vector
 from .point_group import PointGroup
@@ -67,38 +66,19 @@ def changed_whole(document: Document, curves: Collection[int]) -> PointGroup:
 
 def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
-    new = whole_edits.shifted(document, group, moving(by))
-    return _with_paints_mapped(new, group, lambda place: (place[0] + by[0], place[1] + by[1]))
+    return whole_edits.shifted(document, group, moving(by))
 
 
 def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group by decimal steps; see `step_points`."""
-    new = whole_edits.shifted(document, group, stepping(by))
-    return _with_paints_mapped(
-        new, group, lambda place: (decimal_sum(place[0], by[0]), decimal_sum(place[1], by[1]))
-    )
+    return whole_edits.shifted(document, group, stepping(by))
 
 
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
-    new = whole_edits.mapped(
+    return whole_edits.mapped(
         document, group, placing(by), lambda each, curve, indices: transform_points(each, curve, indices, by)
     )
-    return _with_paints_mapped(new, group, by.point)
-
-
-def _with_paints_mapped(document: Document, group: PointGroup, place: Callable[[Vector], Vector]) -> Document:
-    """Let clips go with those shapes of a group that are in it with all their points."""
-    curves = document.curves
-    # At every move of a drag: what has none costs no call.
-    for curve, _ in group.parts:
-        style = curves[curve].style
-        if style.clips:
-            break
-    else:
-        return document
-    shapes = {curve for curve in _whole_shapes(document, group) if curves[curve].style.is_placed}
-    return with_each(document, shapes, lambda curve: replace(curve, style=curve.style.mapped(place)))
 
 
 def _whole_shapes(document: Document, group: PointGroup) -> set[int]:

@@ -41,12 +41,6 @@ def shape_around(curves: Sequence[Curve], curve: int) -> range:
     return range(first, end)
 
 
-def is_of_several(document: Document, curves: Collection[int]) -> bool:
-    """Whether curves are of two shapes or more."""
-    whole = shape_of(document, next(iter(curves))) if curves else ()
-    return any(curve not in whole for curve in curves)
-
-
 def shapes(curves: Sequence[Curve]) -> Iterator[range]:
     """Yield the places of the curves of each shape, in order."""
     first = 0

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Annotated, Final
 
 from msgspec.structs import replace
 
-from .clip import MOST_CLIPS, Clip
 from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
-from .value import Value, Vector
+from .value import Value
 from .words import NamedEnum
 
 INK: Final = ""
@@ -71,8 +69,6 @@ class Style(Value, frozen=True):
         Lengths of dashes and gaps in turn, and where the pattern begins, in multiples of the width.
     fill, fill_rule, fill_opacity
         Paint of the inside; an open curve is closed for it by a straight line.
-    clips
-        Areas beyond each of which nothing of it is seen.
     """
 
     stroke: Annotated[str, _PAINT, "Stroke colour"] = INK
@@ -86,7 +82,6 @@ class Style(Value, frozen=True):
     fill: Annotated[str, _PAINT, "Fill"] = NO_PAINT
     fill_rule: Annotated[FillRule, "Fill rule"] = FillRule.NONZERO
     fill_opacity: Annotated[float, SHARE, "Fill opacity"] = 1.0
-    clips: Annotated[tuple[Clip, ...], few(MOST_CLIPS, f"hold at most {MOST_CLIPS} clips"), "Clip"] = ()
 
     @property
     def has_stroke(self) -> bool:
@@ -122,22 +117,6 @@ class Style(Value, frozen=True):
             fill=self.stroke,
             fill_opacity=self.stroke_opacity,
         )
-
-    @property
-    def is_placed(self) -> bool:
-        """Whether it hangs on places of the plane."""
-        return bool(self.clips)
-
-    @property
-    def flat(self) -> Style:
-        """The style for curves elsewhere: whole."""
-        return replace(self, clips=()) if self.is_placed else self
-
-    def mapped(self, place: Callable[[Vector], Vector]) -> Style:
-        """Return the style with all that lies in the plane where an affine map puts it."""
-        if not self.is_placed:
-            return self
-        return replace(self, clips=tuple(each.mapped(place) for each in self.clips))
 
     @property
     def colour(self) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import ROUND_UP, Context
 from functools import cached_property
@@ -26,8 +26,6 @@ from curvecore.scaling import LARGEST
 
 from .. import __version__
 from ..document.model import Curve, Document
-from ..document.style import Style
-from ..document.words import names_of
 from ..tasks.progress import Report, silent
 from ..view_model.curve.curve_view import ParametricCurve
 from ..view_model.curve.refusals import in_words
@@ -143,14 +141,6 @@ def sources_of(document: Document, report: Report = silent) -> tuple[list[Source
     if not curves:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
     return [Source(*each) for each in curves], tuple(remarks)
-
-
-def said_of_clips(styles: Iterable[tuple[str, Style]]) -> tuple[str, ...]:
-    """Return what a format has to say that knows no clips."""
-    names = list(dict.fromkeys(f"“{name}”" for name, style in styles if style.clips))
-    if not names:
-        return ()
-    return (f"{names_of(names)} {'is' if len(names) == 1 else 'are'} clipped, and written whole.",)
 
 
 def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:

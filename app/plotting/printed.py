@@ -6,13 +6,11 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QTransform
 
 from curvecore.arrays import FloatArray
 
 from ..document.style import LineCap, LineJoin, Style
-from ..qt.clips import clipped
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from .pixel_map import PixelMap
@@ -70,11 +68,6 @@ def paint_printed(
     line: RoundLine | None = None,
 ) -> None:
     """Paint a shape, its fill and its line; with `line`, which may be kept for the next shape."""
-    if style.clips:
-        whole, way = msgspec.structs.replace(style, clips=()), to_pixels(shown)
-        with clipped(painter, style.clips, way, QRectF(0, 0, shown.width, shown.height)):
-            paint_printed(painter, parts, whole, ink, shown, line)
-        return
     is_lined = style.has_stroke and ink.width > 0
     path = _whole_path(parts, shown)
     if style.has_fill:

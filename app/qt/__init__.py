@@ -4,6 +4,5 @@
 - ``keys``: keys that a widget takes before its window does.
 - ``labels``: words of others as they are written, not as HTML.
 - ``strokes``: pens and fill rules of styles, for the screen and for print.
-- ``clips``: what they are cut by.
 - ``sources``: imports without a search through the source of every module.
 """

@@ -10,7 +10,6 @@
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
 - ``next_style``: the style of what is drawn next.
   ``brought``: choosing what has come from elsewhere.
-- ``edited_clips``: clips that follow their outlines.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """
 

@@ -20,7 +20,6 @@ from ..storage.open_file import Reading
 from ..view_model.curve.curve_view import CurveView
 from .box import SelectionBox
 from .change import Change, raiser_of, why_not_kept, why_safe
-from .edited_clips import EditedClips
 from .files import Files
 from .following import Following
 from .history import Beginning, History, State
@@ -49,8 +48,6 @@ class Session(SessionSignals):
         What was chosen of the box around what is selected.
     scrub
         The scrub line.
-    clips
-        Clips whose outlines are edited.
     """
 
     def __init__(self) -> None:
@@ -64,7 +61,6 @@ class Session(SessionSignals):
         self._following = Following(self)
         self.box = SelectionBox(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
-        self.clips = EditedClips()
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
         self._home: Choice | None = None
@@ -202,7 +198,7 @@ class Session(SessionSignals):
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        asked, document = document, tidy_shapes(self._following_ones(document), self._shown)
+        asked, document = document, tidy_shapes(plain(document, self._shown), self._shown)
         if document is self._shown:
             return True
         if reason := why_safe(self._committed, document):
@@ -225,7 +221,7 @@ class Session(SessionSignals):
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a curve is safe from that, or no file could hold it."""
         is_shown = document is self._asked
-        document = self._shown if is_shown else tidy_shapes(self._following_ones(document), self._shown)
+        document = self._shown if is_shown else tidy_shapes(plain(document, self._shown), self._shown)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
@@ -239,10 +235,6 @@ class Session(SessionSignals):
         self.history.push(before, after, text, run)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
         return Change(is_done=True)
-
-    def _following_ones(self, document: Document) -> Document:
-        """Return a document with plain values whose clips follow their outlines."""
-        return self.clips.followed(plain(document, self._shown), self._committed)
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""
@@ -299,7 +291,6 @@ class Session(SessionSignals):
             self.files.close()
             self.undo_stack.resetClean()
         self._following.leave()
-        self.clips.forget()
         self.scrub.set(None)
         self.box.set_pivots(())
         # Another document's curves are nobody's last good shape.

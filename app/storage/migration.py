@@ -177,6 +177,7 @@ DROPPED: list[Dropped] = [
     *_dropped_paint("stroke"),
     Dropped(Place.STYLE, "blur", "blur"),
     Dropped(Place.STYLE, "masks", "mask", is_shared=True),
+    Dropped(Place.STYLE, "clips", "clip", is_loss=lambda _clip: True, is_shared=True),
     Dropped(Place.STYLE, "opacity", mend=_fade),
     Dropped(
         Place.CURVE,

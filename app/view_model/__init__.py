@@ -9,7 +9,6 @@ The rooms, each of which imports from those further down alone:
 - ``analysis``: overlays, plots, joints, the laboratory, cures, the goals of lessons.
 - ``pieces``: two curves of one, one of several; points and curves from elsewhere.
 - ``points``: kinds of points, corners, straight segments; points appended and deleted.
-- ``shapes``: clips.
 - ``bending``: the curve pulled somewhere.
 - ``fitting``: the same curve by other data, exactly or as near as can be.
 - ``boxes``: bounds, and what is aligned, stretched and turned by them.

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.clip import Clip, ring_of
 from app.document.fields import fields_of
 from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
 from app.document.plain import plain
@@ -20,7 +19,6 @@ from app.storage.format_error import FormatError
 from app.storage.validation import validate, validate_changes
 
 PAIR = (1.0, 2.0)
-CLIP = Clip((ring_of([PAIR, (3.0, 4.0), (5.0, 6.0), (7.0, 8.0)]),))
 
 
 OPEN = replace(
@@ -37,7 +35,6 @@ FULL_CURVE = replace(
     style=Style(
         width=1.0,
         dash=(1.0, 2.0),
-        clips=(CLIP,),
     ),
     groups=("Group 1",),
 )

@@ -236,6 +236,15 @@ MISSED = [
         "<rect> (element 2): “q”, which is not in the file, paints it; nothing does.",
     ),
     (CLIP.format("text"), "<g> (element 4): a clip path cuts some of it off; it comes in whole."),
+    (CLIP.format('circle r="20"'), "<g> (element 4): a clip path cuts some of it off; it comes in whole."),
+    (
+        CLIP.format('rect width="5" height="20"'),
+        "<g> (element 4): a clip path cuts some of it off; it comes in whole.",
+    ),
+    (
+        '<svg viewBox="0 0 4 4" width="4" height="4"><path d="M0 0H9V9Z"/><path d="M0 0H8V8Z"/></svg>',
+        "<svg> (element 2): some of it lies beyond its view box; it comes in whole.",
+    ),
     (
         '<path d="M0 0H9V9Z" style="mask:url(#m)"/>',
         "<path> (element 2): a mask covers some of it; it comes in whole.",

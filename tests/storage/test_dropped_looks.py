@@ -34,6 +34,7 @@ def older(*styles, **more):
         ([{"start_marker": "dot", "end_marker": "arrow"}, {"end_marker": "bar"}], "3 arrowheads"),
         ([{"blur": 0.5}, {"blur": 2.0}], "2 blurs"),
         ([{"masks": [MASK, MASK]}, {"masks": [MASK | {"is_alpha": True}]}], "2 masks"),
+        ([{"clips": [{}]}, {"clips": [{}]}], "1 clip"),
         ([{"paint_order": "stroke"}], "1 order of fill and line"),
         ([{"paint_order": "stroke"}] * 2, "2 orders of fill and line"),
     ],
@@ -46,7 +47,7 @@ def test_what_changes_how_it_looks_is_counted(styles, words):
 
 def test_what_changes_nothing_is_not_counted():
     assert not decode_counting(
-        older({"start_marker": "none", "paint_order": "normal", "blur": 0.0, "masks": []})
+        older({"start_marker": "none", "paint_order": "normal", "blur": 0.0, "masks": [], "clips": []})
     ).left_out
 
 

@@ -13,7 +13,7 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
-from ...document.model import Curve, Document, Guide, Vector
+from ...document.model import Curve, Document, Guide
 from ...document.style import USUAL_WIDTH, Style
 from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
@@ -145,7 +145,7 @@ class Drawing(msgspec.Struct, frozen=True):
                 outline,
                 control_points=moved(outline.control_points),
                 points=moved(outline.points),
-                style=_scaled(outline.style, scale).mapped(lambda place: _pair(moved(np.array(place)))),
+                style=_scaled(outline.style, scale),
             )
             for outline in self.outlines
         )
@@ -240,10 +240,6 @@ def _beyond(outlines: Iterable[Outline], page: Frame) -> list[str]:
     names = list(dict.fromkeys(over))
     verb = "reaches" if len(names) == 1 else "reach"
     return [f"{names_of(names)} {verb} beyond the page; pictures end there."] if names else []
-
-
-def _pair(point: FloatArray) -> Vector:
-    return float(point[0]), float(point[1])
 
 
 def _scaled(style: Style, scale: float) -> Style:

@@ -4,20 +4,14 @@ from __future__ import annotations
 
 from curvecore.arrays import FloatArray
 
-from ...view_model.geometry.clips import seen_box
 from ...view_model.geometry.extents import extent_of, turns_within
 from ...view_model.geometry.stroked import half_width, line_of, stroke_box
 from .outlines import Outline
 
 
 def painted_extent(outline: Outline) -> FloatArray:
-    """Return the corners, (2, 2), of the box of a curve with its stroke: with its caps, joins and miters.
-
-    Of a clipped one it is the box of what is seen, unless that is nothing.
-    """
+    """Return the corners, (2, 2), of the box of a curve with its stroke: with its caps, joins and miters."""
     controls, line = outline.control_points, None
     if half_width(outline.style) > 0.0:
         line = line_of(controls, turns_within(controls), is_closed=outline.closed)
-    box = extent_of(controls) if line is None else stroke_box(line, outline.style)
-    seen = seen_box(box, outline.style.clips) if outline.style.clips else box
-    return box if seen is None else seen
+    return extent_of(controls) if line is None else stroke_box(line, outline.style)

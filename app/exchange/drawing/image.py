@@ -151,9 +151,7 @@ def _preview(
 def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
     moved = [
-        each
-        for each in drawing.outlines
-        if not (each.style.has_fill or each.style.is_placed) and style.adjustment_of(each.colour)
+        each for each in drawing.outlines if not each.style.has_fill and style.adjustment_of(each.colour)
     ]
     if not moved:
         return ""

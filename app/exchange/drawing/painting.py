@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from msgspec.structs import replace
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import (
     QColor,
@@ -15,7 +14,6 @@ from PySide6.QtGui import (
 )
 
 from ...document.style import Style
-from ...qt.clips import clipped
 from ...qt.strokes import FILL_RULES, pen_of, with_opacity
 from ...tasks.progress import Report, told
 from .annotation_painting import paint_annotations, paint_points
@@ -61,12 +59,6 @@ class Painting:
     # Shapes
 
     def _paint_shape(self, shape: tuple[Outline, ...]) -> None:
-        if clips := shape[0].style.clips:
-            # Outlines of a shape have one style.
-            whole = replace(shape[0], style=replace(shape[0].style, clips=()))
-            with clipped(self._painter, clips, self._way):
-                self._paint_shape((whole, *shape[1:]))
-            return
         style, path = shape[0].style, self._path(shape)
         pen = self._pen(style, length_within(shape))
         if style.has_fill:

@@ -26,7 +26,6 @@ from ..parts import (
     checked_tolerance,
     cubics_of,
     one_line,
-    said_of_clips,
     sources_of,
 )
 from ..units import dxf_code
@@ -63,7 +62,6 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
     """
     ezdxf = ezdxf_module()
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.2))
-    remarks += said_of_clips((source.name, source.curve.style) for source in sources)
     allowed = checked_tolerance(sources, options.tolerance)
     drawing: Drawing = ezdxf.new("R2010", units=dxf_code(options.unit))
     deviation = 0.0

@@ -26,7 +26,6 @@ from ..parts import (
     beziers_of,
     measured,
     one_line,
-    said_of_clips,
     sources_of,
 )
 from ..tikz_style import tikz_command
@@ -99,8 +98,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
-    remarks = drawing.remarks + said_of_clips((each.name, each.style) for each in drawing.outlines)
-    return _picture(lines, deviation, remarks, "tikz")
+    return _picture(lines, deviation, drawing.remarks, "tikz")
 
 
 def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:

@@ -1,16 +1,14 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``clip_elements``,
-  ``numbers``: styles and numbers as text.
-  ``defined_elements``: what those that are referred to have in common.
+  ``style_attributes``, ``numbers``: styles and numbers as text.
 - ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
   ``xml_tree``: elements, without DTD and entities.  ``elements``: those that others refer to.
   ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``escapes``: text in XML.
 - ``guides``: those of Inkscape.
-- ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: what is cut off them.
+- ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: clip paths that are boxes.
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
   and rules.  ``flaw``, ``missing``: what of it is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.

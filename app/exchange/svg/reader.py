@@ -15,12 +15,15 @@ import numpy as np
 
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
+from ...document.style import Style
+from ...view_model.geometry.extents import extent_of
+from ...view_model.geometry.stroked import half_width
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
 from ..missed import LEFT_OUT, Missed, named_by_place
 from ..node_types import parted
 from .cascade import Cascade
-from .clips import Clips
+from .clips import clip_box
 from .elements import Elements
 from .flaw import Flaw
 from .groups import Drawn, is_seen, settled, with_line
@@ -42,6 +45,7 @@ from .missing import NOT_READ, Missing, effects_on
 from .names import INSENSITIVE, NODE_TYPES, name_of
 from .our_own import OurOwn
 from .paint import Paints, share_of
+from .path_data import Subpath
 from .properties import StyleReader
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
@@ -53,6 +57,7 @@ MAX_PATHS = 10_000
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
 _CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
+_CUT = Flaw("some of it lies beyond its view box", "it comes in whole")
 _TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
 _UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
 _NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", LEFT_OUT)
@@ -114,7 +119,6 @@ class SvgReader:
         self._elements = elements = Elements.within(root, self._cascade.of)
         paints = Paints(elements)
         self._styles = StyleReader(paints)
-        self._clips = Clips(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
 
@@ -168,7 +172,7 @@ class SvgReader:
             self._note_effects(element, declared, state, is_many=count > 1)
 
     def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
-        matrix, windows, clips = state.matrix, state.windows, state.clips
+        matrix, windows = state.matrix, state.windows
         # A rule outweighs the attribute.
         transform = declared.get("transform", "none")
         transform = element.get("transform", "") if transform == "none" else transform
@@ -182,15 +186,12 @@ class SvgReader:
         if tag_of(element) == "use":
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             matrix = combined(matrix, shifting(x, y))
-        if (box := self._clips.box(declared, state.viewport)) is not None:
-            windows = (*windows, Window(box, matrix))
-        else:
-            clips = (*clips, *(self._clips.of(declared, matrix, state.viewport) or ()))
+        if (box := clip_box(self._elements, declared, state.viewport)) is not None:
+            windows = (*windows, Window(box, matrix, element, _CLIPPED))
         return replace(
             state,
             matrix=matrix,
             windows=windows,
-            clips=clips,
             properties=state.properties.entered(declared),
             # What is locked where it is drawn is not so where it is used.
             is_locked=state.is_locked or (not state.inside and element.get(INSENSITIVE) == "true"),
@@ -221,7 +222,7 @@ class SvgReader:
         if width is None or height is None or width <= 0 or height <= 0:
             return replace(state, matrix=combined(state.matrix, shifting(*corner)))
         place: Box = (*corner, width, height)
-        windows = (*state.windows, Window(place, state.matrix))
+        windows = (*state.windows, Window(place, state.matrix, sized, _CUT))
         if box is None:
             matrix = combined(state.matrix, shifting(*corner))
             return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
@@ -270,11 +271,10 @@ class SvgReader:
         name = state.copied or name_of(element) or named_by_place(tag, self._missing.number_of(element))
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
-        controls = [each.controls for each in drawn]
         look = self._look(element, state, scale, keeps_width=keeps_width)
         look = replace(look, shape=name) if len(drawn) > 1 else look
-        clips = self._clips.of_shape(declared, state, controls, look.style)
-        look = replace(look, style=msgspec.structs.replace(look.style, clips=clips)) if clips else look
+        if look.visible:
+            self._note_windows(state, drawn, look.style)
         sizes = [(len(each.controls), each.closed) for each in drawn]
         letters = parted(element.get(NODE_TYPES, ""), sizes)
         for index, subpath in enumerate(drawn):
@@ -288,6 +288,15 @@ class SvgReader:
                 letters[index],
             )
             yield Drawn(path, len(self._shapes), state.groups)
+
+    def _note_windows(self, state: State, drawn: Iterable[Subpath], style: Style) -> None:
+        """Tell which of the boxes that a shape is shown in cut some of it off."""
+        if state.windows:
+            extent = extent_of(np.concatenate([moved(each.controls, state.matrix) for each in drawn]))
+            reach = half_width(style)
+            for window in state.windows:
+                if not window.holds(extent, reach):
+                    self._missing.note(window.element, window.flaw)
 
     def _count(self) -> None:
         self._found += 1
@@ -321,7 +330,8 @@ class SvgReader:
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
         found = effects_on(declared)
-        if not self._clips.is_known(declared, state, has_box=tag_of(element) in SHAPES):
+        is_clipped = declared.get("clip-path", "none") != "none"
+        if is_clipped and clip_box(self._elements, declared, state.viewport) is None:
             found.append(_CLIPPED)
         if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)

@@ -9,7 +9,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.clip import Clip
+from .flaw import Flaw
 from .lengths import Viewport
 from .matrices import Box, moved
 from .properties import Properties
@@ -27,10 +27,16 @@ class Window:
         In the units of some element.
     matrix
         From those to the document's plane.
+    element
+        What has it.
+    flaw
+        What is said of that where something lies beyond.
     """
 
     box: Box
     matrix: FloatArray
+    element: ET.Element
+    flaw: Flaw
 
     def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
         """Whether points (n, 2) of the document, and what is in reach of them, lie in it.
@@ -77,8 +83,6 @@ class State:
         Those around it, the outermost first.
     windows
         The boxes that it is shown in, but for that of the file.
-    clips
-        What else it is cut by, in the document's plane.
     is_locked
         Whether Inkscape keeps it from being touched.
     copied
@@ -91,6 +95,5 @@ class State:
     inside: tuple[ET.Element, ...] = ()
     groups: tuple[Group, ...] = ()
     windows: tuple[Window, ...] = ()
-    clips: tuple[Clip, ...] = ()
     is_locked: bool = False
     copied: str = ""

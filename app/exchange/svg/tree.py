@@ -14,7 +14,6 @@ from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
 from ..node_types import guessed, joined
-from .clip_elements import ClipElements
 from .escapes import quoted
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
@@ -32,8 +31,6 @@ class Tree:
     ----------
     lines
         What was written so far.
-    clips
-        What it is cut by.
     """
 
     def __init__(
@@ -46,14 +43,7 @@ class Tree:
         self._open: tuple[str, ...] = ()
         self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
-        self.clips = ClipElements(self._ids)
         self.lines: list[str] = []
-
-    @property
-    def definitions(self) -> list[str]:
-        """What paints what was written and cuts it, in an element of their own."""
-        found = [*self.clips.lines]
-        return ["  <defs>", *found, "  </defs>"] if found else []
 
     def add(self, place: int) -> None:
         """Write the outlines of a shape as one path, or what it is the frame of."""
@@ -68,10 +58,8 @@ class Tree:
         """Return the element that draws a shape."""
         first = shape[0]
         style = style_attributes(first.style, self._style, self._usual_width)
-        clips = first.style.clips
-        cut = f' clip-path="{self.clips.reference(clips[:1])}"' if clips else ""
         runs = f' d="{path_data(shape)}"{_node_types_of(shape)}'
-        return self.clips.around(f"<path{called}{runs}{style}{cut}{end}", clips[1:])
+        return f"<path{called}{runs}{style}{end}"
 
     def close(self) -> None:
         """Close all groups."""

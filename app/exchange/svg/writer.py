@@ -126,7 +126,6 @@ def svg_text(
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
         # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
-        *curves.definitions,
         *curves.lines,
         *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),

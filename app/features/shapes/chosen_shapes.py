@@ -5,16 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 from ...actions.needs import Need
-from ...document.shapes import is_of_several, whole_shapes
+from ...document.shapes import whole_shapes
 from ...session import Session
 
 AN_OBJECT: Final = Need("a curve", lambda state: state.has_selected_curve and not state.is_blank)
 
 A_SHAPE: Final = Need("a shape", lambda state: state.has_selected_curve and not state.is_blank)
-
-SEVERAL_SHAPES: Final = Need(
-    "two chosen shapes or more", lambda now: is_of_several(now.session.document, meant(now.session))
-)
 
 
 def meant(session: Session) -> frozenset[int]:

@@ -23,7 +23,6 @@ from ...document.words import count_of
 from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
 from .chosen_shapes import AN_OBJECT, meant
-from .clip_commands import ClipCommands
 from .simplify_commands import SimplifyCommands
 
 
@@ -157,5 +156,4 @@ class ShapeCommands:
 COMMAND_SETS = (
     ShapeCommands,
     SimplifyCommands,
-    ClipCommands,
 )

@@ -50,7 +50,7 @@ class StyleClipboardCommands:
     def _copy(self) -> None:
         """Copy stroke and fill of the curve that is edited."""
         session, data = self._session, QMimeData()
-        data.setData(STYLE, msgspec.json.encode(session.active_curve.style.flat))
+        data.setData(STYLE, msgspec.json.encode(session.active_curve.style))
         put_on_clipboard(data)
         session.say(f"Copied the style of “{session.active_curve.seen_name}”.")
 
@@ -85,12 +85,11 @@ class StyleClipboardCommands:
         self._give(exchange.rescaled.in_unit(drawing.document, unit).curves[0].style)
 
     def _give(self, found: Style) -> None:
-        """Give the selected curves a style; what they are cut by stays."""
+        """Give the selected curves a style."""
         session, curves = self._session, self._session.selected.marked
         subject = named(session.document, curves)
         words = f"Paste style to {subject}"
         fields = msgspec.structs.asdict(found)
-        del fields["clips"]
         if session.change(words, lambda document: with_style(document, curves, **fields)):
             session.say(f"Pasted the style to {subject}.")
 

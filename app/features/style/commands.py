@@ -135,7 +135,7 @@ class StyleCommands:
         """Draw in another style from now on: nothing of the document, and no step of its history."""
         session = self._session
         session.cancel()
-        model = msgspec.structs.replace(make_curve(()), style=session.model.style.flat)
+        model = msgspec.structs.replace(make_curve(()), style=session.model.style)
         before = Document((model,))
         after = edit(before, frozenset({0}))
         if not (refusal := why_not_kept(before, after)):

@@ -56,7 +56,7 @@ class StyleSubject:
         curves = sorted(whole_shapes(self._session.document, self.curves))
         chosen = [self._session.document.curves[place] for place in curves]
         is_next = not any(each.points for each in chosen)
-        styles = [each.style for each in chosen] or [self._session.model.style.flat]
+        styles = [each.style for each in chosen] or [self._session.model.style]
         return Shown(curves, styles, is_next, self._words(curves, is_next=is_next))
 
     def _words(self, curves: Sequence[int], *, is_next: bool) -> str:

@@ -1,6 +1,6 @@
 """Bounds of points that change together: of whole curves those of the curves, of other points their own.
 
-Bounds of curves are those of their lines, without their strokes, within their clips.
+Bounds of curves are those of their lines, without their strokes.
 """
 
 from __future__ import annotations
@@ -13,14 +13,10 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.clip import Clip
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ..curve.curve_view import CurveView
-from ..geometry.clips import seen_box
 from .exact_boxes import box_found, find_boxes
-
-Clips = tuple[Clip, ...]
 
 
 class Bounds(msgspec.Struct, frozen=True):
@@ -70,14 +66,12 @@ def nine_places(bounds: Bounds) -> dict[str, Vector]:
     return {name_of_place(*at): bounds.place(*at) for at in NINE}
 
 
-def bounds_of(
-    views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool = False, clipped: bool = True
-) -> Bounds | None:
+def bounds_of(views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool = False) -> Bounds | None:
     """Return the bounds of a group, None where it has no points.
 
     Of a curve all of whose points are in the group they are those of the curve, exact, or `as_drawn`: while
     it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
-    of a curve, they are those of the points. Of `clipped` curves they are those of what clips leave.
+    of a curve, they are those of the points.
     """
     whole = _whole(views, group)
     known = {id(view) for view in whole}
@@ -86,46 +80,21 @@ def bounds_of(
         for curve, indices in group.parts
         if indices and id(views[curve]) not in known
     ]
-    boxes = some
-    for clips, cut in _by_clips(whole, clipped=clipped):
-        boxes += _boxes(cut, clips, as_drawn=as_drawn)
-    # What clips hide altogether lies where it would be seen.
-    return around(boxes or _boxes(whole, (), as_drawn=as_drawn))
+    return around(some + _boxes(whole, as_drawn=as_drawn))
 
 
-def _by_clips(views: Sequence[CurveView], *, clipped: bool) -> list[tuple[Clips, list[CurveView]]]:
-    """Return views by the clips that count of them."""
-    # At every move of a drag: where there are none it costs no call.
-    for view in views:
-        if clipped and view.source.style.clips:
-            break
-    else:
-        return [((), [*views])]
-    found: dict[Clips, list[CurveView]] = {}
-    for view in views:
-        found.setdefault(view.source.style.clips, []).append(view)
-    return list(found.items())
-
-
-def _boxes(views: Sequence[CurveView], clips: Clips, *, as_drawn: bool) -> list[FloatArray]:
-    """Return boxes that reach as far as curves do that have the same clips, and none where all is hidden."""
-    if clips:
-        views = [view for view in views if seen_box(view.drawn_box, clips) is not None]
-    if not as_drawn:
-        views = _reaching_out(views)
-        find_boxes(views)
-    boxes = [view.drawn_box if as_drawn else box_found(view) for view in views]
-    if not clips or not boxes:
-        return boxes
-    corners = np.concatenate(boxes)
-    seen = seen_box(np.array([corners.min(axis=0), corners.max(axis=0)]), clips)
-    return [] if seen is None else [seen]
+def _boxes(views: Sequence[CurveView], *, as_drawn: bool) -> list[FloatArray]:
+    """Return boxes that reach as far as curves do."""
+    if as_drawn:
+        return [view.drawn_box for view in views]
+    views = _reaching_out(views)
+    find_boxes(views)
+    return [box_found(view) for view in views]
 
 
 def bounds_of_each(views: Sequence[CurveView], groups: Sequence[PointGroup]) -> list[Bounds | None]:
     """Return the bounds of many groups, as `bounds_of`, whose curves are measured all at once."""
-    apart = [cut for group in groups for _, cut in _by_clips(_whole(views, group), clipped=True)]
-    find_boxes([view for cut in apart for view in _reaching_out(cut)])
+    find_boxes([view for group in groups for view in _reaching_out(_whole(views, group))])
     return [bounds_of(views, group) for group in groups]
 
 
@@ -148,13 +117,6 @@ def _reaching_out(views: Sequence[CurveView]) -> list[CurveView]:
     reaches = (far_low <= low.min(axis=0)).any(axis=1) | (far_high >= high.max(axis=0)).any(axis=1)
     inside = {id(view) for (view, _), is_far in zip(known, reaches, strict=True) if not is_far}
     return [view for view in views if id(view) not in inside]
-
-
-def seen_line_box(view: CurveView) -> FloatArray:
-    """Return the box of what clips leave of a drawn line, (2, 2), and of all of it if that is nothing."""
-    clips = view.source.style.clips
-    seen = seen_box(view.drawn_box, clips) if clips else None
-    return view.drawn_box if seen is None else seen
 
 
 def around(boxes: Sequence[FloatArray]) -> Bounds | None:

@@ -4,5 +4,5 @@
 - ``arc_lengths``: lengths to a relative accuracy.
 - ``fills``: insides of outlines.  ``stroked``: the box around a stroked line.
 - ``fixed_point``: equations whose values take a while.
-- ``clips``: what clips leave of curves.  ``extents``: of cubic pieces.
+- ``extents``: of cubic pieces.
 """
