@@ -12,5 +12,5 @@
 
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
 - ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
-  ``form_edits``: changes by a form.  ``computed_step``: one that takes a while.
+  ``form_edits``: changes by a form.
 """

@@ -32,6 +32,7 @@ from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel
 from .. import fitting
+from .simplify_commands import SimplifyCommands
 
 if TYPE_CHECKING:
     from .panel import FitPanel, FitWish
@@ -238,4 +239,4 @@ def _cross(place: Vector, size: float) -> list[FloatArray]:
     return [np.array([at - way, at + way]) for way in size * np.array([[1.0, 1.0], [1.0, -1.0]])]
 
 
-COMMAND_SETS = (PencilCommands, FitCommands)
+COMMAND_SETS = (PencilCommands, FitCommands, SimplifyCommands)

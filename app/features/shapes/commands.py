@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from typing import TYPE_CHECKING
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
@@ -19,11 +20,18 @@ from ...document.shape_edits import (
     groups_meant,
     ungrouped,
 )
+from ...document.shapes import whole_shapes
 from ...document.words import count_of
 from ...view_model.geometry.fills import fills_holes
 from ...workbench.context import WindowContext
-from .chosen_shapes import AN_OBJECT, meant
-from .simplify_commands import SimplifyCommands
+
+if TYPE_CHECKING:
+    from ...session import Session
+
+
+def _meant(session: Session) -> frozenset[int]:
+    """Return the chosen curves, or the one that is edited, with all others of their shapes."""
+    return whole_shapes(session.document, session.selected.marked)
 
 
 class ShapeCommands:
@@ -47,7 +55,7 @@ class ShapeCommands:
     @also(CURVE_MENU(40), CURVE_LIST_MENU(50))
     def _combine(self) -> None:
         """Make one shape of the chosen curves: one fill, with holes where one lies within another."""
-        session, curves = self._session, meant(self._session)
+        session, curves = self._session, _meant(self._session)
         views = [session.views[place] for place in sorted(curves)]
         has_holes = fills_holes([view.polyline for view in views if view.has_curve])
         made = combined(session.document, curves, alternate=has_holes)
@@ -69,7 +77,7 @@ class ShapeCommands:
     @also(CURVE_MENU(41), CURVE_LIST_MENU(51))
     def _break_apart(self) -> None:
         """Make a curve of its own of each curve of the shape."""
-        session, curves = self._session, meant(self._session)
+        session, curves = self._session, _meant(self._session)
         what = named(session.document, curves)
         if session.change(f"Break {what} apart", lambda document: broken_apart(document, curves)):
             self._choose(curves)
@@ -103,12 +111,12 @@ class ShapeCommands:
         "Ctrl+G",
         "group",
         full_name="Group Curves",
-        needs=AN_OBJECT,
+        needs=Need("a curve", lambda state: state.has_selected_curve and not state.is_blank),
     )
     @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53))
     def _group(self) -> None:
         """Gather the chosen curves in a group, which is chosen and moved as one."""
-        session, curves = self._session, meant(self._session)
+        session, curves = self._session, _meant(self._session)
         made = grouped(session.document, curves)
         if self._put(f"Group {named(session.document, curves)}", made):
             # Of one curve alone the group around it is what was made, and not what is chosen.
@@ -127,7 +135,7 @@ class ShapeCommands:
     @also(CURVE_MENU(43), CHOSEN_MENU(31), CURVE_LIST_MENU(54))
     def _ungroup(self) -> None:
         """Take the chosen group apart, or the one around the curve; shapes stay whole."""
-        session, curves = self._session, meant(self._session)
+        session, curves = self._session, _meant(self._session)
         nodes = groups_meant(session.document, curves)
         what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
         with session.telling:
@@ -153,7 +161,4 @@ class ShapeCommands:
         self._session.selected.choose(curves)
 
 
-COMMAND_SETS = (
-    ShapeCommands,
-    SimplifyCommands,
-)
+COMMAND_SETS = (ShapeCommands,)
