@@ -14,7 +14,7 @@ from ..tools.pointer import Hit
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import CurveLayer, EditedShapeLayer, is_faint
 from .filled_areas import FilledAreas
-from .line_finder import LineFinder, is_on_line
+from .line_finder import LineFinder
 from .looks import Shape, is_plain
 from .other_curves_layer import OtherCurvesLayer
 from .selected_curves_layer import SelectedCurvesLayer, SiblingCurvesLayer
@@ -156,23 +156,6 @@ class DrawnCurves:
         """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
         hit = self._locked.hit(pixel, shown)
         return hit.index if hit is not None else -1
-
-    def all_at(self, pixel: Vector, shown: PixelMap) -> list[int]:
-        """Return the places of all curves at `pixel` but locked ones, the topmost first: one of each shape.
-
-        It is the one whose line is hit, or else the first.
-        """
-        views, *_ = self._shown
-        areas = {each.start for each in self.areas.all_at(pixel, shown)}
-        found = []
-        for places in reversed([*shapes([view.source for view in views])]):
-            if views[places.start].source.locked:
-                continue
-            on_line = (place for place in places if is_on_line(views[place], pixel, shown))
-            place = next(on_line, places.start if places.start in areas else None)
-            if place is not None:
-                found.append(place)
-        return found
 
     def set_cased(self, cased: bool) -> None:
         """Keep plain lines apart from what lies below them, a picture to trace, or not."""

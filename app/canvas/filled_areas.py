@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -47,10 +47,6 @@ class FilledAreas:
         )
 
     def _topmost(self, pixel: Vector, shown: PixelMap) -> range | None:
-        return next(self.all_at(pixel, shown), None)
-
-    def all_at(self, pixel: Vector, shown: PixelMap) -> Iterator[range]:
-        """Yield the areas at `pixel`, the topmost first."""
         if self._shapes is None:
             self._find()
         assert self._shapes is not None
@@ -60,7 +56,8 @@ class FilledAreas:
             views = self._drawn(self._shapes[number])
             turns = windings([line_of(view, shown).points for view in views], place)
             if is_inside(turns, views[0].source.style.fill_rule)[0]:
-                yield self._shapes[number]
+                return self._shapes[number]
+        return None
 
     def _find(self) -> None:
         curves = [view.source for view in self._views]

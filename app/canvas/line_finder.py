@@ -83,14 +83,6 @@ def _box_of(view: CurveView) -> tuple[FloatArray, float]:
     return view.known_box or (_ANYWHERE, 0.0)
 
 
-def is_on_line(view: CurveView, pixel: Vector, shown: PixelMap) -> bool:
-    """Whether the line of a curve that is seen lies within reach of a pixel."""
-    if not (view.source.visible and view.has_curve):
-        return False
-    nearest = PixelOutline([pixels_of(view, shown)]).nearest(pixel)
-    return nearest is not None and nearest.distance <= CURVE_REACH
-
-
 def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:
     """Return the curve as a polyline in pixels."""
     return shown.points(line_of(view, shown).points)

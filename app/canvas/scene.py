@@ -242,10 +242,6 @@ class CanvasScene:
             hit = self.guides.hit(pixel, shown) or hit
         return hit
 
-    def curves_at(self, pointer: Pointer) -> list[int]:
-        """Return the places of all free curves at the pointer, the topmost first, one of each shape."""
-        return self.curves.all_at(pointer.pixel, self._plot.pixel_map)
-
     def locked_at(self, pointer: Pointer) -> int:
         """Return the place of the locked curve at the pointer; −1 for none."""
         return self.curves.locked_at(pointer.pixel, self._plot.pixel_map)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from ..plotting.tool_plot import ToolPlot
 from ..tools.pointer import Hit, Pointer
 from ..tools.surface import Finder, Surface
@@ -24,9 +22,6 @@ class CanvasSurface(Surface):
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         return self._drawing.hit(pointer, tool)
-
-    def curves_at(self, pointer: Pointer) -> Sequence[int]:
-        return self._drawing.curves_at(pointer)
 
     def locked_at(self, pointer: Pointer) -> int:
         return self._drawing.locked_at(pointer)

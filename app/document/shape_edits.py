@@ -252,18 +252,6 @@ def pressed(document: Document, curve: int, choice: Choice) -> frozenset[int]:
     return frozenset(shape_of(document, curve))
 
 
-def next_pressed(document: Document, choice: Choice, step: int) -> frozenset[int]:
-    """Return the shape or group in front (1) of what is chosen, or behind it (−1); all around at the ends.
-
-    What is hidden or locked is passed over.
-    """
-    here, count = choice.chosen or {choice.active}, len(document.curves)
-    first = (max(here) if step > 0 else min(here)) + step
-    places = ((first + step * way) % count for way in range(count))
-    free = next((place for place in places if document.curves[place].is_free), None)
-    return frozenset() if free is None else pressed(document, free, choice)
-
-
 # Names
 
 

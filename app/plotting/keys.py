@@ -46,12 +46,12 @@ def key_name(event: QKeyEvent) -> str | None:
 
 
 def stride_of(event: QKeyEvent, pixel: float) -> Stride:
-    """Return how far an arrow key goes: with Shift ten times as far, with Ctrl a tenth; with Alt a pixel."""
+    """Return how far an arrow key goes: with Shift ten times as far, with Ctrl a tenth."""
     held = event.modifiers()
     factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
     if held & Qt.KeyboardModifier.ControlModifier:
         factor *= 0.1
-    return Stride(pixel, factor, bool(held & Qt.KeyboardModifier.AltModifier))
+    return Stride(pixel, factor)
 
 
 def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:

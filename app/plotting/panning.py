@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QElapsedTimer, QPointF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from .camera import Camera
-
-_TAP_MS = 400
-"""Milliseconds up to which a key that was let go was tapped, and not held."""
 
 
 class Panning:
@@ -22,8 +19,7 @@ class Panning:
         self._camera, self._viewport = camera, viewport
         self._from: QPointF | None = None
         self._button = Qt.MouseButton.MiddleButton
-        self._space_down = self._was_used = False
-        self._since = QElapsedTimer()
+        self._space_down = False
 
     @property
     def is_active(self) -> bool:
@@ -40,7 +36,6 @@ class Panning:
         means_it = event.button() == Qt.MouseButton.MiddleButton or (
             event.button() == Qt.MouseButton.LeftButton and self._space_down
         )
-        self._was_used |= means_it and self._space_down
         if means_it and not self.is_active:
             self._from, self._button = event.position(), event.button()
             self._viewport.setCursor(Qt.CursorShape.ClosedHandCursor)
@@ -68,15 +63,11 @@ class Panning:
             self._from = None
             self._show_cursor()
 
-    def hear_key(self, event: QKeyEvent, *, down: bool) -> bool:
-        """Note whether Space is down; return whether it was tapped: let go, and nothing panned."""
-        if event.key() != Qt.Key.Key_Space or event.isAutoRepeat():
-            return False
-        is_tap = self._space_down and not down and not self._was_used and self._since.elapsed() < _TAP_MS
-        self._since.start()
-        self._space_down, self._was_used = down, False
-        self._show_cursor()
-        return is_tap
+    def hear_key(self, event: QKeyEvent, *, down: bool) -> None:
+        """Note whether Space is down."""
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space_down = down
+            self._show_cursor()
 
     def reset_key(self) -> None:
         """Count Space as released: in another window its release is never heard of."""

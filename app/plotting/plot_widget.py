@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import (
     QContextMenuEvent,
     QEnterEvent,
@@ -47,15 +47,7 @@ def _with_keys(pointer: Pointer, held: Qt.KeyboardModifier, **changes: bool) -> 
 
 
 class PlotWidget(PaintedPlot):
-    """A plot that pans and zooms by mouse, wheel and trackpad, and hands everything else on.
-
-    Signals
-    -------
-    space_tapped
-        Space was pressed and let go, and nothing was panned by it.
-    """
-
-    space_tapped = Signal()
+    """A plot that pans and zooms by mouse, wheel and trackpad, and hands everything else on."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -220,8 +212,7 @@ class PlotWidget(PaintedPlot):
         event.ignore()
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        if self._panning.hear_key(event, down=False) and not self.is_dragging:
-            self.space_tapped.emit()
+        self._panning.hear_key(event, down=False)
         self._hear_modifier(event, down=False)
         event.ignore()
 

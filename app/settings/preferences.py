@@ -97,17 +97,6 @@ class Preferences:
     )
     """The distance of a curve from what the pencil draws."""
 
-    nudge = Distance(
-        "edit/nudge",
-        "Arrow keys move by",
-        "How far arrow keys move what is chosen: “usual”, which is 1 mm where the unit is mm, or a distance "
-        "in the plane (Shift: ten times, Ctrl: a tenth, Alt: a pixel of the screen)",
-        none="usual",
-        refusal="Arrow keys need a distance greater than 0, or “usual”.",
-        widget="nudgeStep",
-    )
-    """How far arrow keys go; 0 for as far as is usual in the document."""
-
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""
 

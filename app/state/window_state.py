@@ -59,7 +59,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, nudge, with_estimates, theme_mode, pencil
+    snap_on, snap_kinds, with_estimates, theme_mode, pencil
         As the preferences remember them.
     transform_box, keep_proportions
         As the preferences remember them.
@@ -96,7 +96,6 @@ class WindowState(msgspec.Struct, frozen=True):
     scale: float = 1.0
     snap_on: bool = False
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
-    nudge: float = 0.0
     transform_box: bool = True
     keep_proportions: bool = False
     align_to: Reference = Reference.EACH_OTHER

@@ -16,7 +16,6 @@
   ends of a segment, selected by a click on its line.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snap_targets``, ``snappers``: which of it for which gesture.
-- ``below``: Alt+click on what lies below the topmost curve.
 - ``guides``: guides drawn out of a ruler and dragged.
 - ``marks``: what a gesture shows over the drawing.
 - ``pen_session``: what the pen knows of the curves that it draws.

@@ -88,9 +88,7 @@ class CurvePicker:
             return Hint(f"{chosen_curves(host)} · G moves, S scales, R turns · Click here: {after}")
         if host.selected.is_editing:
             return None
-        return Hint(
-            "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits one"
-        )
+        return Hint("Drag to choose curves inside · Shift adds · Double-click edits one")
 
 
 def _verb(host: EditingHost) -> str:

@@ -227,11 +227,6 @@ class DragMachine:
         """
         self._press = _Press(pointer.pixel, drag, on_click, moving=False, active=active, chooses=chooses)
 
-    def mean_by_click(self, on_click: Callable[[], None]) -> None:
-        """Let a release before the threshold be something else than the press has said."""
-        if self._press is not None:
-            self._press.on_click = on_click
-
     def press_at_once(
         self,
         pointer: Pointer,

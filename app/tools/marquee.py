@@ -13,7 +13,6 @@ from ..document.model import Vector
 from ..document.point_group import some_points
 from ..document.shape_edits import pressed
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.geometry.plane import crosses_box
 from . import hints
 from .curve_picker import chosen_curves
 from .drag_machine import CANCELLED, THRESHOLD
@@ -37,10 +36,6 @@ class Band(Gesture):
         self._press, self._on_click, self._is_on_curve = context.pointer, on_click, is_on_curve
         self._before = context.host.selected.choice
         self.band: tuple[Vector, Vector] | None = None
-
-    def mean_by_click(self, on_click: Callable[[ToolContext], object]) -> None:
-        """Let a click be something else, whatever is selected."""
-        self._on_click, self._is_on_curve = on_click, True
 
     def move(self, context: ToolContext) -> None:
         """Follow the pointer."""
@@ -121,7 +116,7 @@ def _points_inside(view: CurveView, low: FloatArray, high: FloatArray) -> frozen
 class CurveMarquee(Band):
     """Rubber band while no curve is edited: chooses the visible, free curves that lie wholly inside.
 
-    With Alt those that it touches, too. Shapes and groups are taken whole, or not.
+    Shapes and groups are taken whole, or not.
     """
 
     def _show(self, context: ToolContext, low: FloatArray, high: FloatArray) -> None:
@@ -129,14 +124,14 @@ class CurveMarquee(Band):
         context.host.selected.show_choice(before | self._inside(context, low, high))
 
     def _inside(self, context: ToolContext, low: FloatArray, high: FloatArray) -> frozenset[int]:
-        views, document, touched = context.host.views, context.host.document, context.pointer.alt
+        views, document = context.host.views, context.host.document
         free = {place for place, view in enumerate(views) if _is_free(view)}
-        taken = {place for place in free if _is_taken(views[place], low, high, touched=touched)}
+        taken = {place for place in free if _is_inside(views[place], low, high)}
         found: set[int] = set()
         for place in taken:
             if place not in found:
                 meant = pressed(document, place, self._before) & free
-                found |= meant if touched or meant <= taken else set()
+                found |= meant if meant <= taken else set()
         return frozenset(found)
 
     def _take(self, context: ToolContext) -> None:
@@ -146,18 +141,13 @@ class CurveMarquee(Band):
         self._on_click(context)
 
     def _words(self, context: ToolContext) -> str:
-        return f"{chosen_curves(context.host)} · {_KEYS} · Alt: curves that are touched"
+        return f"{chosen_curves(context.host)} · {_KEYS}"
 
 
 def _is_free(view: CurveView) -> bool:
     return view.source.is_free and view.has_curve
 
 
-def _is_taken(view: CurveView, low: FloatArray, high: FloatArray, *, touched: bool) -> bool:
-    """Whether a curve lies inside a box, or is at least touched by it."""
-    lowest, highest = view.polyline.min(axis=0), view.polyline.max(axis=0)
-    if np.all(lowest >= low) and np.all(highest <= high):
-        return True
-    if not touched or np.any(highest < low) or np.any(lowest > high):
-        return False
-    return crosses_box(view.polyline, low, high)
+def _is_inside(view: CurveView, low: FloatArray, high: FloatArray) -> bool:
+    """Whether a curve lies inside a box."""
+    return bool(np.all(view.polyline.min(axis=0) >= low) and np.all(view.polyline.max(axis=0) <= high))

@@ -147,22 +147,17 @@ class Stride(msgspec.Struct, frozen=True):
         The size of a pixel in the plane.
     factor
         How many times as far as usual: ten with Shift, a tenth with Ctrl.
-    is_pixel
-        Whether a pixel is meant, whatever step would be usual.
     """
 
     pixel: float
     factor: float = 1.0
-    is_pixel: bool = False
 
     def length(self, step: float | None = None) -> float:
-        """Return the way: so many times `step`, or else of a round number of some pixels; or of a pixel.
+        """Return the way: so many times `step`, or else of a round number of some pixels.
 
-        It is a short decimal number each time, a pixel as well: it is rounded to two digits.
+        It is a short decimal number each time.
         """
-        if self.is_pixel:
-            step = float(f"{self.pixel:.2g}")
-        elif step is None:
+        if step is None:
             step = clean_step(_LEAST_PIXELS * self.pixel)
         return decimal_product(step, self.factor)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Protocol
 
 from .pointer import Hit, Pointer
@@ -25,10 +24,6 @@ class Surface:
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
         """Return what a tool hits at the pointer."""
         return None
-
-    def curves_at(self, pointer: Pointer) -> Sequence[int]:
-        """Return the places of all free curves at the pointer, the topmost first, one of each shape."""
-        return ()
 
     def locked_at(self, pointer: Pointer) -> int:
         """Return the place of the locked curve at the pointer, which presses go through; −1 for none."""

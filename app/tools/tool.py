@@ -36,8 +36,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
         Whether two or more selected points, or several selected curves, get a box with grips.
     keeps_proportions
         Whether the grips at the corners of that box keep its proportions.
-    nudge
-        How far arrow keys go; 0 for as far as is usual in the document.
     pencil
         How near a curve comes to what the pencil draws.
     """
@@ -46,7 +44,6 @@ class ToolSettings(msgspec.Struct, frozen=True):
     unit: str = ""
     shows_box: bool = True
     keeps_proportions: bool = False
-    nudge: float = 0.0
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 
@@ -114,13 +111,10 @@ class ToolContext(msgspec.Struct, frozen=True):
             self.snappers.show_before_press(self.pointer, place)
 
     def step_of(self, stride: Stride) -> float:
-        """Return how far an arrow key goes: as the person has it, or else a step of the grid.
-
-        Where that is not snapped to it is a round number.
-        """
+        """Return how far an arrow key goes: a step of the grid that snaps, or a round number."""
         snapping = self.settings.snapping
         grid = self.grid() if snapping.on and SnapKind.GRID in snapping.kinds else None
-        return stride.length(self.settings.nudge or grid)
+        return stride.length(grid)
 
     def progress(self) -> str:
         """Return how far the drag in flight has come, and what it has snapped to."""

@@ -20,7 +20,6 @@ from app.document.shape_edits import (
     groups_meant,
     moved_into,
     named_anew,
-    next_pressed,
     pressed,
     stepped,
     ungrouped,
@@ -242,17 +241,6 @@ def test_a_press_means_the_outermost_group_that_is_not_entered(drawn, pressed_at
     assert pressed(some, curve, choosing) == places(some, meant)
     none = Choice(edited, frozenset(), frozenset({edited}), frozenset(), is_editing=False)
     assert pressed(some, curve, none) in [set(node.places) for node in tree_of(some.curves)]
-
-
-def test_a_step_to_the_next_thing_goes_past_whole_shapes_and_groups():
-    some = document("a(bc)[de]")
-    choice = Choice(0, frozenset(), frozenset({0}), frozenset({0}), is_editing=False)
-    found = []
-    for _ in range(4):
-        chosen = next_pressed(some, choice, 1)
-        found.append("".join(some.curves[place].name for place in sorted(chosen)))
-        choice = Choice(max(chosen), frozenset(), chosen, chosen, is_editing=False)
-    assert found == ["bc", "de", "a", "bc"]
 
 
 def test_copies_of_shapes_and_groups_have_names_of_their_own():

@@ -173,8 +173,7 @@ def test_control_a_in_the_list_chooses_all_and_on_the_canvas_the_points(five):
     assert five.session.selection == {0, 1, 2, 3}
 
 
-def test_the_actions_choose_all_and_one(five):
-    assert not five.action("onlyThisCurve").isEnabled()
+def test_the_action_chooses_all(five):
     five.run_command("Select All Curves")
     assert chosen(five) == "BACDE"
     # Once more is harmless, and no warning.
@@ -182,8 +181,6 @@ def test_the_actions_choose_all_and_one(five):
     five.key(Qt.Key.Key_A, CTRL | SHIFT)
     assert chosen(five) == "BACDE"
     assert (five.status, five.window.status_line.is_refusal) == ("All 5 curves are chosen.", False)
-    five.trigger("onlyThisCurve")
-    assert chosen(five) == "B"
 
 
 def test_the_list_tells_a_screen_reader(five):
@@ -602,7 +599,7 @@ def test_selected_points_go_before_chosen_curves(five):
 def test_the_box_is_there_for_several_curves_only(five):
     choose(five, "BD")
     assert five.window.canvas.marks.box is not None
-    five.trigger("onlyThisCurve")
+    choose(five, "B")
     assert five.window.canvas.marks.box is None
 
 
@@ -626,7 +623,7 @@ def test_chosen_curves_are_drawn_with_rings(five):
     choose(five, "BD")
     five.hover((-1.5, 4.4))
     assert [ringed(row) for row in (0, 2, 3, 4)] == [False, False, True, False]
-    five.trigger("onlyThisCurve")
+    choose(five, "B")
     assert not ringed(3)
 
 
@@ -648,7 +645,7 @@ def test_a_chosen_curve_that_is_hidden_is_faint_and_moves_along(five):
     x, y = on_curve(five, 3)
     five.drag((x, y), (x + 0.5, y))
     assert moved_by(five, before, 1) == pytest.approx(moved_by(five, before, 3))
-    five.trigger("onlyThisCurve")
+    choose(five, "B")
     assert five.window.canvas.drawing.selected.hit(
         five.window.canvas.to_pixel(*on_curve(five, 3)).toTuple(), five.window.canvas.pixel_map
     ) is None  # fmt: skip

@@ -86,7 +86,7 @@ _WAYS = {
     "a guide": draw_a_guide,
     "a style": lambda editor: editor.trigger("showStyle"),
     "a place that is typed": type_a_guide,
-    "a zoom": lambda editor: editor.trigger("zoom200"),
+    "a zoom": lambda editor: editor.trigger("zoom100"),
     "no rulers": lambda editor: editor.trigger("toggleRulers"),
     "a press": lambda editor: editor.press((1.0, 1.0)),
     "a smaller window": lambda editor: editor.window.resize(900, 650),

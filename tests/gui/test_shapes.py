@@ -703,19 +703,6 @@ def test_a_rubber_band_takes_shapes_and_groups_whole_or_not(whole):
     assert chosen_as_wholes(whole) == set()
     whole.drag((-3.3, 3.3), (7.3, -3.3))
     assert chosen_as_wholes(whole) == ALL
-    whole.drag((-3.3, 3.3), (0.0, 2.5), keys=ALT)
-    assert chosen_as_wholes(whole) == ALL
-
-
-def test_tab_goes_from_one_thing_to_the_next(whole):
-    whole.session.selected.choose({2})
-    whole.trigger("ungroupCurves")
-    whole.session.selected.choose({2})
-    found = []
-    for _ in range(3):
-        whole.key(Qt.Key.Key_Tab)
-        found.append(chosen_as_wholes(whole))
-    assert found == [{"Outer", "Inner"}, {"Side"}, {"Outer", "Inner"}]
 
 
 def test_the_menu_of_a_fill_is_about_the_whole_group(whole):

@@ -176,10 +176,7 @@ def test_shift_click_adds_and_takes_out_and_a_click_beside_chooses_none(whole):
     assert (whole.session.selected.is_editing, chosen(whole)) == (False, "")
 
 
-def test_tab_goes_from_curve_to_curve_and_all_are_chosen_with_ctrl_a(whole):
-    for expected in "CAB":
-        whole.key(Qt.Key.Key_Tab)
-        assert chosen(whole) == expected
+def test_all_are_chosen_with_ctrl_a(whole):
     whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
     assert state(whole)[:2] == (False, "ABC")
 
@@ -366,10 +363,7 @@ def test_what_was_said_of_the_choice_goes_with_it(whole):
 def test_the_status_line_says_what_a_press_does(whole):
     line = whole.window.status_line
     whole.hover((1.5, 4.4))
-    assert (
-        line.hint
-        == "Drag to choose curves inside, Alt: those touched too · Shift adds · Double-click edits one"
-    )
+    assert line.hint == "Drag to choose curves inside · Shift adds · Double-click edits one"
     whole.hover(on_curve(whole, 2))
     assert line.hint == (
         "Drag to move “C” · click to choose it, double-click to edit it · Shift+click: choose it too"
@@ -390,7 +384,7 @@ def test_the_band_chooses_what_lies_inside_live(whole):
     whole.press((-0.7, 7.6))
     whole.move((3.5, 2.5))
     assert chosen(whole) == "BC"
-    assert whole.status.startswith("2 curves chosen · Shift: add to what was selected · Alt: curves")
+    assert whole.status.startswith("2 curves chosen · Shift: add to what was selected")
     whole.move((3.5, 5.5))
     assert chosen(whole) == "C"
     whole.move((1.5, 2.5))
@@ -400,17 +394,6 @@ def test_the_band_chooses_what_lies_inside_live(whole):
     assert state(whole)[:2] == (False, "BC")
     assert whole.session.selected.curves == {1, 2}
     assert whole.session.active_index in {1, 2}
-
-
-def test_with_alt_the_band_takes_what_it_touches(whole):
-    whole.press((1.4, 7.6))
-    whole.move((1.6, 2.5), keys=ALT)
-    assert chosen(whole) == "BC"
-    # Across a stretch between two vertices of the line, and no further than that.
-    whole.move((1.6, 7.7), keys=ALT)
-    assert chosen(whole) == ""
-    whole.release((1.6, 2.5), keys=ALT)
-    assert chosen(whole) == "BC"
 
 
 def test_shift_adds_and_escape_brings_back_what_was_chosen(whole):

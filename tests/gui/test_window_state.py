@@ -54,7 +54,6 @@ def test_who_hears_later_hears_of_changes_in_their_order(qapp, tmp_path):
 REMEMBERED = {
     "snap_on",
     "snap_kinds",
-    "nudge",
     "pencil",
     "transform_box",
     "rulers",

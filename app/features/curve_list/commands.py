@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
-from ...actions.needs import SOME_CURVE, Need
+from ...actions.needs import SOME_CURVE
 from ...actions.sections import (
     CURVE_ALL_FREE,
     CURVE_COLOUR,
@@ -242,17 +242,6 @@ class CurveListCommands:
             name = name_of(document, free)
             what = f"All {counted(document, free)} are" if name is None else f"“{name}” is"
             session.say(f"{what} chosen.")
-
-    @action(
-        "onlyThisCurve",
-        "Only This Curve",
-        EDIT_SELECT,
-        needs=Need("several chosen curves", lambda state: state.selected_curve_count > 1),
-    )
-    @also(CURVE_LIST_MENU(25))
-    def _choose_one(self) -> None:
-        """Choose the curve that is edited alone."""
-        self._session.selected.set_curves((self._session.active_index,))
 
 
 COMMAND_SETS = (CurveListCommands,)

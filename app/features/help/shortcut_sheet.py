@@ -94,8 +94,7 @@ _WITH_ANY_TOOL = (
     ),
     GestureRow(
         "Arrow keys",
-        "nudge: on paper by 1 mm or the like, else by a round number or a step of the grid; "
-        "in the t-rail its ticks; Shift: ten, Ctrl: a tenth, Alt: a pixel",
+        "move by a round number or a step of the grid; in the t-rail its ticks; Shift: ten, Ctrl: a tenth",
         selected=True,
         curves=True,
     ),

@@ -13,7 +13,7 @@ from ...workbench.context import WindowContext
 
 
 class SnapCommands:
-    """Keeps the canvas in step with what was chosen about snapping and arrow keys."""
+    """Keeps the canvas in step with what was chosen about snapping."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -26,7 +26,7 @@ class SnapCommands:
         hidden = {kind for kind, is_shown in shown.items() if not is_shown}
         snapping = replace(state.snapping, kinds=state.snapping.kinds - hidden)
         canvas = self._context.central.canvas
-        canvas.change_tool_settings(snapping=snapping, nudge=state.nudge)
+        canvas.change_tool_settings(snapping=snapping)
         if before is not None and before.snapping != state.snapping:
             # What is dragged goes where it snaps to now.
             canvas.move_again()

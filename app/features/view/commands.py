@@ -31,10 +31,6 @@ from .zoom_commands import ZoomCommands
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
-
-_AROUND = {"basis": True, "side_panel": True}
-"""What stands around the canvas in a new window, by field of the window's state."""
-
 _THEMES = (
     (ThemeMode.SYSTEM, "Theme: as the System", "Light or dark, as the system is"),
     (ThemeMode.LIGHT, "Theme: Light", "Light colours"),
@@ -52,24 +48,13 @@ class ViewCommands:
         context.actions.switched.connect(self._shapes.show_in_use)
         self._before_presentation = b""
         self._before_folding = b""
-        self._before_canvas_only = _AROUND
         self._store.changed.connect(self._show_state)
-        self._tool_before: ToolRecord | None = None
-        context.central.canvas.space_tapped.connect(self._swap_tool)
         self._show_numbers(self._store.state)
 
     def _show_numbers(self, state: WindowState) -> None:
         self._context.central.canvas.drawing.set_plain(not state.numbered)
 
-    def _swap_tool(self) -> None:
-        """Take the tool that selects, or from there the one that was used before."""
-        tool = SELECT if self._store.state.tool is not SELECT else self._tool_before
-        if tool is not None:
-            self._context.actions[tool.action].trigger()
-
     def _show_state(self, before: WindowState, after: WindowState) -> None:
-        if before.tool is not SELECT and before.tool is not after.tool:
-            self._tool_before = before.tool
         if after.grid != before.grid:
             self._context.central.canvas.drawing.grid.set_visible(after.grid)
         if after.numbered != before.numbered:
@@ -231,7 +216,7 @@ class ViewCommands:
         keywords="labels indices colours plain nodes index",
     )
     def _toggle_numbers(self) -> None:
-        """Tell points apart by numbers and colours, or draw them plain; drawings begin with plain ones."""
+        """Tell points apart by numbers and colours, or draw them plain."""
 
     @switch(
         "side_panel",
@@ -243,24 +228,6 @@ class ViewCommands:
     )
     def _toggle_side_panel(self) -> None:
         """Show or hide the panels at the side."""
-
-    @action(
-        "toggleCanvasOnly",
-        "Canvas Only",
-        VIEW_SHOWN,
-        "F12",
-        "canvas-only",
-        checked=lambda state: not (state.window.basis or state.window.side_panel),
-        keywords="hide panels dialogs docks focus distraction",
-    )
-    def _toggle_canvas_only(self) -> None:
-        """Hide side panel and basis functions, or bring back what there was of them."""
-        now = {name: getattr(self._store.state, name) for name in _AROUND}
-        if any(now.values()):
-            self._before_canvas_only = now
-            self._store.change(**dict.fromkeys(_AROUND, False))
-        else:
-            self._store.change(**self._before_canvas_only)
 
     def _show_side_panel(self, state: WindowState) -> None:
         window, shown = self._context.window, state.side_panel

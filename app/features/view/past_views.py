@@ -23,7 +23,6 @@ class PastViews(QObject):
         super().__init__(parent)
         self._camera = camera
         self._before: list[Box] = []
-        self._after: list[Box] = []
         self._seen, self._size = camera.pixel_map.box, self._size_now()
         # Whether a view of before is being shown, which is no move.
         self._is_going = False
@@ -40,7 +39,6 @@ class PastViews(QObject):
         if size == self._size and box != self._seen and not self._is_going:
             if not self._moving.isActive():
                 self._before = [*self._before[-_MOST:], self._seen]
-                self._after.clear()
             self._moving.start()
         self._seen, self._size = box, size
 
@@ -52,23 +50,13 @@ class PastViews(QObject):
         """Forget the views: they were of another document."""
         self.begin_move()
         self._before.clear()
-        self._after.clear()
 
     def go_back(self) -> bool:
         """Show what was seen before; return whether there was something."""
-        return self._go(self._before, self._after)
-
-    def go_on(self) -> bool:
-        """Show what was seen before the way back; return whether there was something."""
-        return self._go(self._after, self._before)
-
-    def _go(self, source: list[Box], other: list[Box]) -> bool:
         self._moving.stop()
-        if not source:
+        if not self._before:
             return False
-        box = source.pop()
-        other.append(self._seen)
-        x_min, y_min, x_max, y_max = box
+        x_min, y_min, x_max, y_max = self._before.pop()
         self._is_going = True
         self._camera.show_box((x_min, x_max), (y_min, y_max))
         self._is_going = False

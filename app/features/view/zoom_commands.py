@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import Qt
 
-from ...actions.declaration import Action, action, action_for_each, also
+from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_STEPS, VIEW_ZOOM_TO
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
@@ -14,20 +14,13 @@ from ...plotting.scrolling import ZOOM_STEP
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .past_views import PastViews
-from .zoom import per_cent_text, pixels_at_full_size, words_about_full_size
+from .zoom import pixels_at_full_size, words_about_full_size
 from .zoom_field import ZoomField
-
-_FULL_SIZE = 1.0
-_USUAL = (0.25, 0.5, _FULL_SIZE, 2.0, 4.0, 8.0)
-_KEYS = {_FULL_SIZE: "Ctrl+0, Ctrl+1", 2.0: "Ctrl+2"}
 
 _SOME_POINT = Need(
     "a curve with points",
     lambda state: state.has_selected_curve and (state.point_count > 0 or state.selected_curve_count > 1),
     why=lambda state: "" if state.has_selected_curve else NONE_CHOSEN,
-)
-_STATUS_LINE = Need(
-    "the status line, which a presentation hides", lambda state: not state.window.presentation
 )
 
 
@@ -123,27 +116,19 @@ class ZoomCommands:
         """Zoom out on the canvas, about the pointer if that is over it."""
         self._zoom(1 / ZOOM_STEP)
 
-    @action_for_each(
-        _USUAL,
-        lambda share: Action(
-            f"zoom{share:.0%}".removesuffix("%"),
-            f"{share:.0%}".replace("%", " %"),
-            VIEW_ZOOM_TO,
-            _KEYS.get(share, ""),
-            "actual-size" if share == _FULL_SIZE else "",
-            "Show the drawing at true size" if share == _FULL_SIZE else f"Zoom to {per_cent_text(share)}",
-            f"Zoom to {per_cent_text(share)}",
-            keywords="actual true size 1:1" if share == _FULL_SIZE else "",
-        ),
+    @action(
+        "zoom100",
+        "100 %",
+        VIEW_ZOOM_TO,
+        "Ctrl+0, Ctrl+1",
+        "actual-size",
+        full_name="Zoom to 100 %",
+        keywords="actual true size 1:1",
     )
     @also(ZOOM_MENU(10))
-    def _use_usual(self, share: float) -> None:
-        self._zoom_to(share)
-
-    @action("typeZoom", "Type…", VIEW_ZOOM_TO, full_name="Type a Zoom…", needs=_STATUS_LINE)
-    def _type_zoom(self) -> None:
-        """Type a zoom into the field of the status line."""
-        self.field.begin_typing()
+    def _use_full_size(self) -> None:
+        """Show the drawing at true size."""
+        self._zoom_to(1.0)
 
     @action("previousView", "Previous View", VIEW_PAST, "`", "previous-view", keywords="zoom back undo view")
     @also(ZOOM_MENU(30))
@@ -151,9 +136,3 @@ class ZoomCommands:
         """Show again what was seen before the last zoom or pan."""
         if not self._past.go_back():
             self._context.session.refuse("Nothing else was seen before.")
-
-    @action("nextView", "Next View", VIEW_PAST, "Shift+`")
-    def _go_on(self) -> None:
-        """Show again what was seen before Previous View."""
-        if not self._past.go_on():
-            self._context.session.refuse("Nothing else was seen after this.")

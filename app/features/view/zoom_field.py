@@ -74,12 +74,6 @@ class ZoomField(QWidget):
             if not self._soon.isActive():
                 self._soon.start()
 
-    def begin_typing(self) -> None:
-        """Take the focus, with the zoom as it is now to be typed over."""
-        self._write()
-        self.edit.setFocus(Qt.FocusReason.ShortcutFocusReason)
-        self.edit.selectAll()
-
     def _write(self) -> None:
         self._soon.stop()
         edit, text = self.edit, per_cent_text(self._share)

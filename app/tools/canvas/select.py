@@ -5,15 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from msgspec.structs import replace
-
 from ...document.model import Vector
 from ...document.point_group import PointGroup
-from ...document.shape_edits import next_pressed
 from ...view_model.curve.curve_view import CurveView
 from .. import hints
-from ..below import click_below, find_below, words_below
-from ..curve_picker import CurvePicker, chosen_curves, click_curve, select_hit
+from ..curve_picker import CurvePicker, click_curve, select_hit
 from ..drags import BendCurve
 from ..guides import GuidePicker
 from ..inserting import insert_at
@@ -45,30 +41,18 @@ class SelectTool(Tool):
         self._pressed: tuple[CurveView, Hit] | None = None
 
     def press(self, context: ToolContext) -> None:
-        """Begin what a press here means; a click with Alt means what lies below the topmost curve."""
-        below, line = find_below(context), self._line_clicked_twice(context)
-        self._pressed = None
+        """Begin what a press here means."""
+        line, self._pressed = self._line_clicked_twice(context), None
         if line is not None:
             self._press_on_curve(context, line, is_second=True)
-            return
-        if below is None and self._is_on_pivot(context):
+        elif self._is_on_pivot(context):
             self.gesture = MovePivot(context, self._click_at_pivot(context))
-            return
-        self._press(context)
-        if below is not None:
-            context.drags.mean_by_click(lambda: click_below(context, below))
-            if isinstance(self.gesture, Band):
-                self.gesture.mean_by_click(lambda context: click_below(context, below))
+        else:
+            self._press(self._picker.entered(context))
 
     def _press(self, context: ToolContext) -> None:
-        context = self._picker.entered(context)
         hit, grip = context.hit, self._grip_at(context)
-        if (carried := self._carried(context)) is not None:
-            click = (
-                partial(self._picker.unpick, context) if hit is None else partial(click_curve, context, hit)
-            )
-            context.drags.press(context.pointer, moving(context, carried), click)
-        elif hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
+        if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(context, hit)
         elif hit is not None and not _is_below_grips(hit):
             press_on_part(context, hit, toggling(context, hit))
@@ -82,13 +66,6 @@ class SelectTool(Tool):
             self._press_on_curve(context, hit)
         else:
             self._press_beside(context)
-
-    def _carried(self, context: ToolContext) -> PointGroup | None:
-        """Return what a drag with Alt moves from anywhere: the curves that are chosen whole."""
-        pointer, selected = context.pointer, context.host.selected
-        is_meant = pointer.alt and not pointer.shift and bool(selected.chosen) and not selected.is_editing
-        is_free = is_meant and (context.hit is None or context.hit.part is Part.OTHER_CURVE)
-        return context.target.group if is_free and self._grip_at(context) is None else None
 
     def _press_within(self, context: ToolContext, area: Hit) -> None:
         """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
@@ -131,15 +108,6 @@ class SelectTool(Tool):
         """Forget the curve of another document."""
         self._pressed = None
 
-    def walk(self, context: ToolContext, step: int) -> bool:
-        """Select the next point; while no curve is edited, choose the next curve."""
-        host = context.host
-        if host.selected.is_editing:
-            return super().walk(context, step)
-        host.selected.choose(next_pressed(host.document, host.selected.choice, step))
-        host.say(f"{chosen_curves(host)}.")
-        return True
-
     def _deselect(self, context: ToolContext) -> None:
         """Let go of what the box is around: a click inside it means the empty place there."""
         if context.host.selected.points:
@@ -167,9 +135,7 @@ class SelectTool(Tool):
         host, pointer = context.host, context.pointer
         self._pressed = (context.view, hit)
         bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
-        inserting = partial(insert_at, host, hit.t)
-        inserts = is_second or (pointer.ctrl and pointer.alt)
-        click = inserting if inserts else partial(click_segment, host, hit, pointer)
+        click = partial(insert_at, host, hit.t) if is_second else partial(click_segment, host, hit, pointer)
         context.drags.press(pointer, unless_locked(context, bend), on_click=click)
 
     def _line_clicked_twice(self, context: ToolContext) -> Hit | None:
@@ -189,16 +155,6 @@ class SelectTool(Tool):
 
     def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
-        hint, below, carried = self._hint(context), find_below(context), self._carried(context)
-        if carried is not None:
-            hint = Hint(
-                f"{hints.to_move(carried.quoted, context.pointer)}, from anywhere", cursor=Cursor.MOVE
-            )
-        if below is None:
-            return hint
-        return replace(hint, text=" · ".join(filter(None, (words_below(context, below), hint.text))))
-
-    def _hint(self, context: ToolContext) -> Hint:
         hit, grip, group = context.hit, self._grip_at(context), context.target.group
         snaps = context.settings.snapping.on
         takes_pivot = self._is_on_pivot(context)
@@ -309,7 +265,7 @@ SELECT = ToolRecord(
         GestureRow("Click a small ring", "select a point of another curve of the shape, as any other"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
-        GestureRow("Click the curve", "select both ends; Shift: too; double click, Ctrl+Alt+click: insert"),
+        GestureRow("Click the curve", "select both ends; Shift: too; double click: insert"),
         GestureRow(
             "Drag inside the box", "move all in it; Shift+drag: rubber band", selected=True, curves=True
         ),
@@ -334,14 +290,11 @@ SELECT = ToolRecord(
             "Drag another curve", "move it whole; with none edited choose it, too; Ctrl, Shift: one axis"
         ),
         GestureRow("Click another curve", "edit it"),
-        GestureRow("Alt+click", "the curve below the topmost one there; again: the next below"),
         GestureRow("Shift+click another curve", "choose it too, or no longer"),
         GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
         GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),
-        GestureRow("Shift+Alt+click, no curve edited", "choose the curve below too"),
-        GestureRow("Alt+drag, no curve edited", "move what is chosen, wherever the pointer is"),
         GestureRow("Click within a fill", "as on the line around it; the topmost is meant"),
-        GestureRow("Rubber band, no curve edited", "choose curves inside; Alt: also those touched"),
+        GestureRow("Rubber band, no curve edited", "choose curves inside"),
     ),
     place=10,
     action="selectTool",

@@ -46,19 +46,3 @@ def usual_length(vectors: FloatArray, longest: float) -> float:
         return 0.0
     usual = float(np.quantile(lengths, 0.9, method="lower"))
     return min(float(lengths.max()), longest * usual) if usual > 0 else float(lengths.max())
-
-
-def crosses_box(polyline: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Whether a polyline (k, 2) has a point within a box.
-
-    Each segment is cut by the box's slabs (Liang & Barsky, ACM Transactions on Graphics 3 (1984) 1–22).
-    """
-    start, way = polyline[:-1], np.diff(polyline, axis=0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shares = np.stack([(low - start) / way, (high - start) / way])
-    is_level = way == 0.0
-    is_within = (start >= low) & (start <= high)
-    entry = np.where(is_level, np.where(is_within, -np.inf, np.inf), shares.min(axis=0))
-    leave = np.where(is_level, np.where(is_within, np.inf, -np.inf), shares.max(axis=0))
-    crossing = np.maximum(entry.max(axis=1), 0.0) <= np.minimum(leave.min(axis=1), 1.0)
-    return bool(crossing.any())
