@@ -13,6 +13,21 @@ def named_by_place(tag: str, number: int) -> str:
     return f"{tag.capitalize()} {number}"
 
 
+class Flaw(msgspec.Struct, frozen=True):
+    """What is not taken over as it is.
+
+    Attributes
+    ----------
+    why
+        What stands in the way, as the end of a sentence.
+    instead
+        What is done, likewise.
+    """
+
+    why: str
+    instead: str
+
+
 class Missed(msgspec.Struct, frozen=True):
     """An element of a drawing that comes in otherwise than it is drawn, or not at all.
 

@@ -7,14 +7,12 @@ import subprocess
 import zlib
 
 import pytest
-from msgspec.structs import replace
 
 from app.cli import main
 from app.exchange.errors import ExchangeError
 from app.exchange.reading import import_file
 from app.exchange.svg import compressed
-from app.exchange.writing import export, with_changes
-from app.tasks.progress import silent
+from app.exchange.writing import export
 
 SVG = b"""<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm" viewBox="0 0 10 10">
 <!-- kept --><path id="a" d="M1 1 L9 1 L9 9 Z" fill="#ff0000"/></svg>"""
@@ -50,16 +48,6 @@ def test_what_is_written_is_the_plain_file_packed_and_the_same_at_any_time(packe
     )
     assert not said.stderr
     assert (tmp_path / "b.png").stat().st_size > 100
-
-
-def test_a_packed_file_is_written_back_with_all_else_as_it_was(packed_file):
-    data, document = packed_file.read_bytes(), import_file(packed_file).document
-    assert with_changes(data, packed_file, document, document, silent).data == data
-    curve = document.curves[0]
-    changed = document.with_curve(0, replace(curve, points=curve.points[:2], closed=False))
-    content = gzip.decompress(with_changes(data, packed_file, changed, document, silent).data)
-    assert b"<!-- kept -->" in content
-    assert content != SVG
 
 
 @pytest.mark.parametrize("times", [1, 2])

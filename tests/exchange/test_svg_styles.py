@@ -1,6 +1,5 @@
 """Styles of SVG files: what comes in, what goes out, and what is said of the rest."""
 
-import re
 import xml.etree.ElementTree as ET
 
 import numpy as np
@@ -465,11 +464,3 @@ def test_a_fill_over_its_stroke_is_told(text, is_told):
     found = read(f'<path d="M0 0H9V9Z" stroke="red" paint-order="{text}"/>')
     assert [missed.why for missed in found.missed] == ["its fill covers its line"] * is_told
     assert read(f'<path d="M0 0H9V9Z" paint-order="{text}"/>').missed == ()
-
-
-@pytest.mark.parametrize(("unit", "said"), [("mm", ["mm"]), ("", [])])
-def test_inkscape_tells_lengths_in_the_unit_of_the_document(unit, said):
-    document = replace(empty_document(), unit=unit, page=Page(0.0, 0.0, 100.0, 50.0))
-    document = document.with_curve(0, make_curve([(0, 0), (30, 20)]))
-    written = svg_of(document, Options(unit=unit)).data.decode()
-    assert re.findall('inkscape:document-units="([a-z]+)"', written) == said

@@ -1,16 +1,15 @@
 """SVG.
 
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``style_attributes``, ``numbers``: styles and numbers as text.
-- ``reader``: SVG as Hermite curves.  ``state``: what an element passes on to those in it.
+  ``numbers``, ``escapes``: numbers and text as XML has them.
+- ``reader``: SVG as Hermite curves.
   ``xml_tree``: elements, without DTD and entities.  ``elements``: those that others refer to.
   ``names``, ``groups``: what they are called.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
-- ``escapes``: text in XML.
 - ``guides``: those of Inkscape.
-- ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: clip paths that are boxes.
+- ``shapes``, ``path_data``, ``basic_shapes``: outlines.  ``clips``: boxes that cut.
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
-  and rules.  ``flaw``, ``missing``: what of it is lost, and told.
+  and rules.  ``missing``: what of a file is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
 - ``compressed``: packed by gzip.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.

@@ -1,25 +1,67 @@
-"""Clip paths that are upright rectangles, which programs put around all that they draw."""
+"""Boxes beyond which nothing of a file is shown: view boxes, and clip paths that are upright rectangles."""
 
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
+from curvecore.arrays import FloatArray
+
 from ..errors import ExchangeError
+from ..missed import Flaw
 from .elements import Elements
 from .lengths import Viewport
-from .matrices import Box
+from .matrices import Box, moved
 from .path_data import Subpath
 from .shapes import SHAPES, subpaths_of
 from .xml_tree import tag_of
 
+_ROUNDING = 1e-9
 _DRAWS = (*SHAPES, "use", "g", "text", "image")
 
 
+@dataclass(frozen=True, eq=False)
+class Window:
+    """A box beyond which nothing is shown.
+
+    Attributes
+    ----------
+    box
+        In the units of some element.
+    matrix
+        From those to the document's plane.
+    element
+        What has it.
+    flaw
+        What is said of that where something lies beyond.
+    """
+
+    box: Box
+    matrix: FloatArray
+    element: ET.Element
+    flaw: Flaw
+
+    def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
+        """Whether points (n, 2) of the document, and what is in reach of them, lie in it.
+
+        Only boxes with upright edges know that.
+        """
+        x, y, width, height = self.box
+        corners = moved(np.array([(x, y), (x + width, y + height)]), self.matrix)
+        room = _ROUNDING * float(np.ptp(corners, axis=0).max())
+        low, high = corners.min(axis=0) - room, corners.max(axis=0) + room
+        low, high = low + reach, high - reach
+        return bool((points >= low).all() and (points <= high).all())
+
+
 def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport) -> Box | None:
-    """Return the upright rectangle that a `clip-path` is, in the units of what has it; else None."""
+    """Return the upright rectangle that a `clip-path` is, in the units of what has it; else None.
+
+    Programs put one around all that they draw.
+    """
     clip = elements.referred(declared.get("clip-path", "none"))
     if clip is None or tag_of(clip) != "clipPath" or _hangs_on_box(clip):
         return None

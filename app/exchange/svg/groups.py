@@ -8,7 +8,22 @@ from dataclasses import dataclass, replace
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
 from ..naming import Names
-from .state import Group
+
+
+@dataclass(frozen=True)
+class Group:
+    """A group around shapes.
+
+    Attributes
+    ----------
+    number
+        Another one for each, however they are called.
+    name
+        What the file calls it; empty where it does not.
+    """
+
+    number: int
+    name: str
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,8 +9,7 @@ from collections.abc import Iterator, Sequence
 from ...document.guide import Axis, Guide
 from ...document.model import MAX_MAGNITUDE
 from ..drawing.frames import Frame
-from ..missed import LEFT_OUT
-from .flaw import Flaw
+from ..missed import LEFT_OUT, Flaw
 from .names import SODIPODI
 from .numbers import number
 from .sheet import Sheet

@@ -6,8 +6,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
 
 from ..errors import ExchangeError
-from ..missed import LEFT_OUT, Missed
-from .flaw import Flaw
+from ..missed import LEFT_OUT, Flaw, Missed
 from .names import shown_name
 from .xml_tree import tag_of
 

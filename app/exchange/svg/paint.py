@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from tinycss2.color4 import parse_color
 
+from ..missed import Flaw
 from .elements import Elements
 from .gradients import GRADIENTS, Stop, mean_of, mixed, stops_of
 from .xml_tree import tag_of
@@ -26,17 +27,17 @@ class Paint:
         "#rrggbb", or "none".
     opacity
         From 0 to 1.
-    why, instead
-        What could not be taken as it is, and what was done; empty if nothing.
+    flaw
+        What could not be taken as it is; None if nothing.
     """
 
     colour: str
     opacity: float = 1.0
-    why: str = ""
-    instead: str = ""
+    flaw: Flaw | None = None
 
 
 NONE = Paint("none")
+_CONTEXT = Paint("none", flaw=Flaw("it takes its colour from where it is used", "it has none"))
 
 
 @lru_cache(maxsize=4096)
@@ -78,7 +79,7 @@ class Paints:
         if match := _SERVER.fullmatch(word):
             return self._served(match[1], match[2].strip(), current)
         if word.lower().startswith("context-"):
-            return Paint("none", why="it takes its colour from where it is used", instead="has none")
+            return _CONTEXT
         return NONE if word.lower() == "none" else colour_of(word) or NONE
 
     def _served(self, name: str, fallback: str, current: str) -> Paint:
@@ -90,7 +91,7 @@ class Paints:
         kind = "a pattern" if server is not None else f"“{name}”, which is not in the file,"
         if server is not None and (colours := self._colours_of(server)):
             plain = Paint(mixed(colours))
-        return Paint(plain.colour, plain.opacity, f"{kind} paints it", _instead(plain.colour))
+        return _instead(plain, kind)
 
     def _colours_of(self, pattern: ET.Element) -> list[str]:
         """Return the colours that the elements of a pattern say they are painted with."""
@@ -105,7 +106,7 @@ class Paints:
         mean = mean_of(stops)
         if all((stop.colour, stop.opacity) == (stops[0].colour, stops[0].opacity) for stop in stops):
             return Paint(stops[0].colour, stops[0].opacity)
-        return Paint(mean.colour, mean.opacity, "a gradient paints it", _instead(mean.colour))
+        return _instead(Paint(mean.colour, mean.opacity), "a gradient")
 
     def _stop(self, stop: ET.Element, current: str) -> Stop:
         declared = self._elements.declared(stop)
@@ -125,5 +126,7 @@ def share_of(text: str, default: float = 1.0) -> float:
     return min(max(value, 0.0), 1.0) if value == value else default  # noqa: PLR0124 - not a number
 
 
-def _instead(colour: str) -> str:
-    return f"{colour} does" if colour != "none" else "nothing does"
+def _instead(paint: Paint, kind: str) -> Paint:
+    """Return a paint that stands for what is of another kind."""
+    instead = f"{paint.colour} does" if paint.colour != "none" else "nothing does"
+    return replace(paint, flaw=Flaw(f"{kind} paints it", instead))

@@ -13,8 +13,8 @@ from msgspec.structs import replace
 from ...document.model import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError
+from ..missed import Flaw
 from .cascade import INHERITED
-from .flaw import Flaw
 from .lengths import Viewport, length
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
@@ -79,45 +79,39 @@ class Properties:
         return self.is_visible and has_caps and self.values["stroke"].lower() != "none"
 
 
-class StyleReader:
-    """Reads styles of one file."""
+def style_of(
+    properties: Properties, paints: Paints, viewport: Viewport, scale: float
+) -> tuple[Style, tuple[Flaw, ...]]:
+    """Return the style of a shape whose lengths are scaled so, and what of it is lost.
 
-    def __init__(self, paints: Paints) -> None:
-        self._paints = paints
-
-    def style(
-        self, properties: Properties, viewport: Viewport, scale: float
-    ) -> tuple[Style, tuple[Flaw, ...]]:
-        """Return the style of a shape whose lengths are scaled so, and what of it is lost.
-
-        Raises
-        ------
-        ExchangeError
-            For a width that is no length.
-        """
-        values = properties.values
-        current = values["color"]
-        stroke, fill = (self._paints.paint(values[name], current) for name in ("stroke", "fill"))
-        width = _length(values, "stroke-width", viewport) * scale
-        if not 0 < width <= MAX_MAGNITUDE:
-            stroke = Paint("none")
-        flaws = [Flaw(each.why, each.instead) for each in (fill, stroke) if each.why]
-        if any(values[name].lower() != "none" for name in _MARKERS):
-            flaws.append(_MARKED)
-        is_both = "none" not in (fill.colour, stroke.colour)
-        if is_both and _has_fill_above(values["paint-order"]):
-            flaws.append(_COVERED)
-        if is_both and properties.opacity < 1:
-            flaws.append(_TRANSPARENT)
-        style = Style(
-            stroke=stroke.colour,
-            fill=fill.colour,
-            fill_rule=_one_of(FillRule, values["fill-rule"], FillRule.NONZERO),
-            fill_opacity=_opacity(fill, properties, "fill-opacity"),
-        )
-        if stroke.colour == "none":
-            return style, tuple(flaws)
-        return _with_stroke(style, properties, stroke, width, scale, viewport), tuple(flaws)
+    Raises
+    ------
+    ExchangeError
+        For a width that is no length.
+    """
+    values = properties.values
+    current = values["color"]
+    stroke, fill = (paints.paint(values[name], current) for name in ("stroke", "fill"))
+    width = _length(values, "stroke-width", viewport) * scale
+    if not 0 < width <= MAX_MAGNITUDE:
+        stroke = Paint("none")
+    flaws = [each.flaw for each in (fill, stroke) if each.flaw is not None]
+    if any(values[name].lower() != "none" for name in _MARKERS):
+        flaws.append(_MARKED)
+    is_both = "none" not in (fill.colour, stroke.colour)
+    if is_both and _has_fill_above(values["paint-order"]):
+        flaws.append(_COVERED)
+    if is_both and properties.opacity < 1:
+        flaws.append(_TRANSPARENT)
+    style = Style(
+        stroke=stroke.colour,
+        fill=fill.colour,
+        fill_rule=_one_of(FillRule, values["fill-rule"], FillRule.NONZERO),
+        fill_opacity=_opacity(fill, properties, "fill-opacity"),
+    )
+    if stroke.colour == "none":
+        return style, tuple(flaws)
+    return _with_stroke(style, properties, stroke, width, scale, viewport), tuple(flaws)
 
 
 def _with_stroke(

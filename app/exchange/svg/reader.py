@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 import msgspec
 import numpy as np
+
+from curvecore.arrays import FloatArray
 
 from ...document.model import Guide
 from ...document.shapes import tidy_shapes
@@ -20,13 +22,12 @@ from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
-from ..missed import LEFT_OUT, Missed, named_by_place
+from ..missed import LEFT_OUT, Flaw, Missed, named_by_place
 from ..node_types import parted
 from .cascade import Cascade
-from .clips import clip_box
+from .clips import Window, clip_box
 from .elements import Elements
-from .flaw import Flaw
-from .groups import Drawn, is_seen, settled, with_line
+from .groups import Drawn, Group, is_seen, settled, with_line
 from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
@@ -46,10 +47,9 @@ from .names import INSENSITIVE, NODE_TYPES, name_of
 from .our_own import OurOwn
 from .paint import Paints, share_of
 from .path_data import Subpath
-from .properties import StyleReader
+from .properties import Properties, style_of
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
-from .state import Group, State, Window
 from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
 
 MAX_PATHS = 10_000
@@ -88,7 +88,7 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     root = parsed(data)
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
-    reader = SvgReader(root, tolerance)
+    reader = _Reader(root, tolerance)
     paths, guides = reader.all_paths(), reader.guides()
     found = imported(paths, missed=reader.missed)
     document = msgspec.structs.replace(
@@ -100,7 +100,39 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     return replace(found, document=tidy_shapes(document))
 
 
-class SvgReader:
+@dataclass(frozen=True, eq=False)
+class State:
+    """State that an element passes on to those in it.
+
+    Attributes
+    ----------
+    matrix
+        (2, 3), to the document's plane.
+    viewport
+        What percentages are parts of.
+    inside
+        The `use` elements that show it, each by way of the next.
+    groups
+        Those around it, the outermost first.
+    windows
+        The boxes that it is shown in, but for that of the file.
+    is_locked
+        Whether Inkscape keeps it from being touched.
+    copied
+        What the element is called that a `use` copies; empty for any other.
+    """
+
+    matrix: FloatArray
+    viewport: Viewport
+    properties: Properties = field(default_factory=Properties)
+    inside: tuple[ET.Element, ...] = ()
+    groups: tuple[Group, ...] = ()
+    windows: tuple[Window, ...] = ()
+    is_locked: bool = False
+    copied: str = ""
+
+
+class _Reader:
     """Walks the tree of one file.
 
     Attributes
@@ -117,8 +149,7 @@ class SvgReader:
         self._cascade = Cascade(root)
         self._missing = Missing(root, self._cascade.missed)
         self._elements = elements = Elements.within(root, self._cascade.of)
-        paints = Paints(elements)
-        self._styles = StyleReader(paints)
+        self._paints = Paints(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
 
@@ -303,15 +334,8 @@ class SvgReader:
         if self._found > MAX_PATHS:
             raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
 
-    def _look(
-        self,
-        element: ET.Element,
-        state: State,
-        scale: float,
-        *,
-        keeps_width: bool,
-    ) -> Look:
-        style, flaws = self._styles.style(state.properties, state.viewport, scale)
+    def _look(self, element: ET.Element, state: State, scale: float, *, keeps_width: bool) -> Look:
+        style, flaws = style_of(state.properties, self._paints, state.viewport, scale)
         if style.has_stroke and not keeps_width and is_uneven(state.matrix):
             flaws = (*flaws, _UNEVEN)
         if state.properties.is_visible:

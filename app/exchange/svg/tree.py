@@ -1,4 +1,4 @@
-"""The curves of a drawing as elements of SVG: paths in their groups, with names and ids."""
+"""The curves of a drawing as elements of SVG: paths in their groups, with names, ids and styles."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..drawing.drawing import Drawing
+from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
@@ -17,15 +17,20 @@ from ..node_types import guessed, joined
 from .escapes import quoted
 from .numbers import number
 from .our_own import NO_CURVES, PAGE
-from .style_attributes import style_attributes
 
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
-_LOCKED = ' sodipodi:insensitive="true"'
 
 
 class Tree:
     """Lines of SVG for shapes, one after the other; each opens and closes the groups that it has to.
+
+    Parameters
+    ----------
+    style
+        Of the picture.
+    usual_width
+        Of a stroke whose style does not say it.
 
     Attributes
     ----------
@@ -33,33 +38,21 @@ class Tree:
         What was written so far.
     """
 
-    def __init__(
-        self,
-        style: PictureStyle,
-        drawing: Drawing,
-        shapes: Sequence[tuple[Outline, ...]],
-    ) -> None:
-        self._style, self._usual_width, self._shapes = style, drawing.usual_width, shapes
+    def __init__(self, style: PictureStyle, usual_width: float) -> None:
+        self._style, self._usual_width = style, usual_width
         self._open: tuple[str, ...] = ()
-        self._own_ids: dict[int, str] = {}
         self._ids = Names({*NO_CURVES, PAGE}, between="_")
         self.lines: list[str] = []
 
-    def add(self, place: int) -> None:
-        """Write the outlines of a shape as one path, or what it is the frame of."""
-        first = self._shapes[place][0]
-        self._go_into(first.groups)
-        unseen = "" if first.visible else ' display="none"'
-        locked = _LOCKED if first.locked else ""
-        called, more = self._called(place), f"{unseen}{locked}"
-        self._write(self._drawn(self._shapes[place], called, f"{more}/>"))
-
-    def _drawn(self, shape: tuple[Outline, ...], called: str, end: str) -> str:
-        """Return the element that draws a shape."""
+    def add(self, shape: tuple[Outline, ...]) -> None:
+        """Write the outlines of a shape as one path."""
         first = shape[0]
-        style = style_attributes(first.style, self._style, self._usual_width)
-        runs = f' d="{path_data(shape)}"{_node_types_of(shape)}'
-        return f"<path{called}{runs}{style}{end}"
+        self._go_into(first.groups)
+        called = self._called(first.shape or first.name)
+        style = _style_attributes(first.style, self._style, self._usual_width)
+        unseen = "" if first.visible else ' display="none"'
+        locked = ' sodipodi:insensitive="true"' if first.locked else ""
+        self._write(f'<path{called} d="{path_data(shape)}"{_node_types(shape)}{style}{unseen}{locked}/>')
 
     def close(self) -> None:
         """Close all groups."""
@@ -73,53 +66,29 @@ class Tree:
             self._open = self._open[:-1]
             self._write("</g>")
         for name in groups[common:]:
-            self._write(f"<g{self._group(name)}>")
+            self._write(f"<g{self._called(name)}>")
             self._open = (*self._open, name)
 
     def _write(self, element: str) -> None:
         self.lines.append("  " * (len(self._open) + 1) + element)
 
-    def _group(self, name: str) -> str:
-        return _named(name, self._ids.different(stem(name, "curve")))
-
-    def _called(self, place: int) -> str:
-        return _named(_name_of(self._shapes[place]), self._id_of(place))
-
-    def _id_of(self, place: int) -> str:
-        """Return the id of a shape, which others that show it may ask for first."""
-        if place not in self._own_ids:
-            self._own_ids[place] = self._ids.different(stem(_name_of(self._shapes[place]), "curve"))
-        return self._own_ids[place]
+    def _called(self, name: str) -> str:
+        """Return an id of its own and, where the name is another word, that as Inkscape's label."""
+        own = self._ids.different(_as_id(name))
+        return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
 
 
-def _name_of(shape: tuple[Outline, ...]) -> str:
-    return shape[0].shape or shape[0].name
-
-
-def _named(name: str, own: str) -> str:
-    """Return an id and, where the name is another word, that as Inkscape's label."""
-    return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
-
-
-def _node_types_of(shape: tuple[Outline, ...]) -> str:
-    """Return of what kinds the points are, as an attribute; nothing where one would take them for these."""
-    words = node_types(shape)
-    return f' sodipodi:nodetypes="{words}"' if words else ""
-
-
-def node_types(shape: Sequence[Outline], *, always: bool = False) -> str:
-    """Return the letters of a path; none where one would take its points for these, unless `always`."""
-    words = joined([(each.letters, each.closed) for each in shape])
-    if not words or always:
-        return words
-    taken = [(guessed(each.control_points, closed=each.closed), each.closed) for each in shape]
-    return words if joined(taken) != words else ""
-
-
-def stem(name: str, kind: str) -> str:
+def _as_id(name: str) -> str:
     """Return a name as an id may be."""
     word = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
-    return word if word[:1].isalpha() else f"{kind}_{word}".rstrip("_")
+    return word if word[:1].isalpha() else f"curve_{word}".rstrip("_")
+
+
+def _node_types(shape: tuple[Outline, ...]) -> str:
+    """Return of what kinds the points are, as an attribute; nothing where one would take them for these."""
+    words = joined([(each.letters, each.closed) for each in shape])
+    taken = [(guessed(each.control_points, closed=each.closed), each.closed) for each in shape]
+    return f' sodipodi:nodetypes="{words}"' if words and joined(taken) != words else ""
 
 
 def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:
@@ -158,3 +127,48 @@ def pair(point: list[float]) -> str:
     """Return a point, y negated."""
     x, y = point
     return f"{number(x)} {number(-y)}"
+
+
+def _style_attributes(style: Style, picture: PictureStyle, usual_width: float) -> str:
+    """Return a style as attributes, each after a blank; what SVG takes for granted is left out."""
+    pairs = [("fill", picture.fill_of(style) if style.has_fill else NO_PAINT), *_of_fill(style)]
+    pairs += _of_stroke(style, picture.stroke_of(style), usual_width)
+    return "".join(f' {name}="{value}"' for name, value in pairs)
+
+
+def dash_style(dashes: Sequence[float], offset: float = 0.0) -> str:
+    """Return lengths of dashes and gaps as CSS.
+
+    As attributes Inkscape leaves them as they are when it enlarges a stroke, be it that a drawing in pixels
+    is pasted into one in millimetres; of CSS it enlarges both.
+    """
+    css = f"stroke-dasharray:{','.join(map(number, dashes))}"
+    return f"{css};stroke-dashoffset:{number(offset)}" if offset else css
+
+
+def _of_fill(style: Style) -> list[tuple[str, str]]:
+    pairs = []
+    if style.has_fill and style.fill_rule is not FillRule.NONZERO:
+        pairs.append(("fill-rule", str(style.fill_rule.value)))
+    if style.has_fill and style.fill_opacity < 1:
+        pairs.append(("fill-opacity", number(style.fill_opacity)))
+    return pairs
+
+
+def _of_stroke(style: Style, paint: str, usual_width: float) -> list[tuple[str, str]]:
+    if not style.has_stroke:
+        return []
+    width = usual_width if style.width is None else style.width
+    pairs = [("stroke", paint), ("stroke-width", number(width))]
+    if style.cap is not LineCap.BUTT:
+        pairs.append(("stroke-linecap", str(style.cap.value)))
+    if style.join is not LineJoin.MITER:
+        pairs.append(("stroke-linejoin", str(style.join.value)))
+    elif style.miter_limit != 4:
+        pairs.append(("stroke-miterlimit", number(style.miter_limit)))
+    if style.stroke_opacity < 1:
+        pairs.append(("stroke-opacity", number(style.stroke_opacity)))
+    if style.dash:
+        dashes = [each * width for each in style.dash]
+        pairs.append(("style", dash_style(dashes, style.dash_offset * width)))
+    return pairs

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from msgspec.structs import replace
 
 from ... import __version__
@@ -23,8 +25,7 @@ from .guides import view_elements
 from .names import INKSCAPE_SPACE, SODIPODI_SPACE
 from .numbers import number
 from .our_own import MARK, PAGE
-from .style_attributes import dash_style
-from .tree import Tree, pair
+from .tree import Tree, dash_style, pair
 
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
@@ -57,15 +58,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
         by = (-float(number(drawing.frame.left)), -float(number(drawing.frame.top)))
         drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
     curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
-    text = svg_text(
-        drawing,
-        curves,
-        style=style,
-        points=options.points,
-        width=options.width,
-        unit=options.unit,
-    )
-    return Written(text, drawing.deviation, drawing.remarks)
+    return Written(_text(drawing, curves, style, options), drawing.deviation, drawing.remarks)
 
 
 def picture_of(
@@ -97,21 +90,10 @@ def nominal_width(drawing: Drawing, width: float | None) -> float:
     return NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
 
 
-def svg_text(
-    drawing: Drawing,
-    curves: Tree,
-    *,
-    style: PictureStyle,
-    points: bool,
-    width: float | None = None,
-    unit: str = "",
-) -> str:
-    """Return a drawing, whose curves are written, as SVG.
-
-    It has the nominal `width` in CSS pixels, or is at true size in a unit.
-    """
+def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options: Options) -> str:
+    """Return a drawing, whose curves are written, as SVG."""
     frame = drawing.frame
-    wide, high = _size_attributes(drawing, width, unit)
+    wide, high = _size_attributes(drawing, options.width, options.unit)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     name = f' id="{PAGE}"' if drawing.has_page else ""
     note = accuracy_of(drawing)
@@ -125,10 +107,9 @@ def svg_text(
         *view_elements(drawing.guides, frame),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
-        # Beside all groups: Inkscape takes from a clipboard what is defined there alone.
-        *curves.lines,
+        *curves,
         *_annotations(drawing, style, "handles"),
-        *(_points(drawing, style) if points else []),
+        *(_points(drawing, style) if options.points else []),
         *_annotations(drawing, style, "basis"),
         "</svg>",
     ]
@@ -136,6 +117,7 @@ def svg_text(
 
 
 def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[str, str]:
+    """Return width and height: at true size in a unit, of that width in CSS pixels, or of the usual one."""
     frame, known = drawing.frame, known_unit(unit)
     if known and width is None:
         return css_length(frame.width, known), css_length(frame.height, known)
@@ -157,13 +139,13 @@ def _paper(frame: Frame, colour: str) -> str:
     return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
 
 
-def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> Tree:
-    shapes = drawing.all_shapes
-    tree = Tree(style, drawing, shapes)
-    for place in told(range(len(shapes)), report, "Writing"):
-        tree.add(place)
+def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
+    """Return the elements of the curves, in lines."""
+    tree = Tree(style, drawing.usual_width)
+    for shape in told(drawing.all_shapes, report, "Writing"):
+        tree.add(shape)
     tree.close()
-    return tree
+    return tree.lines
 
 
 def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
