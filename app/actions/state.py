@@ -231,7 +231,7 @@ def _highlighted(session: Session) -> str:
     curves = selected.highlight(whole_curves=True).curves or selected.whole
     nodes = whole_nodes(document.curves, curves)
     if len(nodes) > 1:
-        return counted(document, curves).title()
+        return counted(document, curves).title().replace(" And ", " and ")
     (node,) = nodes
     is_contour = node.kind is NodeKind.CURVE and node.around.shape
     return "Contour" if is_contour else node.kind.name.title()

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from enum import Enum, auto
 
 import msgspec
 
 from .model import Curve
-from .words import count_of
+from .words import count_of, enumerated
 
 
 class NodeKind(Enum):
@@ -129,10 +130,11 @@ def _run_end(curves: Sequence[Curve], place: int, depth: int, stop: int) -> int:
     return end
 
 
-def counted_nodes(nodes: Sequence[Node]) -> str:
-    """Return "3 curves", or "2 objects" where shapes or groups are among them."""
-    are_curves = all(node.kind is NodeKind.CURVE for node in nodes)
-    return count_of(len(nodes), "curve" if are_curves else "object")
+def counted_nodes(nodes: Sequence[Node], adjective: str = "") -> str:
+    """Return "3 curves", or "1 group and 2 curves": how many there are of each kind."""
+    counts = Counter(node.kind for node in nodes)
+    found = [kind for kind in reversed(NodeKind) if counts[kind]]
+    return enumerated([count_of(counts[kind], f"{adjective}{kind.name.lower()}") for kind in found])
 
 
 def group_around(curves: Sequence[Curve], place: int, depth: int) -> range:

@@ -28,9 +28,9 @@ class PointGroup(msgspec.Struct, frozen=True):
     name
         The name of the curve, shape or group where it is a single one, whole.
     several
-        The words for several whole ones, such as "2 objects"; empty for "3 curves".
+        The words for several whole ones, such as "1 group and 2 curves"; empty for "3 curves".
     stays
-        What was meant, too, but cannot be changed: "1 locked object stays"; empty for nothing.
+        What was meant, too, but cannot be changed: "1 locked curve stays"; empty for nothing.
     """
 
     parts: tuple[tuple[int, frozenset[int]], ...] = ()
@@ -41,7 +41,7 @@ class PointGroup(msgspec.Struct, frozen=True):
 
     @property
     def words(self) -> str:
-        """The words "point 3", "4 points", "5 points in 2 curves", "Leaf", "3 curves" or "2 objects"."""
+        """The words "point 3", "4 points", "5 points in 2 curves", "Leaf", or "3 curves"."""
         if self.name is not None:
             return self.name or "curve"
         if self.is_whole:

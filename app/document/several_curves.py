@@ -47,12 +47,12 @@ def changeable(document: Document, curves: Collection[int]) -> frozenset[int]:
 
 
 def what_stays(document: Document, curves: Collection[int]) -> str:
-    """Return which of some curves are not `changeable`: "1 locked object stays"; empty for none."""
+    """Return which of some curves are not `changeable`: "1 locked curve stays"; empty for none."""
     left = frozenset(curves) - changeable(document, curves)
     if not left:
         return ""
-    count = len(whole_nodes(document.curves, whole_shapes(document, left)))
-    return f"{count_of(count, 'locked object')} {'stays' if count == 1 else 'stay'}"
+    nodes = whole_nodes(document.curves, whole_shapes(document, left))
+    return f"{counted_nodes(nodes, 'locked ')} {'stays' if len(nodes) == 1 else 'stay'}"
 
 
 def changed_whole(document: Document, curves: Collection[int]) -> PointGroup:
@@ -251,13 +251,13 @@ def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
 
 
 def named(document: Document, curves: Collection[int]) -> str:
-    """Return the name of the curve, or of the shape or group that they are, or "3 curves", "2 objects"."""
+    """Return the name of the curve, or of the shape or group that they are, or "3 curves"."""
     name = name_of(document, curves)
     return counted(document, curves) if name is None else name
 
 
 def counted(document: Document, curves: Collection[int]) -> str:
-    """Return "3 curves"; with whole shapes or groups among them, "2 shapes"."""
+    """Return "3 curves"; with whole shapes or groups among them, "1 shape and 2 curves"."""
     marked = [document.curves[curve] for curve in curves]
     if [each for each in marked if each.shape or each.groups]:
         return counted_nodes(whole_nodes(document.curves, curves))

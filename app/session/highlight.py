@@ -19,7 +19,7 @@ class Highlight(msgspec.Struct, frozen=True):
     points
         The points; none where whole curves are meant.
     stays
-        What was meant, too, but cannot be changed: "1 locked object stays"; empty for nothing.
+        What was meant, too, but cannot be changed: "1 locked curve stays"; empty for nothing.
     """
 
     curves: frozenset[int]
@@ -60,7 +60,7 @@ class Highlight(msgspec.Struct, frozen=True):
         return named(document, self.curves) if name is None else f"“{name}”"
 
     def told(self, document: Document) -> str:
-        """Return the same, and what of it stays: "2 curves; 1 locked object stays"."""
+        """Return the same, and what of it stays: "2 curves; 1 locked curve stays"."""
         return "; ".join(filter(None, (self.said(document), self.stays)))
 
     def removed_from(self, document: Document, delete: PointsEdit) -> Document:

@@ -288,7 +288,7 @@ def test_whole_shapes_and_groups_are_named():
         "S1",
         "G1",
         "2 curves",
-        "2 objects",
+        "1 group and 1 shape",
     ]
 
 

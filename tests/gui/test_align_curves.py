@@ -194,7 +194,7 @@ def test_a_locked_curve_stays_and_the_others_go_along_it(four):
     four.trigger("alignRight")
     after = four.session.document
     assert (after.curves[0], after == document) == (document.curves[0], False)
-    assert four.status == "1 locked object stays."
+    assert four.status == "1 locked curve stays."
 
 
 def test_selected_points_come_first_as_ever(four):

@@ -363,16 +363,16 @@ def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(fiv
     locked, box = five.session.document, five.window.canvas.marks.box
     assert box is not None
     five.key(Qt.Key.Key_Left)
-    assert five.status.endswith(" · 2 locked objects stay")
+    assert five.status.endswith(" · 2 locked curves stay")
     x, y = on_curve(five, 4)
     five.drag((x, y), (x + 1, y + 1))
-    assert five.status == "2 locked objects stay."
+    assert five.status == "2 locked curves stay."
     document = five.session.document
     stay = [document.curves[at] is locked.curves[at] for at in range(5)]
     assert stay == [False, True, True, True, False]
     five.trigger("deleteCurve")
     assert [curve.name for curve in five.session.document.curves] == ["B", "C", "D"]
-    assert five.status == "2 locked objects stay."
+    assert five.status == "2 locked curves stay."
     for _ in range(3):
         five.trigger("undo")
     choose(five, "BD")

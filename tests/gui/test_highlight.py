@@ -153,7 +153,7 @@ def test_what_is_locked_stays_and_says_so(three, how):
     three.session.selected.set_curves({0, 1})
     three.key(*KEYS[how])
     assert names(three) == "BC"
-    assert three.status.endswith("“A”; 1 locked object stays.")
+    assert three.status.endswith("“A”; 1 locked curve stays.")
 
 
 def test_a_locked_curve_is_copied(three):

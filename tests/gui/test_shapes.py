@@ -668,7 +668,7 @@ def test_a_drag_within_a_fill_moves_all_of_the_group(whole):
 
 def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
     whole.drag((6.5, 0.2), (6.6, 0.4), keys=SHIFT)
-    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 2 objects")
+    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 1 shape and 1 curve")
     whole.session.selected.choose({2})
     whole.trigger("ungroupCurves")
     whole.session.selected.choose(())
@@ -681,16 +681,16 @@ def test_what_is_counted_are_shapes_and_groups_and_not_their_curves(whole):
     whole.session.selected.choose({0, 1, 2})
     whole.trigger("ungroupCurves")
     whole.settle()
-    assert whole.action("deleteCurve").text() == "Delete 2 Objects"
+    assert whole.action("deleteCurve").text() == "Delete 1 Shape and 1 Curve"
     whole.drag((2.2, 0.3), (2.2, 1.3))
-    assert step_name(whole) == "Move 2 objects"
+    assert step_name(whole) == "Move 1 shape and 1 curve"
     whole.trigger("duplicateCurve")
-    assert step_name(whole) == "Duplicate 2 objects"
-    assert whole.status.startswith("Copies of 2 objects lie on the originals")
+    assert step_name(whole) == "Duplicate 1 shape and 1 curve"
+    assert whole.status.startswith("Copies of 1 shape and 1 curve lie on the originals")
     whole.trigger("groupCurves")
-    assert whole.status == "“Group 1” has 2 objects."
+    assert whole.status == "“Group 1” has 1 shape and 1 curve."
     model = view_of(whole).curves
-    assert "group of 2 objects" in model.index(row_named(whole, "Group 1")).data(
+    assert "group of 1 shape and 1 curve" in model.index(row_named(whole, "Group 1")).data(
         Qt.ItemDataRole.AccessibleTextRole
     )
     assert whole.action("deleteCurve").text() == "Delete Group"
