@@ -8,8 +8,6 @@
 - ``following``: the selection from document to document.  ``scrub_line``: a t that is shown.
 - ``box``: what the box around what is selected turns about, and what its grips do.
 - ``highlight``: what Copy, Cut, Duplicate and Delete act on.
-- ``next_style``: the style of what is drawn next.
-  ``brought``: choosing what has come from elsewhere.
 - ``files``: the file behind the document.  ``messages``: sentences for the person.
 """
 

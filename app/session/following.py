@@ -16,7 +16,6 @@ from ..document.selection import (
     returned_points,
 )
 from ..document.steps import reshaped
-from .next_style import Marked
 
 if TYPE_CHECKING:
     from .selection import Selection
@@ -32,11 +31,11 @@ class Following:
     # To another document
 
     def leave(self) -> None:
-        """Put away what is selected of a document that goes; what is drawn next looks as it did."""
+        """Put away what is selected of a document that goes."""
         selected = self._session.selected
         selected.set_points([])
         selected.take_up()
-        selected.next_style.marked = Marked.LENT
+        selected.next_style = None
 
     def begin_opened(self) -> None:
         """Begin with a document that was opened: nobody chose its curves.
@@ -44,10 +43,9 @@ class Following:
         None hidden or locked is edited.
         """
         selected = self._session.selected
-        selected.next_style.marked = Marked.OPENED
+        selected.is_lent = False
         if not self._session.active_curve.is_free:
             selected.choose(())
-            selected.next_style.marked = Marked.OPENED
 
     def reset(self) -> None:
         """Edit the active curve, with nothing of it selected, and tell nobody yet."""
@@ -59,12 +57,11 @@ class Following:
 
     def begin(self, index: int) -> None:
         """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
-        session, selected = self._session, self._session.selected
-        selected.next_style.note(session.document, selected.marked, session.active_index)
+        selected = self._session.selected
         selected.enter(index)
         selected.hold((index,))
         # It is not in the document yet.
-        selected.next_style.marked = Marked.LENT
+        selected.is_lent = True
 
     def settle(self) -> None:
         """Take what a gesture showed as selected, and which was dropped, for what is: as far as it may be."""
@@ -88,14 +85,19 @@ class Following:
             yield
             session.scrub.keep()
             return
+        was_active, was_marked = before.curves[session.active_index], selected.marked
         session.active_index = min(session.active_index, len(curves) - 1)
         old = selected.choice
-        selected.next_style.note(before, selected.marked, old.active)
         new = followed_choice(old, before.curves, curves)
         session.active_index = new.active
         selected.last = max(followed_curves({selected.last}, before.curves, curves), default=new.active)
         selected.hold(new.curves, new.chosen, is_editing=new.is_editing)
-        selected.next_style.follow(before, session.document, new.active)
+        if was_marked and not selected.marked:
+            # It was deleted: what is drawn next looks like it.
+            selected.next_style = was_active.style
+        elif all(each is not curves[new.active] for each in before.curves):
+            # It was begun, or worked on.
+            selected.is_lent, selected.next_style = False, None
         selected.keep_group(selected.group)
         selected.set_hovered(selected.hovered)
         yield

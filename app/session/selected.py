@@ -8,8 +8,8 @@ from ..document.point_group import NO_POINTS
 from ..document.selection import Choice
 from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
+from ..document.style import Style
 from .highlight import Highlight
-from .next_style import NextStyle
 
 if TYPE_CHECKING:
     from .session import Session
@@ -36,8 +36,11 @@ class Selected:
         Whether the active curve is edited.
     hovered
         The point under the pointer, or -1.
+    is_lent
+        Whether a tool took up the active curve while nothing was selected: nobody chose it.
     next_style
-        The style of what is drawn next, where nothing is chosen.
+        The style that was set, or used last, while nothing was selected: that of what is drawn next. None
+        where what is drawn next looks like the active curve.
     """
 
     def __init__(self, session: Session) -> None:
@@ -49,7 +52,8 @@ class Selected:
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
         self._chosen: frozenset[int] = frozenset()
         self.hovered = -1
-        self.next_style = NextStyle()
+        self.is_lent = False
+        self.next_style: Style | None = None
 
     @property
     def points(self) -> frozenset[int]:

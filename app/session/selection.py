@@ -7,7 +7,6 @@ from collections.abc import Collection
 from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import Choice, existing_points
 from ..document.shapes import whole_shapes
-from .next_style import Marked
 from .selected import Selected
 
 
@@ -93,10 +92,11 @@ class Selection(Selected):
         self._take(whole_shapes(document, places), is_editing=False)
 
     def take_up(self) -> None:
-        """Edit the active curve, for a tool that needs one; where nobody chose it, its style says nothing."""
-        was_chosen = bool(self.marked) and self.next_style.marked
+        """Edit the active curve, for a tool that needs one; where nobody chose it, it is lent."""
+        is_lent, style = self.is_lent or not self.marked, self.next_style
         self.activate(self._session.active_index)
-        self.next_style.marked = was_chosen or Marked.LENT
+        if is_lent:
+            self.is_lent, self.next_style = True, style
 
     def show_choice(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""
@@ -117,14 +117,15 @@ class Selection(Selected):
         if session.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
-        self.next_style.note(session.document, self.marked, session.active_index)
         before, places = self.choice, range(len(session.document.curves))
         wanted = active if active is not None and active in places else session.active_index
         existing = frozenset(index for index in indices if index in places)
         if wanted not in existing:
             wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
         self.hold((*existing, wanted), existing, is_editing=is_editing)
-        self.next_style.marked = Marked.ASKED
+        self.is_lent = False
+        if existing:
+            self.next_style = None
         if wanted != session.active_index:
             session.interrupted.emit()
             session.cancel()

@@ -14,6 +14,7 @@ from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
 from ..document.shapes import tidy_shapes
+from ..document.style import PLAIN_STYLE
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
@@ -142,11 +143,14 @@ class Session(SessionSignals):
 
     @property
     def model(self) -> Curve:
-        """The curve that what is drawn next is like: in family and rules the active one."""
-        selected = self.selected
-        shown = self._shown, selected.marked, self.active_index
-        style = selected.next_style.in_document(*shown, self.files.blank)
-        return replace(self.active_curve, style=style)
+        """The curve that what is drawn next is like: the active one, but for a style that was set for it.
+
+        Nobody means to draw what has no paint, unless it was set so.
+        """
+        curve, style = self.active_curve, self.selected.next_style
+        if style is None and curve.points and not (curve.style.has_fill or curve.style.has_stroke):
+            style = PLAIN_STYLE
+        return curve if style is None else replace(curve, style=style)
 
     @property
     def meant_view(self) -> CurveView | None:

@@ -30,7 +30,6 @@ from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
 from app.features.style.commands import StyleCommands
 from app.features.view.zoom_commands import ZoomCommands
-from app.session.next_style import NextStyle
 from app.testing import Editor
 from app.view_model.animation.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
@@ -135,7 +134,7 @@ class KeptEditor:
         self._reset_settings()
         self._reset_drawing()
         self._reset_layout()
-        session.selected.next_style = NextStyle()
+        session.selected.is_lent, session.selected.next_style = False, None
         window.commands.messages.greet()
         window.actions_by_name["fitView"].trigger()
         window.activateWindow()

@@ -22,7 +22,6 @@ from ...document.readings import readings_of
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
-from ...session.brought import choose_brought
 from ...tasks.progress import Report, part, silent
 from ...view_model.pieces.arrivals import Arrival, Target
 from ...view_model.pieces.pasting import (
@@ -154,7 +153,7 @@ class PasteCommands:
         with session.telling:
             if not session.change(f"Paste {name}", lambda _: document, active=places.start):
                 return
-            choose_brought(session.selected, places)
+            session.selected.choose(places)
         is_one = name_of(document, places) is not None
         said = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
         if not framing.shows_curves(places):

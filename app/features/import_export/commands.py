@@ -24,8 +24,6 @@ from ...exchange.formats import (
     file_filters,
     is_document,
 )
-from ...session.brought import choose_brought
-from ...session.next_style import Marked
 from ...storage.files import read
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
 from ...tasks.progress import Report
@@ -278,11 +276,11 @@ class ImportCommands:
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
         if not is_all or (is_brought and (len(curves) > 1 or document.page is not None)):
             # What is brought is put in its place as a whole, but for what nobody may move.
-            choose_brought(selected, [place for place in added if document.curves[place].is_free])
+            selected.choose([place for place in added if document.curves[place].is_free])
         elif len(curves) > 1:
             # Nobody has chosen them: what is drawn next is not to look like them.
-            selected.next_style.marked = Marked.OPENED
             selected.choose(())
+            selected.next_style = self._session.files.blank().curves[0].style
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         central = self._context.central

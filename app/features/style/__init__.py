@@ -2,8 +2,7 @@
 
 - ``commands``: the panel in the window, and Swap Fill and Stroke.
 - ``clipboard_commands``: Copy Style and Paste Style.
-- ``notes``: what the form says below its fields.  ``used_colours``: those that one may want again.
-- ``subject``: whose style is meant.
+- ``used_colours``: those that one may want again.
 - ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
 """
 

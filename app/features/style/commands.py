@@ -15,25 +15,27 @@ from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
 from ...document.model import Document, make_curve
 from ...document.several_curves import named
+from ...document.shapes import whole_shapes
+from ...document.style import Style
 from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
 from ...session.change import why_not_kept
-from ...session.next_style import Marked
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
+from ...view_model.look.palette import adjustment_of
 from ...widgets.percent_field import STEPS
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
-from .notes import HOW_TO_CHOOSE, note_on
-from .subject import StyleSubject
 from .used_colours import UsedColours
 
 if TYPE_CHECKING:
     from .panel import StylePanel
 
 _PAINTS = ("fill", "stroke")
+_NEXT = "what is drawn next"
+_HOW_TO_CHOOSE = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
 
 
 class StyleCommands:
@@ -41,7 +43,7 @@ class StyleCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
-        self._dock, self._subject = context.docks["styleDock"], StyleSubject(context.session)
+        self._dock = context.docks["styleDock"]
         self._panel: StylePanel | None = None
         self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
@@ -65,7 +67,7 @@ class StyleCommands:
             edit, words = partial(self._with_share, name), partial(self._words_of_share, name)
             self._gestures.append(SliderGesture(self._session, field.slider, edit, words))
             for moved in (field.slider.dropped, field.slider.chosen):
-                moved.connect(partial(self._take_share, name))
+                moved.connect(partial(self._set_next_share, name))
         for paint in (panel.fill, panel.stroke):
             self._session.interrupted.connect(paint.abandon)
         return panel
@@ -74,7 +76,14 @@ class StyleCommands:
 
     @property
     def _curves(self) -> frozenset[int]:
-        return self._subject.curves
+        """The curves whose style is shown and set; none where it is that of what is drawn next.
+
+        An empty curve is what is drawn next.
+        """
+        session, selected = self._session, self._session.selected
+        if selected.marked and not selected.is_lent:
+            return selected.marked
+        return frozenset() if session.active_curve.points else frozenset({session.active_index})
 
     def render(self, view: CurveView) -> None:
         """Show how the selected curves look."""
@@ -89,25 +98,19 @@ class StyleCommands:
         panel, session = self._panel, self._session
         if panel is None or not panel.isVisibleTo(self._context.window):
             return
-        shown = self._subject.now()
-        curves, styles = shown.curves, shown.styles
-        note = HOW_TO_CHOOSE if not curves else note_on(styles, self._theme)
+        document, places = session.document, whole_shapes(session.document, self._curves)
+        curves = [document.curves[place] for place in sorted(places)]
+        subject = named(document, places) if any(each.points for each in curves) else _NEXT.capitalize()
+        styles = [each.style for each in curves] or [session.model.style]
+        note = _note_on(styles, self._theme) if curves else _HOW_TO_CHOOSE
         panel.show_recent(self._colours.recent, self._colours.in_document)
-        unit = session.document.unit
-        panel.render_styles(shown.words, styles, unit, note)
+        panel.render_styles(subject, styles, document.unit, note)
 
     # Changes
 
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
         self._colours.remember(*(fields[name] for name in _PAINTS if name in fields))
         self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
-        self._note_set(fields)
-
-    def _note_set(self, fields: dict[str, object]) -> None:
-        """Draw with what was set from now on, also where nobody chose how else the selected curves look."""
-        next_style = self._session.selected.next_style
-        if self._curves and next_style.marked is Marked.BROUGHT:
-            self._set_next(lambda document, curves: with_style(document, curves, **fields))
 
     def _edit(
         self,
@@ -139,7 +142,7 @@ class StyleCommands:
         before = Document((model,))
         after = edit(before, frozenset({0}))
         if not (refusal := why_not_kept(before, after)):
-            session.selected.next_style.take(session.document, after.curves[0].style)
+            session.selected.next_style = after.curves[0].style
         elif self._panel is not None:
             self._panel.refuse(refusal)
         self._render()
@@ -147,7 +150,7 @@ class StyleCommands:
     def _words(self, fields: Iterable[str], what: str = "") -> str:
         what = what or " and ".join(STYLE_WORDS[name] for name in fields)
         curves, committed = self._curves, self._session.committed
-        return f"{what} of {named(committed, curves) if curves else 'what is drawn next'}"
+        return f"{what} of {named(committed, curves) if curves else _NEXT}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
         session = self._session
@@ -161,12 +164,9 @@ class StyleCommands:
     def _with_share(self, name: str, document: Document, position: int) -> Document:
         return with_style(document, self._curves, **{name: position / STEPS})
 
-    def _take_share(self, name: str, position: int) -> None:
-        share: dict[str, object] = {name: position / STEPS}
-        if self._curves:
-            self._note_set(share)
-        else:
-            self._change(share)
+    def _set_next_share(self, name: str, position: int) -> None:
+        if not self._curves:
+            self._change({name: position / STEPS})
 
     def _words_of_share(self, name: str, _position: int) -> str:
         return self._words([name])
@@ -201,6 +201,13 @@ class StyleCommands:
     def _swap(self) -> None:
         """Paint the inside as the line is now, and the line as the inside, with their opacities."""
         self._edit(_PAINTS, with_paints_swapped, what="Swap fill and stroke")
+
+
+def _note_on(styles: Iterable[Style], theme: Theme) -> str:
+    """Return how the canvas shows lines on the paper of a theme, where it is not as they print."""
+    lines = (each.stroke for each in styles if each.has_stroke)
+    moved = next(filter(None, (adjustment_of(theme.paper.name(), stroke) for stroke in lines)), "")
+    return f"The line is {moved}." if moved else ""
 
 
 COMMAND_SETS = (

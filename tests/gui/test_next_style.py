@@ -1,4 +1,4 @@
-"""Styles of their own that lines and texts have in drawings, as in Inkscape; shapes take the last one."""
+"""The style of what is drawn next: that of the active curve, or what was set with nothing chosen."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def rectangle(editor, x):
     return editor.session.document.curves[-1].style
 
 
-def test_in_a_sketch_the_pen_goes_on_with_the_last_style(editor):
+def test_the_pen_goes_on_with_the_last_style(editor):
     editor.show_dock("styleDock")
     editor.trigger("newCurve")
     editor.trigger("addTool")
@@ -67,3 +67,30 @@ def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(drawing):
     drawn = rectangle(drawing, 220)
     assert not drawn.has_fill
     assert not drawn.has_stroke
+
+
+def test_what_is_set_while_a_tool_holds_a_curve_that_nobody_chose_is_for_the_next_one(drawing):
+    first = rectangle(drawing, 20)
+    drawing.key(Qt.Key.Key_V)
+    drawing.session.selected.choose(())
+    style_set(drawing, "strokePaintHex", RED)
+    drawing.trigger("addTool")
+    style_set(drawing, "fillPaintHex", BLUE)
+    assert drawing.session.document.curves[-1].style == first
+    drawn = rectangle(drawing, 120)
+    assert (drawn.stroke, drawn.fill) == (RED, BLUE)
+    # From then on it is the style of the curve that is chosen.
+    drawing.key(Qt.Key.Key_V)
+    drawing.session.selected.choose([0])
+    assert drawing.session.model.style == first
+
+
+def test_what_is_drawn_after_a_curve_was_deleted_looks_like_it(drawing):
+    first = rectangle(drawing, 20)
+    rectangle(drawing, 120)
+    drawing.key(Qt.Key.Key_V)
+    style_set(drawing, "fillPaintHex", BLUE)
+    drawing.session.selected.choose([1])
+    drawing.key(Qt.Key.Key_Delete)
+    assert [curve.style for curve in drawing.session.document.curves] == [first]
+    assert drawing.session.model.style.fill == BLUE
