@@ -139,11 +139,6 @@ class OtherCurvesLayer(Layer):
             self._is_cased, self._picture = cased, None
             self.update()
 
-    def _repaint(self) -> None:
-        self._picture = None
-        self._kept.clear()
-        self.update()
-
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible.
 

@@ -81,13 +81,6 @@ def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     )
 
 
-def _whole_shapes(document: Document, group: PointGroup) -> set[int]:
-    """Return the curves whose shapes are in a group with all their points."""
-    curves = document.curves
-    whole = {curve for curve, indices in group.parts if len(indices) == len(curves[curve].points)}
-    return {curve for curve in whole if whole.issuperset(shape_of(document, curve))}
-
-
 def with_appearance(
     document: Document,
     curves: Collection[int],

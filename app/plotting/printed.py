@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 import numpy as np
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QTransform
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from curvecore.arrays import FloatArray
 
@@ -74,11 +74,6 @@ def paint_printed(
         _fill(painter, parts, style, ink, shown, path)
     if is_lined:
         _stroke(painter, parts, style, ink, shown, path, line or RoundLine())
-
-
-def to_pixels(shown: PixelMap) -> QTransform:
-    """Return the way from the plane to pixels."""
-    return QTransform(shown.sx, 0, 0, -shown.sy, -shown.x0 * shown.sx, shown.y0 * shown.sy)
 
 
 def _whole_path(parts: Sequence[Part], shown: PixelMap) -> QPainterPath | None:

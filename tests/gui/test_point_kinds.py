@@ -204,40 +204,6 @@ def test_the_other_handle_of_a_symmetric_point_is_its_mirror(bow):
     assert np.add(behind, ahead) / 2 == pytest.approx(BOW[2])
 
 
-def test_handles_of_a_symmetric_point_on_paper_are_equally_long_and_stay_so(bow):
-    bow.session.commit(replace(bow.session.document, unit="mm"), "Measure on paper")
-    bow.select_point(2)
-    bow.drag_handle((3.9, 3.4), ahead=True)
-    first, second = handle_lengths(bow, 2)
-    assert first != pytest.approx(second, rel=0.05)
-    bow.key(Key.Key_Y, SHIFT)
-    assert handle_lengths(bow, 2) == pytest.approx([(first + second) / 2] * 2)
-    # What the certificate measures: one direction, and speeds of their own.
-    rows = {row.joint: row for row in certificate_of(bow.session.active_view).rows}
-    assert rows[2].smoothness.startswith("C⁰, G¹")
-    steps = bow.session.undo_stack.count()
-    bow.drag_handle((4.4, 3.2), ahead=True)
-    bow.drag_handle((2.2, 1.4), ahead=False)
-    assert bow.session.undo_stack.count() == steps + 2
-    bow.drag(bow.point(1), (-1.0, 3.0))
-    bow.drag(bow.point(2), (3.4, 2.0))
-    behind, ahead = handle_lengths(bow, 2)
-    assert behind == pytest.approx(ahead)
-    assert kind_at(bow.session.active_view, 2) is SYMMETRIC
-    assert decode(encode(bow.session.document)) == bow.session.document
-    bow.select([0, 2])
-    bow.key(Key.Key_Y, SHIFT)
-    assert kinds(bow)[0] == kinds(bow)[2] == "symmetric"
-    bow.select([2])
-    bow.key(Key.Key_S, SHIFT)
-    assert bow.action(SMOOTH.action).isChecked()
-    x, y = bow.handle(ahead=True).position
-    bow.drag_handle((x + 0.5, y + 0.2), ahead=True)
-    longer = handle_lengths(bow, 2)
-    assert longer[0] == pytest.approx(behind)
-    assert longer[1] > 1.1 * ahead
-
-
 @pytest.mark.parametrize("kind", [SMOOTH, SYMMETRIC, ESTIMATED], ids=lambda kind: kind.title)
 def test_alt_breaks_the_handles_apart_and_only_while_it_is_held(bow, kind):
     bow.select_point(2)

@@ -17,7 +17,7 @@ from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
-from ...document.model import Curve, Document, Vector
+from ...document.model import Document, Vector
 from ...document.readings import readings_of
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
@@ -203,20 +203,6 @@ class PasteCommands:
         """Fit the view if points that were pasted lie outside it."""
         if not self._context.central.canvas.framing.shows_all_points:
             self._context.actions["fitView"].trigger()
-
-
-def _as_path(like: Curve, unit: str) -> Document:
-    """Return a document of copied points alone: in a drawing they are a path of their own.
-
-    Raises
-    ------
-    EditError
-        If there is one alone.
-    """
-    if len(like.points) < 2:
-        raise EditError("One point is no path: copy two of a curve, or more, to paste them.")
-    path = replace(copied_as_new_curve(like, like.name), shape="", groups=())
-    return Document((path,), unit=unit)
 
 
 def _known(curves: Document, _report: Report) -> Imported:

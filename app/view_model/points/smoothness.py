@@ -15,7 +15,7 @@ from ...document.edits import EditError, estimate_derivatives, make_smooth
 from ...document.lines import line_beside
 from ...document.model import Curve, Document, Point, Vector
 from ...document.ties import tied, turned, untied
-from ..curve.curve_view import CurveView, view_of
+from ..curve.curve_view import CurveView
 from ..curve.handles import pulled_out, way_past
 from ..fitting.reshape import estimates_kept, with_jets
 
@@ -64,27 +64,8 @@ def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
         If there is no curve, or nothing is left.
     """
     inner = _inner(view, indices, "it has one handle", ONE_SIDED)
-    return _in_one_line(view, inner, even=False)
-
-
-def made_even(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with handles at these points that lie in one line and are equally long.
-
-    As long as the two are in the mean. The velocities have speeds of their own where the segments beside a
-    point last unequally long. Ends of an open curve have one handle; they are made symmetric.
-    """
-    for index in indices:
-        _refuse_without_tangent(view, index)
-    inner = inner_points(view.source, indices)
-    ends = [index for index in indices if index not in inner]
-    curve = made_symmetric(view, ends) if ends else view.source
-    return _in_one_line(view_of(curve, view) if ends else view, inner, even=True)
-
-
-def _in_one_line(view: CurveView, inner: Collection[int], *, even: bool) -> Curve:
-    """Return the curve with tied velocities at these points, whose handles are equally long if `even`."""
     was = view.source.points
-    new = [index for index in inner if not (was[index].tied and was[index].even == even)]
+    new = [index for index in inner if was[index].even or not was[index].tied]
     corners = {index: view.source.points[index] for index in new if view.source.points[index].corner}
     document = Document((_written_down(view, corners),))
     curve, points = document.curves[0], list(document.curves[0].points)
@@ -92,9 +73,7 @@ def _in_one_line(view: CurveView, inner: Collection[int], *, even: bool) -> Curv
         before, after = (_velocity(view, index, ahead=ahead) for ahead in (False, True))
         if index in corners:
             before, after = _in_one_direction(view, index, before, after)
-        if even:
-            before, after = _equally_long(view, index, before, after)
-        points[index] = replace(tied(points[index], before, after), even=even)
+        points[index] = replace(tied(points[index], before, after), even=False)
     return _kept(view, replace(curve, points=tuple(points)), new)
 
 
@@ -171,13 +150,6 @@ def _in_one_direction(view: CurveView, index: int, before: Vector, after: Vector
         for velocity, ahead in ((before, False), (after, True))
     )
     return first, second
-
-
-def _equally_long(view: CurveView, index: int, before: Vector, after: Vector) -> tuple[Vector, Vector]:
-    """Return velocities of one direction with handles as long as those of these two are in the mean."""
-    h, g = (view.spacing(index, ahead=ahead) or 1.0 for ahead in (False, True))
-    x, y = (h * before[0] + g * after[0]) / 2, (h * before[1] + g * after[1]) / 2
-    return (x / h, y / h), (x / g, y / g)
 
 
 def _refuse_without_tangent(view: CurveView, index: int) -> None:
