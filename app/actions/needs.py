@@ -38,11 +38,13 @@ class Need(msgspec.Struct, frozen=True):
 NOTHING = Need("", lambda _state: True)
 SOME_CURVE = Need("a curve", lambda state: not state.is_blank)
 CHOSEN = Need(
-    "a curve that is chosen or edited", lambda state: state.means_curve, why=lambda _state: NONE_CHOSEN
+    "a curve that is chosen or edited",
+    lambda state: state.has_selected_curve or state.is_blank,
+    why=lambda _state: NONE_CHOSEN,
 )
 HIGHLIGHTED = Need(
     "a curve or a point",
-    lambda state: state.has_highlight,
+    lambda state: state.has_selected_curve and not state.is_blank,
     why=lambda state: "" if state.is_blank else NONE_CHOSEN,
 )
 HERMITE_CURVE = Need("a Hermite curve", lambda state: state.has_derivatives)
@@ -56,6 +58,5 @@ UNLOCKED_CURVE = Need(
     "a curve through two points or more that is not locked",
     lambda state: state.is_current and not state.is_locked,
 )
-PAGE = Need("a page", lambda now: now.session.document.page is not None)
 TWO_POINTS = Need("two points or more", lambda state: state.point_count > 1)
 SECOND_CURVE = Need("a second curve", lambda state: state.curve_count > 1)

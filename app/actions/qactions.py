@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..view_model.curve.curve_view import CurveView
-from .declaration import Action, Declared, all_declared
+from .declaration import Action, Declared, Opened, all_declared
 from .key_gate import KeyGate
 from .keymap import (
     Binding,
@@ -241,14 +241,6 @@ class Actions(QObject):
         for title, action in self._titled:
             action.setText(title(state))
 
-    @property
-    def _state(self) -> ActionState:
-        """The facts that actions are rendered for."""
-        if self._rendered is None:
-            self.render()
-        assert self._rendered is not None
-        return self._rendered
-
     def take_back_click(self, name: str) -> None:
         """Let a switch that was clicked, and those that went off with it, show what is on."""
         # It may be there no more: its record went with what it did.
@@ -272,20 +264,20 @@ class Actions(QObject):
 
         It holds until actions are rendered for other facts or another curve.
         """
-        session = self._facts.session
+        state, session = self._facts.read(), self._facts.session
+        if self._opened and self._opened_of is session.active_view:
+            return
         self._opened_of = session.active_view
-        for name, each in self._declared.items():
-            if (
-                each.section is not section
-                or each.when_opened is None
-                or each.missing(self._state) is not None
-            ):
-                continue
-            opened, action = each.when_opened(session), self._actions[name]
-            self._opened.add(name)
-            action.setText(opened.text)
-            action.setStatusTip(opened.tip)
-            _enable(action, opened.why_not or None)
+        for each in self._declared.values():
+            if each.section is section and each.when_opened is not None and each.missing(state) is None:
+                self._show_opened(each.name, each.when_opened(session))
+
+    def _show_opened(self, name: str, opened: Opened) -> None:
+        action = self._actions[name]
+        action.setText(opened.text)
+        action.setStatusTip(opened.tip)
+        _enable(action, opened.why_not or None)
+        self._opened.add(name)
 
     def _take_back_opened(self) -> None:
         """Say of actions again what they are declared with."""

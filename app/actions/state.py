@@ -18,7 +18,7 @@ from ..document.model import Document, ParametrizationKind
 from ..document.point_group import NO_POINTS, PointGroup
 from ..document.several_curves import counted, is_blank
 from ..document.shape_edits import are_in_groups, objects
-from ..document.shapes import shape_of, whole_shapes
+from ..document.shapes import is_of_several, shape_of, whole_shapes
 from ..document.steps import reshaped
 from ..families import Family
 from ..session import Session
@@ -55,8 +55,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         Whether its points make a curve; whether one is drawn, which may be the last one that they made.
     is_editing
         Whether a curve is edited.
-    means_curve, has_highlight
-        Whether there is a curve to act on; whether there is something to copy or to delete.
     highlighted
         The curves that are duplicated and deleted, as a title: "3 Curves", "Group"; of a shape one alone is
         a contour.
@@ -106,8 +104,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     is_current: bool
     has_curve: bool
     is_editing: bool
-    means_curve: bool
-    has_highlight: bool
     highlighted: str
     has_selected_curve: bool
     selected_curve_count: int
@@ -192,13 +188,11 @@ class ActionFacts:
             is_current=view.is_current,
             has_curve=view.curve is not None,
             is_editing=selected.is_editing,
-            means_curve=selected.means_curve,
-            has_highlight=_has_highlight(session),
             highlighted=_highlighted(session),
             has_selected_curve=bool(marked),
             selected_curve_count=len(selected.curves),
             chosen_count=_count_of_things(document, selected.chosen),
-            can_combine=len(whole) > 1 and whole != frozenset(shape_of(document, min(whole))),
+            can_combine=is_of_several(document, whole),
             is_any_in_shape=any(document.curves[curve].shape for curve in whole),
             is_any_in_group=are_in_groups(document, whole),
             has_curve_in_front=_has_curve_beside(document, selected.curves, shape, 1),
@@ -220,10 +214,6 @@ class ActionFacts:
             is_image_locked=document.image.locked if document.image is not None else None,
             besides=Besides(session),
         )
-
-
-def _has_highlight(session: Session) -> bool:
-    return bool(session.selected.highlight().curves) and not is_blank(session.document)
 
 
 def _highlighted(session: Session) -> str:
