@@ -10,16 +10,14 @@ from collections.abc import Sequence
 from itertools import chain
 
 import msgspec
-from msgspec.structs import replace
 
 from ..document.curve_tree import NodeKind, whole_nodes
 from ..document.derivatives import EstimateRule
 from ..document.model import Document, ParametrizationKind
-from ..document.point_group import NO_POINTS, PointGroup
+from ..document.point_group import PointGroup
 from ..document.several_curves import counted, is_blank
 from ..document.shape_edits import are_in_groups, objects
-from ..document.shapes import is_of_several, shape_of, whole_shapes
-from ..document.steps import reshaped
+from ..document.shapes import shape_of, whole_shapes
 from ..families import Family
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
@@ -85,8 +83,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         Whether there are guides.
     is_image_locked
         Whether the reference image is locked; None without one.
-    besides
-        What else commands ask about.
     """
 
     window: WindowState
@@ -126,36 +122,11 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     has_copied_derivatives: bool
     has_guides: bool
     is_image_locked: bool | None
-    besides: Besides
 
     @property
     def has_derivatives(self) -> bool:
         """Whether the points of the curve have velocities."""
         return self.family.derivatives > 0
-
-    @property
-    def session(self) -> Session:
-        """The session, for what is in none of the facts."""
-        return self.besides.session
-
-
-class Besides:
-    """A session by all that is selected in it and by its document, but for where points are."""
-
-    def __init__(self, session: Session) -> None:
-        self.session, self._document = session, session.document
-        choice, files = session.selected.choice, session.files
-        group = choice.points.curves
-        self._rest = replace(choice, points=NO_POINTS), group, files.path, files.beginning
-
-    def __eq__(self, other: object) -> bool:
-        return (
-            isinstance(other, Besides)
-            and self._rest == other._rest
-            and reshaped(other._document, self._document) is not None
-        )
-
-    __hash__ = None  # type: ignore[assignment]
 
 
 class ActionFacts:
@@ -192,7 +163,7 @@ class ActionFacts:
             has_selected_curve=bool(marked),
             selected_curve_count=len(selected.curves),
             chosen_count=_count_of_things(document, selected.chosen),
-            can_combine=is_of_several(document, whole),
+            can_combine=bool(whole) and not whole <= set(shape_of(document, min(whole))),
             is_any_in_shape=any(document.curves[curve].shape for curve in whole),
             is_any_in_group=are_in_groups(document, whole),
             has_curve_in_front=_has_curve_beside(document, selected.curves, shape, 1),
@@ -212,7 +183,6 @@ class ActionFacts:
             ),
             has_guides=bool(document.guides),
             is_image_locked=document.image.locked if document.image is not None else None,
-            besides=Besides(session),
         )
 
 

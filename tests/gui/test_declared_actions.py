@@ -70,8 +70,8 @@ class SwitchCommands:
             name,
             CURVE_SHAPE,
             tip=f"Call it {name}",
-            checked=lambda now: now.session.active_curve.name == name,
-            title=lambda now: f"{name} of {len(now.session.document.curves)}",
+            checked=lambda state: state.curve_name == name,
+            title=lambda state: f"{name} of {state.curve_count}",
         ),
     )
     def _switch(self, name):
