@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
-import numpy as np
 from PySide6.QtGui import QPainter
 
 from ..appearance.colours import curve_colour, fill_colour
@@ -22,12 +21,6 @@ _WIDE = 8.0
 """Pixels of a line above which its edges show corners that its middle does not."""
 
 _MOST_FINER = 8.0
-
-_SMALL = 256.0
-"""Pixels of a curve of cubics up to which its pieces are painted as such, in a third of the time."""
-
-_NEAR = 20_000.0
-"""Pixels from the corner of the screen up to which Qt is given them."""
 
 Shape = tuple[CurveView, ...]
 """The curves of a shape, in order."""
@@ -82,19 +75,7 @@ def paint_shape(
     style = shape[0].source.style
     width = usual if style.width is None else style.width * shown.sx
     ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width)
-    paint_printed(painter, parts_of(shape, style, shown), style, ink, shown, line)
-
-
-def parts_of(shape: Iterable[CurveView], style: Style, shown: PixelMap) -> list[Part]:
-    """Return the curves of a shape as they are drawn in a style."""
-    return [_part_of(view, style, shown) for view in shape if view.has_curve]
-
-
-def _part_of(view: CurveView, style: Style, shown: PixelMap) -> Part:
-    controls, is_closed = view.cubics, view.source.is_closed
-    if controls is not None:
-        pixels = shown.points(controls)
-        low, high = pixels.min(axis=(0, 1)), pixels.max(axis=(0, 1))
-        if float((high - low).max()) <= _SMALL and float(np.abs(pixels[0, 0]).max()) <= _NEAR:
-            return Part(controls.reshape(-1, 2), is_closed, controls)
-    return Part(line_of(view, shown, style).points, is_closed)
+    parts = [
+        Part(line_of(view, shown, style).points, view.source.is_closed) for view in shape if view.has_curve
+    ]
+    paint_printed(painter, parts, style, ink, shown, line)

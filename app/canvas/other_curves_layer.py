@@ -18,13 +18,12 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine
 from ..tools.pointer import Hit
-from ..view_model.curve.carried_views import common_way
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.look.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
 from .line_finder import LineFinder, pixels_of
 from .looks import Shape, is_plain, line_of, paint_shape
-from .sections import Section, loose_places, sections_of
+from .sections import loose_places, sections_of
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
@@ -34,11 +33,8 @@ _REST_MS = 80
 _NEAR = (0.25, 4.0)
 """How much a picture is reduced or enlarged at most to stand for another one."""
 
-_AT_ONCE = 200
-"""Curves that are painted before the window is heard again: a few hundredths of a second."""
-
-_FOLLOWED = 400
-"""Shapes that move again and again which are painted in every frame, and the others but once."""
+_FOLLOWED = 100
+"""Shapes that move which are painted in every frame, and the others but once."""
 
 _FEW = 8
 """Shapes that may be painted in every frame, whether they move or not, beside the picture of the others."""
@@ -52,8 +48,7 @@ class OtherCurvesLayer(Layer):
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are. While some of them are dragged the
-    picture is in several sheets: what prints below these, between them, and over them. While hundreds go the
-    same way, the picture goes along.
+    picture is in several sheets: what prints below these, between them, and over them.
     """
 
     z = -1.0
@@ -67,22 +62,14 @@ class OtherCurvesLayer(Layer):
         self._views: list[tuple[int, CurveView]] = []
         self._drawn: dict[int, Shape] = {}
         self._shapes: list[Shape] = []
-        # Which shapes are in the picture, and which have changed last and are painted in every frame.
+        # Which shapes are in the picture, and which are painted in every frame.
         self._sections = sections_of((), 0)
-        self._changed_last: frozenset[int] = frozenset()
         self._calm_paints = 0
-        # Sheets of what moves, by its first place: they serve until it does, or the view.
-        self._kept: dict[int, tuple[PixelMap, QPixmap]] = {}
         self._picture: Sheets | None = None
-        # What was whole last, of another part of the plane: it is seen until the picture is.
-        self._before: Sheets | None = None
         self._seconds = 0.0
         self._is_resting = False
         self._rest = QTimer(plot, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._make_anew)
-        self._painted = 0
-        self._next = QTimer(plot, singleShot=True, interval=0)
-        self._next.timeout.connect(lambda: self.update())  # noqa: PLW0108
         self._finder = LineFinder()
         self.set_visible(False)
 
@@ -101,36 +88,17 @@ class OtherCurvesLayer(Layer):
             self._views = found
             self._finder.render([each for each in found if not each[1].source.locked])
         if shapes != self._drawn:
-            if not self._moves_along(shapes):
-                self._follow(_changed(self._drawn, shapes), len(shapes))
+            self._follow(_changed(self._drawn, shapes), len(shapes))
             self._drawn, self._shapes = shapes, list(shapes.values())
             self.set_visible(bool(shapes))
             self.update()
 
-    def _moves_along(self, shapes: dict[int, Shape]) -> bool:
-        """Move the picture along where all shapes have gone the same way; return whether it does.
-
-        They are more than can be painted in every frame: what each prints there is painted when they rest.
-        """
-        picture, is_whole = self._picture, len(self._sections) == 1 and self._sections[0].is_still
-        if picture is None or not is_whole or self._seconds <= _SLOW or shapes.keys() != self._drawn.keys():
-            return False
-        old, new = ([view for shape in each.values() for view in shape] for each in (self._drawn, shapes))
-        way = common_way(old, new) if len(old) == len(new) > _FOLLOWED else None
-        if way is None:
-            return False
-        self._picture, self._is_resting = picture.moved(way), False
-        self._before = None if self._before is None else self._before.moved(way)
-        self._rest.start()
-        return True
-
     def _follow(self, changed: frozenset[int], count: int) -> None:
-        """Paint what has changed in every frame from now on, where it is few or changes again and again."""
-        again, self._changed_last, self._calm_paints = changed <= self._changed_last, changed, 0
-        self._kept.clear()
+        """Paint what has changed in every frame from now on, unless it is too much."""
+        self._calm_paints = 0
         if changed and changed <= loose_places(self._sections):
             return
-        is_followed = 0 < len(changed) <= (_FOLLOWED if again else _FEW)
+        is_followed = len(changed) <= _FOLLOWED
         self._sections, self._picture = sections_of(sorted(changed) if is_followed else (), count), None
 
     def set_cased(self, cased: bool) -> None:
@@ -150,32 +118,25 @@ class OtherCurvesLayer(Layer):
         ratio = painter.device().devicePixelRatioF()
         key = (self.theme, self.scale, ratio)
         picture = self._picture
-        if picture is not None and picture.key == key and picture.shown != shown and self._may_wait(shown):
+        if picture is None or picture.key != key or not (picture.shown == shown or self._may_wait(shown)):
+            picture = self._picture = self._made(shown, ratio, key)
+        is_moved = picture.shown != shown
+        if is_moved:
             self._rest.start()
-            self._paint_more(picture)
-            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
-            self._compose(painter, shown, self._before or picture)
-            return
-        if picture is None or picture.key != key or picture.shown != shown:
-            self._before = self._seen_until_then(picture, shown, key)
-            sheets = [
-                transparent(shown.width, shown.height, ratio) for each in self._sections if each.is_still
-            ]
-            picture = self._picture = Sheets(tuple(sheets), shown, key)
-            self._kept.clear()
-            self._painted, self._seconds, self._is_resting = 0, 0.0, False
-        self._paint_more(picture)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._before is not None)
-        self._compose(painter, shown, self._before or picture)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, is_moved)
+        self._compose(painter, shown, picture)
 
-    def _seen_until_then(
-        self, picture: Sheets | None, shown: PixelMap, key: tuple[object, ...]
-    ) -> Sheets | None:
-        """Return what is seen until a picture of this part of the plane is whole; None for that itself."""
-        whole = self._before or picture
-        if picture is None or whole is None or whole.key != key:
-            return None
-        return whole if _NEAR[0] < shown.sx / whole.shown.sx < _NEAR[1] else None
+    def _made(self, shown: PixelMap, ratio: float, key: tuple[object, ...]) -> Sheets:
+        """Paint the picture of a part of the plane."""
+        began, sheets = perf_counter(), list[QPixmap]()
+        for section in self._sections:
+            if section.is_still:
+                sheets.append(transparent(shown.width, shown.height, ratio))
+                with QPainter(sheets[-1]) as painter:
+                    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+                    self.paint_shapes(painter, shown, self._shapes[section.span])
+        self._seconds, self._is_resting = perf_counter() - began, False
+        return Sheets(tuple(sheets), shown, key)
 
     def _rejoin(self) -> None:
         """Have all in one picture again, when many were painted in frame after frame for nothing."""
@@ -190,44 +151,9 @@ class OtherCurvesLayer(Layer):
             if section.is_still:
                 picture.draw(painter, shown, next(sheets))
             else:
-                self._paint_loose(painter, shown, section)
-
-    def _paint_loose(self, painter: QPainter, shown: PixelMap, section: Section) -> None:
-        """Paint shapes that move; many on a sheet, which is kept until they do: not all frames move them."""
-        shapes, begin = self._shapes[section.span], section.places.start
-        if len(shapes) <= _FEW:
-            painter.save()
-            self.paint_shapes(painter, shown, shapes)
-            painter.restore()
-            return
-        if begin not in self._kept or self._kept[begin][0] != shown:
-            sheet = transparent(shown.width, shown.height, painter.device().devicePixelRatioF())
-            self._kept[begin] = (shown, sheet)
-            with QPainter(sheet) as beside:
-                beside.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-                self.paint_shapes(beside, shown, shapes)
-        painter.drawPixmap(0, 0, self._kept[begin][1])
-
-    def _paint_more(self, picture: Sheets) -> None:
-        """Paint the next curves into the picture; thousands take several steps."""
-        began, left, before = perf_counter(), _AT_ONCE, 0
-        still = [section for section in self._sections if section.is_still]
-        for sheet, section in zip(picture.sheets, still, strict=True):
-            begin = max(self._painted - before, 0)
-            some = self._shapes[section.span][begin : begin + left]
-            before += len(section.places)
-            if some:
-                painter = QPainter(sheet)
-                painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-                self.paint_shapes(painter, picture.shown, some)
-                painter.end()
-                self._painted, left = self._painted + len(some), left - len(some)
-        if left < _AT_ONCE:
-            self._seconds += perf_counter() - began
-            if self._painted < before:
-                self._next.start()
-        if self._painted >= before:
-            self._before = None
+                painter.save()
+                self.paint_shapes(painter, shown, self._shapes[section.span])
+                painter.restore()
 
     def _may_wait(self, shown: PixelMap) -> bool:
         """Whether the picture is slow to make, and good enough for a view that is moving."""

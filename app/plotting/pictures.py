@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 
 import msgspec
-from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPixmap
 
-from ..document.model import Vector
 from .pixel_map import PixelMap
 
 
@@ -51,11 +49,6 @@ class Sheets(msgspec.Struct, frozen=True, eq=False):
             painter.drawPixmap(corner, sheet)
         else:
             painter.drawPixmap(place, sheet, QRectF(sheet.rect()))
-
-    def moved(self, way: Vector) -> Sheets:
-        """Return them as of the part of the plane in which they are when all they show has gone a way."""
-        shown = self.shown
-        return replace(self, shown=replace(shown, x0=shown.x0 + way[0], y0=shown.y0 + way[1]))
 
     def place_in(self, shown: PixelMap) -> QRectF:
         """Return where the sheets lie when another part of the plane is visible."""

@@ -34,15 +34,10 @@ _FARTHEST_DASH = 20_000.0
 
 
 class Part(msgspec.Struct, frozen=True, eq=False):
-    """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins.
-
-    Of one that is small on the screen the `cubics` are painted, its pieces, (n, 4, 2), for which Qt itself
-    finds the vertices; its `points` tell how far it reaches.
-    """
+    """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins."""
 
     points: FloatArray
     is_closed: bool
-    cubics: FloatArray | None = None
 
 
 class Ink(msgspec.Struct, frozen=True, eq=False):
@@ -68,62 +63,18 @@ def paint_printed(
     line: RoundLine | None = None,
 ) -> None:
     """Paint a shape, its fill and its line; with `line`, which may be kept for the next shape."""
-    is_lined = style.has_stroke and ink.width > 0
-    path = _whole_path(parts, shown)
     if style.has_fill:
-        _fill(painter, parts, style, ink, shown, path)
-    if is_lined:
-        _stroke(painter, parts, style, ink, shown, path, line or RoundLine())
-
-
-def _whole_path(parts: Sequence[Part], shown: PixelMap) -> QPainterPath | None:
-    """Return the path of a shape all of which lies near the area, to fill and to stroke; None of another.
-
-    Of thousands of small shapes, to cut each for its fill and again for its line takes longer than all
-    that Qt does.
-    """
-    path = QPainterPath()
-    for part in parts:
-        if part.cubics is not None:
-            _add_cubics(path, part.cubics, shown, part.is_closed)
-            continue
-        pixels = shown.points(part.points)
-        if not _is_near(pixels, shown):
-            return None
-        path.addPolygon(polygon(pixels[:, 0], pixels[:, 1]))
-        if part.is_closed:
-            path.closeSubpath()
-    return path
-
-
-def _is_near(pixels: FloatArray, shown: PixelMap) -> bool:
-    """Whether all of a polyline (k, 2) in pixels, an area at least, lies where nothing is cut."""
-    if len(pixels) < 3 or not np.minimum.reduce(pixels, axis=None) >= -MARGIN:
-        return False
-    right, low = np.maximum.reduce(pixels, axis=0).tolist()
-    return bool(right <= shown.width + MARGIN and low <= shown.height + MARGIN)
-
-
-def _fill(
-    painter: QPainter,
-    parts: Sequence[Part],
-    style: Style,
-    ink: Ink,
-    shown: PixelMap,
-    whole: QPainterPath | None,
-) -> None:
-    area = _area(parts, shown) if whole is None else whole
-    area.setFillRule(FILL_RULES[style.fill_rule])
-    painter.fillPath(area, with_opacity(ink.fill, style.fill_opacity))
+        area = _area(parts, shown)
+        area.setFillRule(FILL_RULES[style.fill_rule])
+        painter.fillPath(area, with_opacity(ink.fill, style.fill_opacity))
+    if style.has_stroke and ink.width > 0:
+        _stroke(painter, parts, style, ink, shown, line or RoundLine())
 
 
 def _area(parts: Sequence[Part], shown: PixelMap) -> QPainterPath:
     """Return the inside of a shape, cut to what may be seen."""
     area = QPainterPath()
     for part in parts:
-        if part.cubics is not None:
-            _add_cubics(area, part.cubics, shown, part.is_closed)
-            continue
         ring = ring_within(shown.points(part.points), shown.width, shown.height, MARGIN)
         if len(ring) > 2:
             area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
@@ -137,7 +88,6 @@ def _stroke(
     style: Style,
     ink: Ink,
     shown: PixelMap,
-    whole: QPainterPath | None,
     line: RoundLine,
 ) -> None:
     pen, width = _pen(style, ink), min(ink.width, _WIDEST)
@@ -150,9 +100,6 @@ def _stroke(
         painter.setPen(pen)
         least, most = _FINE
         for part in parts:
-            if part.cubics is not None:
-                painter.strokePath(_outline(part.cubics, shown, part.is_closed), pen)
-                continue
             if least < width <= most:
                 line.show(part.points, shown, width)
                 line.draw(painter)
@@ -161,7 +108,7 @@ def _stroke(
             stroke.fill(shown.points(part.points), shown.width, shown.height)
             stroke.draw(painter)
     else:
-        painter.strokePath(_line(parts, shown, reach) if whole is None else whole, pen)
+        painter.strokePath(_line(parts, shown, reach), pen)
 
 
 def _line(parts: Sequence[Part], shown: PixelMap, reach: float) -> QPainterPath:
@@ -184,9 +131,6 @@ def _pen(style: Style, ink: Ink) -> QPen:
 
 def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:
     """Add a polyline to a path, cut to what may be seen; a closed one that is whole has no ends."""
-    if part.cubics is not None:
-        _add_cubics(line, part.cubics, shown, part.is_closed)
-        return
     pixels = shown.points(part.points)
     runs = list(_runs(pixels, shown, reach))
     is_whole = len(runs) == 1 and len(runs[0]) == len(pixels)
@@ -196,22 +140,6 @@ def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> 
         line.addPolygon(polygon(run[:, 0], run[:, 1]))
         if part.is_closed and is_whole:
             line.closeSubpath()
-
-
-def _outline(cubics: FloatArray, shown: PixelMap, is_closed: bool) -> QPainterPath:
-    """Return cubic pieces of the plane as a path in pixels."""
-    path = QPainterPath()
-    _add_cubics(path, cubics, shown, is_closed)
-    return path
-
-
-def _add_cubics(path: QPainterPath, cubics: FloatArray, shown: PixelMap, is_closed: bool) -> None:
-    pieces = shown.points(cubics).tolist()
-    path.moveTo(*pieces[0][0])
-    for _, (a, b), (c, d), (x, y) in pieces:
-        path.cubicTo(a, b, c, d, x, y)
-    if is_closed:
-        path.closeSubpath()
 
 
 def _runs(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[FloatArray]:
@@ -224,10 +152,6 @@ def _stroke_dashed(
 ) -> None:
     """Stroke with dashes that run on from the beginning of each polyline, however little of it is seen."""
     for part in parts:
-        if part.cubics is not None:
-            pen.setDashOffset(offset)
-            painter.strokePath(_outline(part.cubics, shown, part.is_closed), pen)
-            continue
         pixels = np.clip(shown.points(part.points), -1e15, 1e15)
         lengths = np.hypot(*np.diff(pixels, axis=0).T)
         starts = np.concatenate([[0.0], np.cumsum(lengths)])

@@ -34,9 +34,9 @@ PASSING = {
     *("_asked", "_costed", "_cost", "_discs_asked", "_drawn", "_extents", "_ghost"),
     *("_axes", "_ghost_drawn", "_ground", "Curve.has_derivatives", "Rulers._band", "is_due"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
-    *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
+    *("_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_in_sight", "_seconds", "_stamps", "_stroke", "_strokes"),
-    *("_styled", "_watcher", "__dict__", "OtherCurvesLayer._before"),
+    *("_styled", "_watcher", "__dict__"),
     *(
         "Cardinals._key",
         "Cardinal.growth",

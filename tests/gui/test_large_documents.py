@@ -1,4 +1,4 @@
-"""Documents of many curves: opened beside the window, which shows how far that is, and painted in steps."""
+"""Documents of many curves: opened beside the window, which shows how far that is."""
 
 from __future__ import annotations
 
@@ -13,16 +13,13 @@ from PySide6.QtWidgets import QDialog
 
 from app.cli.windows import open_windows
 from app.document.model import Curve, Document, make_curve
-from app.document.style import Style
 from app.families import HERMITE
 from app.features.import_export import group_tree
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
-from app.plotting import printed
 from app.storage import files, validation
 from app.testing import Editor
 from app.tools import target
-from app.view_model.curve import flattener
 from tests.effort import calls_of, noted_calls
 
 COUNT = 450
@@ -189,21 +186,6 @@ def test_what_is_wrong_with_a_large_file_is_said(editor, large, tmp_path):
     assert "cut.curve.json was not opened" in editor.message
 
 
-def test_many_curves_are_painted_in_steps(editor, large, qtbot):
-    """One paint took 0.5 s with 5,000 curves."""
-    canvas, steps = editor.window.canvas, []
-    layer = canvas.drawing.others
-    canvas.painted.connect(lambda: steps.append(layer._painted))
-    editor.session.open(large)
-    canvas.camera.show_box((-1, 41), (-1, 26))
-    qtbot.waitUntil(lambda: COUNT - 1 in steps)
-    assert {200, 400} <= {*steps}
-    picture = canvas.grab().toImage()
-    place = canvas.to_pixel(9.4, 11.7) * picture.devicePixelRatio()  # the last curve's crest
-    around = [picture.pixelColor(place.x(), place.y() + step).lightness() for step in range(-3, 4)]
-    assert min(around) < 200
-
-
 def test_what_was_done_to_many_curves_is_undone_and_hidden_without_computing_them_anew(editor, large):
     """Undo made all views anew, the list asked every row for those above it, Combine each for all others."""
     editor.window.open_file(large)
@@ -265,39 +247,6 @@ def test_many_curves_are_moved_and_mapped_without_computing_one(editor, large, m
     assert session.undo_stack.count() == 4
 
 
-def test_the_picture_of_many_curves_goes_along_and_is_painted_anew_where_they_rest(
-    editor, large, qtbot, monkeypatch
-):
-    """It was begun anew at every step: of thousands only a few hundred were seen until they were dropped."""
-    editor.window.open_file(large)
-    editor.wait_for_work()
-    editor.session.selected.choose(range(COUNT))
-    layers = editor.window.canvas.drawing.others, editor.window.canvas.drawing.selected
-
-    def are_painted() -> bool:
-        now = editor.window.canvas.pixel_map
-        return all(
-            layer._picture and layer._picture.shown == now and layer._painted == len(layer._shapes)
-            for layer in layers
-            if layer._shapes
-        )
-
-    qtbot.waitUntil(are_painted)
-    painted = [noted_calls(monkeypatch, type(layer), "paint_shapes") for layer in layers]
-    start = editor.session.views[COUNT // 2].polyline[3]
-    before = editor.screenshot()
-    editor.press(start)
-    for step in (1, 2):
-        editor.move((start[0] + step, start[1] + step))
-    assert painted == [[], []]
-    assert editor.screenshot() != before
-    moved = editor.session.views[0].points[0] - (0, 0)
-    assert moved == pytest.approx((2, 2), abs=0.2)
-    editor.release((start[0] + 2, start[1] + 2))
-    qtbot.waitUntil(are_painted)
-    assert any(painted)
-
-
 def test_many_curves_that_were_copied_here_are_pasted_without_computing_one(editor, large):
     """They were written, read, checked and computed anew, twice where they came to the pointer: for 15 s."""
     editor.window.open_file(large)
@@ -350,30 +299,3 @@ def test_the_groups_of_a_drawing_are_counted_once_each(qtbot, monkeypatch):
     assert tree.topLevelItem(0).text(1) == "60 curves"
     assert tree.topLevelItem(0).child(2).text(1) == "20 curves"
     assert len(counted) == 4
-
-
-def test_small_curves_of_cubics_are_not_flattened_anew_at_another_zoom(editor, monkeypatch):
-    """Those of 2,000 paths took a second of every step of the wheel."""
-    corners = [(0.0, 0.0), (0.7, 0.1), (0.9, 0.8), (0.2, 0.6)]
-    look = Style(fill="#0088ff", stroke="#000000", width=0.02)
-    curves = tuple(
-        replace(
-            make_curve([(x + k % 5, y + k // 5) for x, y in corners], family=HERMITE),
-            name=f"Leaf {k}",
-            closed=True,
-            style=look,
-        )
-        for k in range(25)
-    )
-    editor.session.commit(Document(curves), "Draw")
-    editor.session.selected.choose([])
-    editor.window.canvas.camera.show_box((-0.5, 4.5), (0, 4))
-    editor.wait_for_rest()
-    flattened = noted_calls(monkeypatch, flattener, "flatten_pieces")
-    painted = noted_calls(monkeypatch, printed, "_add_cubics")
-    editor.trigger("zoomIn")
-    editor.wait_for_rest()
-    assert 120 < editor.window.canvas.pixel_map.sx < 200
-    # For the fill and for the line.
-    assert len(painted) == 2 * len(curves)
-    assert not flattened

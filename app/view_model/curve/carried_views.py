@@ -17,8 +17,7 @@ from curvecore import ParametricCurve
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...document.derivatives import DERIVATIVES, EstimateRule
-from ...document.model import Curve, Vector
-from ...document.steps import changed_besides_points
+from ...document.model import Curve
 from ...families import Family
 from .carry import Carry
 from .curve_view import LINE, CurveView, view_of
@@ -133,27 +132,6 @@ def _carried(
         whole = Polyline(polyline.parameters, at, deviation)
         view.take_over(whole, tolerance * by, boxes[place], extents[place])
         yield row, view
-
-
-def common_way(before: Sequence[CurveView], after: Sequence[CurveView]) -> Vector | None:
-    """Return the one way that as many curves as before have gone; None where anything else is another."""
-    came, went = ([view.carry for view in views] for views in (before, after))
-    matrices, shifts = list[tuple[FloatArray, FloatArray]](), list[tuple[FloatArray, FloatArray]]()
-    for view, old, new in zip(before, came, went, strict=True):
-        if new is None or new.root is not (old.root if old else view):
-            return None
-        matrices.append((old.matrix if old else _SAME, new.matrix))
-        shifts.append((old.shift if old else _NO_WAY, new.shift))
-    starts, ends = np.array(shifts).swapaxes(0, 1)
-    ways, linear = ends - starts, np.array(matrices)
-    if not np.array_equal(linear[:, 0], linear[:, 1]):
-        return None
-    if np.ptp(ways, axis=0).max() > _ROUNDED * np.abs(ways).max():
-        return None
-    if changed_besides_points([view.source for view in before], [view.source for view in after]):
-        return None
-    x, y = ways[0].tolist()
-    return x, y
 
 
 class _Spans:

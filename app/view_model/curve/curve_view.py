@@ -38,12 +38,6 @@ TOO_FEW = "A curve needs at least two points."
 
 _MOST_TOLERANCES = 2e4
 
-_CUBIC = 4
-"""Size of a curve in tolerances up to which the whole of it is flattened to be carried along."""
-
-_LOOKS = ("stroke_bounds",)
-"""What is kept with a view, and is another when the curve looks otherwise."""
-
 LINE = tuple(
     name
     for name in Curve.__struct_fields__
@@ -162,19 +156,6 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
             self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
         return self._flattened[key]
 
-    @cached_property
-    def cubics(self) -> FloatArray | None:
-        """The control points (k, 4, 2) of a curve of cubics that is at rest; None of any other."""
-        if self.motion is not None or self.carry is not None or self.curve is None:
-            return None
-        found = list[FloatArray]()
-        for piece in self.curve.pieces:
-            controls = piece.bezier_pieces()
-            if controls is None or controls.shape[1] != _CUBIC:
-                return None
-            found.append(controls)
-        return np.concatenate(found)
-
     def velocity_of(self, index: int, *, ahead: bool = True) -> Vector | None:
         """Return the velocity at point `index`, set or estimated; None where the family has none.
 
@@ -237,7 +218,6 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
         return None
     if _runs(curve) != _runs(other.source):
         return None
-    kept = {name: value for name, value in other.__dict__.items() if name not in _LOOKS}
     view = CurveView(
         curve,
         other.points,
@@ -247,7 +227,7 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
         _cardinals=other._cardinals,
         _flattened=other._flattened,
     )
-    view.__dict__.update(kept)
+    view.__dict__.update(other.__dict__)
     return view
 
 
