@@ -1,7 +1,7 @@
 """The document: immutable values and the edits that make new ones.
 
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
-  rules that estimate them.  ``limits``: the numbers that they may hold.  ``page``: what pictures show.
+  rules that estimate them.  ``limits``: the numbers that they may hold.
   ``reference_image``: the picture to trace.
 - ``style``: stroke and fill of a curve.
 - ``shapes``: neighbouring curves that are drawn as one.

@@ -16,7 +16,6 @@ from .fields import LENGTH, at_least, between, printed
 from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
 from .guide import Guide as Guide  # noqa: PLC0414
 from .guide import Length
-from .page import Page as Page  # noqa: PLC0414 - most have it from here
 from .reference_image import ReferenceImage as ReferenceImage  # noqa: PLC0414
 from .style import PLAIN_STYLE, Style
 from .value import Value
@@ -293,13 +292,8 @@ class Document(Value, frozen=True):
         Distance of the grid's lines; 0 where it adapts to the zoom.
     guides
         Lines to draw along.
-    page
-        What pictures of it show; None for what its curves take.
     export
         Its last export.
-    y_up
-        Whether y is told upwards from the lower edge of its page, and not downwards from the upper one as in
-        SVG: see ``readings``. Without a page it is told upwards in any case.
     """
 
     curves: tuple[Curve, ...]
@@ -307,9 +301,7 @@ class Document(Value, frozen=True):
     unit: Annotated[str, printed(LONGEST_UNIT, f"be a name of at most {LONGEST_UNIT} characters")] = ""
     grid_spacing: Annotated[Length, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
-    page: Page | None = None
     export: Export = NEVER_EXPORTED
-    y_up: bool = False
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""

@@ -130,11 +130,8 @@ PLAIN: Final = Readings()
 
 
 def readings_of(document: Document) -> Readings:
-    """Return how coordinates of a document are told: in drawings from a corner of the page."""
-    page = document.page
-    if page is None:
-        return PLAIN
-    return Readings((page.x, page.y if document.y_up else page.top), not document.y_up)
+    """Return how coordinates of a document are told."""
+    return PLAIN
 
 
 @overload

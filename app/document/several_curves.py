@@ -125,19 +125,9 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
 
 
 def alone(document: Document, curves: Collection[int]) -> Document:
-    """Return some curves of a document in a document of their own, without a page.
-
-    Lines whose styles say no width are as wide as on the page.
-    """
+    """Return some curves of a document in a document of their own."""
     chosen = tuple(document.curves[place] for place in sorted(curves))
-    if (page := document.page) is not None:
-        chosen = tuple(_with_width(curve, page.usual_width) for curve in chosen)
-    return tidy_shapes(replace(document, curves=chosen, image=None, page=None))
-
-
-def _with_width(curve: Curve, usual: float) -> Curve:
-    style = curve.style
-    return curve if style.width is not None else replace(curve, style=style.with_usual_width(usual))
+    return tidy_shapes(replace(document, curves=chosen, image=None))
 
 
 def in_order(document: Document, order: Sequence[int]) -> Document:
@@ -200,8 +190,8 @@ def add_curves(
 def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     """Return the document with the curves of another in front, and the place of the first of them.
 
-    A lone curve without points is what a new document begins with; it gives way, and with it unit, page and
-    guides. The other's picture to trace comes along where there is none yet.
+    A lone curve without points is what a new document begins with; it gives way, and with it unit and guides.
+    The other's picture to trace comes along where there is none yet.
     """
     is_begun = not is_blank(document)
     base, image = document if is_begun else without(document, 0), document.image or new.image
@@ -209,17 +199,14 @@ def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     document = replace(base, curves=(*base.curves, *own), image=image)
     if is_begun:
         return document, place
-    unit, page, guides = new.unit or document.unit, new.page or document.page, new.guides or document.guides
-    return replace(document, unit=unit, page=page, guides=guides), 0
+    return replace(document, unit=new.unit or document.unit, guides=new.guides or document.guides), 0
 
 
 def left_behind(document: Document, new: Document) -> list[str]:
-    """Return what `add_imported` leaves behind of the other document beside its curves: "its page"."""
+    """Return what `add_imported` leaves behind of the other document beside its curves: "its grid"."""
     found = ["its picture to trace"] if new.image and document.image else []
     if is_blank(document):
         return found
-    if new.page not in (None, document.page):
-        found.append("its page")
     if new.unit not in ("", document.unit):
         found.append(f"its unit {new.unit}")
     if new.grid_spacing not in (0.0, document.grid_spacing):

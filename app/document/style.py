@@ -23,7 +23,7 @@ LEAST_DASH: Final = 1e-3
 """In place of a dash of length 0, which has ends but no direction; in widths."""
 
 USUAL_WIDTH: Final = 0.003
-"""Of a line whose style does not say it, against the longer side of the page or of the drawing."""
+"""Of a line whose style does not say it, against the longer side of the picture."""
 
 _PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
 _DASHES = few(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")
@@ -61,8 +61,8 @@ class Style(Value, frozen=True):
     stroke, stroke_opacity
         Paint of the line.
     width
-        Of the line, in the unit of the document; None for a line of the usual width: that of
-        the page, or without one the same at every zoom.
+        Of the line, in the unit of the document; None for a line of the usual width, which is the same at
+        every zoom.
     cap, join, miter_limit
         Ends and corners of the line; longer miters than the limit times the width become bevels.
     dash, dash_offset
@@ -102,10 +102,6 @@ class Style(Value, frozen=True):
         """Return the style with another colour: of its line, or of its inside where it has no line."""
         is_inside = self.has_fill and not self.has_stroke
         return replace(self, **{"fill" if is_inside else "stroke": paint})
-
-    def with_usual_width(self, width: float) -> Style:
-        """Return the style with this width where its line has none of its own; 0 leaves it so."""
-        return replace(self, width=width) if width and self.width is None else self
 
     @property
     def swapped(self) -> Style:

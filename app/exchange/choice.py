@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import msgspec
-from msgspec.structs import replace
 
 from ..document.export import Export
 from ..document.model import Document
@@ -92,17 +91,15 @@ class ExportChoice:
             unit = ""
         matters = {each.name for each in self.shown(document.unit)}
         has_paper = is_picture and (dark or not shared.get("transparent"))
-        # Of a part of it, too, which has no page.
-        light = LIGHT.on_page() if document.page is not None else LIGHT
         part, active = _part_of(document, self[EXTENT], active, chosen)
         options = Options(
             **{name: value for name, value in shared.items() if name in matters},
-            style=(DARK if dark else light) if has_paper else None,
+            style=(DARK if dark else LIGHT) if has_paper else None,
             basis=active if has_basis else None,
             with_estimates=with_estimates,
             unit=unit,
             own=values,
-            from_corner=part.page is None and (document.page is not None or self[EXTENT] is Extent.CHOSEN),
+            from_corner=self[EXTENT] is Extent.CHOSEN,
         )
         return Order(part, options)
 
@@ -121,7 +118,7 @@ def _part_of(
     if extent is Extent.CHOSEN:
         places = sorted(whole_shapes(document, chosen or (active,)))
         return alone(document, places), places.index(active) if active in places else 0
-    return (document if extent is Extent.PAGE else replace(document, page=None)), active
+    return document, active
 
 
 def choice_from(text: str) -> ExportChoice:

@@ -42,9 +42,6 @@ _MOST_NAMES = 24
 """Of groups, when they are listed: the three outermost of each curve, and so many in all."""
 
 
-_NO_PAGE = "The page stays behind: it is that of the whole drawing."
-
-
 @dataclass(frozen=True)
 class Imported:
     """Content of a file that was read.
@@ -85,8 +82,6 @@ class Imported:
     def called(self, names: Sequence[str]) -> Imported:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
 
-        Without the page of all, which is told.
-
         Raises
         ------
         ExchangeError
@@ -96,11 +91,7 @@ class Imported:
         taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
         if not any(taken):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
-        found = self.only(taken)
-        if found.document.page is None:
-            return found
-        document = msgspec.structs.replace(found.document, page=None)
-        return replace(found, document=document, remarks=(*found.remarks, _NO_PAGE))
+        return self.only(taken)
 
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""

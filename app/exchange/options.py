@@ -14,7 +14,6 @@ import msgspec
 from msgspec.structs import replace
 
 from .. import exchange
-from ..document.model import Document
 from ..document.words import NamedEnum
 from ..tasks.progress import Report, silent
 from .drawing.styles import INK, LIGHT, PictureStyle
@@ -150,7 +149,6 @@ class Tolerance(Real):
 class Extent(NamedEnum):
     """Part of a document that goes into a file."""
 
-    PAGE = "page", "Page"
     ALL = "all", "All curves"
     CHOSEN = "chosen", "Chosen curves"
 
@@ -159,10 +157,10 @@ EXTENT = OneOf(
     name="extent",
     label="What",
     tip="What goes into the file",
-    default=Extent.PAGE,
+    default=Extent.ALL,
     choices={each: each.label for each in Extent},
 )
-"""Option of all formats; without a page all curves are one."""
+"""Option of all formats."""
 
 WIDTH = Whole(
     name="width",
@@ -266,7 +264,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     path
         The file that is written, for formats that say where other files lie.
     from_corner
-        Of an SVG without a page: whether its coordinates begin in its upper left corner, and not where those
+        Of an SVG: whether its coordinates begin in its upper left corner, and not where those
         of the document do.
     """
 
@@ -301,18 +299,18 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         """Whether pictures have true size."""
         return self.width is None and bool(exchange.units.known_unit(self.unit))
 
-    def paper_style(self, document: Document) -> PictureStyle:
-        """Return the colours of a PNG of a document, which has paper unless it is to be transparent."""
-        return self._on_paper(self.style or LIGHT, document)
+    @property
+    def paper_style(self) -> PictureStyle:
+        """The colours of a PNG, which has paper unless it is to be transparent."""
+        return self._on_paper(self.style or LIGHT)
 
-    def vector_style(self, document: Document) -> PictureStyle:
-        """Return the colours of an SVG or PDF of a document, with paper only where colours were asked for."""
-        return self._on_paper(self.style or INK, document)
+    @property
+    def vector_style(self) -> PictureStyle:
+        """The colours of an SVG or PDF, with paper only where colours were asked for."""
+        return self._on_paper(self.style or INK)
 
-    def _on_paper(self, style: PictureStyle, document: Document) -> PictureStyle:
-        if self.transparent:
-            return replace(style, paper=None)
-        return style.on_page() if document.page is not None else style
+    def _on_paper(self, style: PictureStyle) -> PictureStyle:
+        return replace(style, paper=None) if self.transparent else style
 
 
 DEFAULT = Options()

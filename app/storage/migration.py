@@ -188,6 +188,8 @@ DROPPED: list[Dropped] = [
         is_shared=True,
         mend=_fade_with_groups,
     ),
+    Dropped(Place.DOCUMENT, "page", "page"),
+    Dropped(Place.DOCUMENT, "y_up"),
 ]
 """The fields of version 2 that version 3 does not have."""
 

@@ -22,7 +22,7 @@ def curve(
     return f'{{"name": {name}, "family": {family}, "parametrization": {rule}, "points": [{points}]{more}}}'
 
 
-def document(curves: str | None = None, version: str = "2", **parts: str) -> bytes:
+def document(curves: str | None = None, version: str = "3", **parts: str) -> bytes:
     body = curve(**parts) if curves is None else curves
     return f'{{"format": "curvebench", "version": {version}, "curves": [{body}]}}'.encode()
 

@@ -9,7 +9,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.fields import fields_of
-from app.document.model import Axis, Document, Guide, Page, Point, ReferenceImage, make_curve
+from app.document.model import Axis, Document, Guide, Point, ReferenceImage, make_curve
 from app.document.plain import plain
 from app.document.style import Style
 from app.document.value import Value
@@ -43,7 +43,6 @@ FULL = Document(
     (FULL_CURVE,),
     image=ReferenceImage("/a.png", 0.0, 0.0, 1.0, 1.0),
     guides=(Guide(Axis.X, 1.0),),
-    page=Page(0.0, 0.0, 1.0, 1.0),
 )
 """A number wherever a document may have one."""
 

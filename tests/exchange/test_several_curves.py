@@ -50,7 +50,7 @@ def test_hidden_curves_are_not_drawn_and_take_no_room(document):
     drawing = drawing_of(document)
     assert [outline.name for outline in drawing.outlines] == ["Pond", "Line"]
     assert drawing.frame.width < 10
-    assert drawing.remarks == ()
+    assert drawing.left_out == ()
 
 
 def test_svg_keeps_hidden_curves_in_their_place_without_a_sign_of_them(document):

@@ -398,7 +398,7 @@ def test_a_picture_of_ours_is_known_by_its_metadata_or_as_before_by_its_descript
     text = svg_of(document).text.replace("metadata>", f"{note}>")
     found = read_svg(text.encode()).document
     # The size and the line of a picture that nobody asked for are no part of the document.
-    assert (found.unit, found.page, found.curves[0].style) == ("", None, document.curves[0].style)
+    assert (found.unit, found.curves[0].style) == ("", document.curves[0].style)
 
 
 def test_what_matplotlib_writes_is_read():

@@ -7,7 +7,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.guide_edits import place_words
-from app.document.model import Document, Page, empty_document, make_curve
+from app.document.model import Document, empty_document, make_curve
 from app.document.readings import readings_of
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange.options import Options
@@ -133,25 +133,23 @@ def test_an_uneven_transform_is_told():
 
 
 @pytest.mark.parametrize(
-    ("attributes", "unit", "end", "page"),
+    ("attributes", "unit", "end"),
     [
-        ('width="70mm" height="50mm" viewBox="0 0 140 100"', "mm", 2.0, Page(0.0, -50.0, 70.0, 50.0)),
-        ('width="1in" height="1in"', "in", 4 / 96, Page(0.0, -1.0, 1.0, 1.0)),
-        ('width="24" height="24" viewBox="0 0 24 24"', "px", 4.0, Page(0.0, -24.0, 24.0, 24.0)),
-        ('width="48px" viewBox="0 0 24 12"', "px", 8.0, Page(0.0, -24.0, 48.0, 24.0)),
-        ('viewBox="-2 -3 24 12"', "", 4.0, Page(-2.0, -9.0, 24.0, 12.0)),
-        ('width="100%" height="100%" viewBox="0 0 8 8"', "", 4.0, Page(0.0, -8.0, 8.0, 8.0)),
-        ('width="2cm" height="1cm" viewBox="0 0 10 10"', "cm", 0.4, Page(-0.5, -1.0, 2.0, 1.0)),
-        ('width="2cm" height="1cm" viewBox="0 0 10 10" preserveAspectRatio="none"', "cm", 0.8, None),
-        ("", "", 4.0, None),
+        ('width="70mm" height="50mm" viewBox="0 0 140 100"', "mm", 2.0),
+        ('width="1in" height="1in"', "in", 4 / 96),
+        ('width="24" height="24" viewBox="0 0 24 24"', "px", 4.0),
+        ('width="48px" viewBox="0 0 24 12"', "px", 8.0),
+        ('viewBox="-2 -3 24 12"', "", 4.0),
+        ('width="100%" height="100%" viewBox="0 0 8 8"', "", 4.0),
+        ('width="2cm" height="1cm" viewBox="0 0 10 10"', "cm", 0.4),
+        ('width="2cm" height="1cm" viewBox="0 0 10 10" preserveAspectRatio="none"', "cm", 0.8),
+        ("", "", 4.0),
     ],
 )
-def test_units_and_pages(attributes, unit, end, page):
+def test_units(attributes, unit, end):
     document = read(f'<path d="{LINE}"/>', attributes).document
     assert document.unit == unit
     assert document.curves[0].points[1].x == pytest.approx(end, rel=1e-12)
-    if page:
-        assert document.page == page
 
 
 @pytest.mark.parametrize(
@@ -310,8 +308,8 @@ def test_a_drawing_of_lines_that_nobody_painted_comes_in_as_lines():
 # Out
 
 
-def drawn(*parts, unit="", page=None):
-    return Document(parts, unit=unit, page=page)
+def drawn(*parts, unit=""):
+    return Document(parts, unit=unit)
 
 
 def square(side, name="Square", **fields):
@@ -369,26 +367,20 @@ def test_ids_are_their_own_and_names_are_labels():
     assert [path.get(LABEL) for path in paths] == ["1st leaf", "paper", "Ünïcode", "paper"]
 
 
-def test_a_page_and_a_unit_give_the_true_size():
-    document = drawn(square(2.0), unit="mm", page=Page(-1.0, -2.0, 70.0, 50.0))
+def test_a_unit_gives_the_true_size():
+    document = drawn(square(2.0, style=Style(stroke="none", fill="#000000")), unit="mm")
     root = root_of(document, unit=document.unit)
-    assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("70mm", "50mm", "0 0 70 50")
+    _, _, *sizes = map(float, root.get("viewBox").split())
+    for name, length in zip(("width", "height"), sizes, strict=True):
+        assert root.get(name).endswith("mm")
+        assert float(root.get(name).removesuffix("mm")) == pytest.approx(length, rel=1e-6)
     assert root.get("style") is None
     assert not list(root.iter(f"{SVG}rect"))
     back = read_svg(svg_of(document, Options(unit="mm")).data).document
-    # Its corner is that of the file, wherever it lies in the plane.
-    assert (back.unit, back.page) == (document.unit, Page(0.0, -50.0, 70.0, 50.0))
-    assert read_svg(svg_of(replace(document, page=None), Options(unit="mm")).data).document.page is None
-
-
-def test_what_reaches_beyond_the_page_is_told():
-    document = drawn(square(2.0, "in"), square(9.0, "out"), page=Page(-1.0, -1.0, 4.0, 4.0))
-    assert svg_of(document).remarks == ("out reaches beyond the page; pictures end there.",)
-    # By the name that the list shows, once.
-    ring = drawn(
-        square(9.0, "Curve 1", shape="Ring"), square(8.0, "Curve 2", shape="Ring"), page=document.page
-    )
-    assert svg_of(ring).remarks == ("Ring reaches beyond the page; pictures end there.",)
+    assert back.unit == document.unit
+    assert {each.position for each in document.curves[0].points} <= {
+        each.position for each in back.curves[0].points
+    }
 
 
 def test_a_wide_line_has_room_in_the_picture():
@@ -411,7 +403,6 @@ def test_lengths_are_the_same_in_another_unit():
     assert there.curves[0].style.width == pytest.approx(25.4 / 4)
     old, new = found.curves[0].points[1].velocity_after, there.curves[0].points[1].velocity_after
     assert new == pytest.approx(tuple(25.4 * each for each in old))
-    assert there.page == Page(0.0, -25.4, 25.4, 25.4)
     assert in_unit(found, "s") is found
     assert in_unit(replace(found, unit=""), "mm").curves is found.curves
 

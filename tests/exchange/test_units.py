@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from PySide6.QtGui import QImage
 
 from app.cli import main
-from app.document.model import Document, Page, make_curve
+from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.exchange.choice import ExportChoice, choice_from
 from app.exchange.drawing.drawing import drawing_of
@@ -105,29 +105,6 @@ def test_a_pdf_has_true_size(unit, tmp_path):
     length = document.curves[0].points[-1].x * scale
     # Qt writes coordinates with some six digits.
     assert length_of_the_stroke(data) == pytest.approx(length, rel=1e-4)
-
-
-def test_a_page_is_as_large_in_a_pdf_and_its_corner_is_the_corner(tmp_path):
-    """A5 was 596 × 420 points, with its content in the middle."""
-    line = make_curve(((0.0, 0.0), (210.0, 148.0)))
-    document = Document((line,), unit="mm", page=Page(0.0, 0.0, 210.0, 148.0))
-    export(document, tmp_path / "a.pdf", Options(unit="mm"))
-    data = (tmp_path / "a.pdf").read_bytes()
-    assert b"/MediaBox [0 0 595.275591 419.527559]" in data
-    # Every object is where the file says.
-    start = int(data[data.rindex(b"startxref") + 9 :].split()[0])
-    assert data[start : start + 4] == b"xref"
-    assert length_of_the_stroke(data) == pytest.approx(595.275591, rel=1e-4)
-    (page,) = (
-        text.decode("latin-1")
-        for each in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", data, re.DOTALL)
-        if each[:1] == b"x" and b" c\n" in (text := zlib.decompress(each))
-    )
-    x, y = map(float, re.findall(r"([-.0-9e]+) ([-.0-9e]+) m\n", page)[-1])
-    for matrix in reversed(re.findall(r"^(.*) cm", page, re.MULTILINE)):
-        a, _, _, d, e, f = map(float, matrix.split())
-        x, y = a * x + e, d * y + f
-    assert (x, y) == pytest.approx((0, 0), abs=1e-3)
 
 
 def test_pages_that_no_pdf_has_are_refused(tmp_path):
@@ -245,7 +222,7 @@ def test_at_true_size_the_tips_of_miters_are_in_the_picture():
         b'<path d="M10 50L13 10L16 50Z" fill="none" stroke="#000" stroke-width="1" '
         b'stroke-miterlimit="99"/></svg>'
     )
-    _left, _top, width, height = picture_box(replace(read_svg(wedge).document, page=None))
+    _left, _top, width, height = picture_box(read_svg(wedge).document)
     # Half the width over the sine of half the angle; below, the corners are less sharp than right ones.
     side = math.hypot(3.0, 40.0)
     assert height == pytest.approx(40.0 + 0.5 * side / 3.0 + 0.5)
@@ -263,11 +240,6 @@ def test_a_line_of_the_usual_width_lies_inside():
 def test_a_level_line_has_room_beside_it():
     _left, _top, width, height = picture_box(BAR)
     assert (width, height) == pytest.approx((70.21, 1.404), rel=1e-3)
-
-
-def test_a_page_is_shown_as_it_is():
-    paged = replace(SEVENTY, page=Page(0.0, 0.0, 200.0, 100.0))
-    assert picture_box(paged) == [0.0, 0.0, 200.0, 100.0]
 
 
 @pytest.mark.parametrize("shown", ["points", "handles", "grid"])

@@ -17,7 +17,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, QPushButton
 
 from app.document.export import NEVER_EXPORTED, Export
-from app.document.model import Document, Page, make_curve
+from app.document.model import Document, make_curve
 from app.document.shape_edits import grouped
 from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
@@ -522,10 +522,10 @@ def test_a_part_of_a_drawing_begins_in_its_own_corner(editor, tmp_path, monkeypa
     """The icon was seen from “79 -38”, where it lies on its page."""
     icon = make_curve([(79.1, 22), (95.1, 22), (95.1, 38), (79.1, 38)], name="icon", family=HERMITE)
     other = make_curve([(7, 22), (23, 38)], name="other", family=HERMITE)
-    document = Document((icon, other), unit="mm", page=Page(0.0, 0.0, 120.0, 60.0))
+    document = Document((icon, other), unit="mm")
     editor.session.commit(document, "Begin")
     editor.session.selected.choose({0})
-    for what, points in (("Chosen curves", icon.points), ("All curves", (*icon.points, *other.points))):
+    for what, points in (("Chosen curves", icon.points),):
         editor.trigger("exportPicture")
         dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
         choose_format(dialog, ".svg")
@@ -594,19 +594,6 @@ def test_the_preview_follows_what_is_chosen(waves):
     settled(editor, dialog)
     assert looks(dialog) != before
     dialog.close()
-
-
-def test_a_page_is_what_is_exported_unless_it_is_left_out(editor, tmp_path, monkeypatch):
-    dialog = measured(editor, "mm", page=Page(0.0, 0.0, 100.0, 50.0))
-    choose_format(dialog, ".svg")
-    assert dialog.form.fields["extent"].widget.currentText() == "Page"
-    path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
-    assert ElementTree.parse(path).getroot().get("width") == "100mm"
-    editor.trigger("exportPicture")
-    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
-    choose(dialog.form.fields["extent"].widget, "All curves")
-    path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
-    assert ElementTree.parse(path).getroot().get("width") != "100mm"
 
 
 @pytest.mark.parametrize("ending", [".png", ".svg", ".pdf"])

@@ -5,20 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog
 
 from app.document.edits import set_position
-from app.document.model import Document, Page, make_curve
-from app.document.style import Style
-from app.exchange.corner import from_lower_left
+from app.document.model import Document, make_curve
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.features.import_export.commands import ImportCommands
-from app.features.import_export.export_commands import ExportCommands
 from app.storage.files import load
 from app.testing import spin
 from app.workbench.file_names import title_of
@@ -70,7 +66,6 @@ def blank(editor):
 def test_the_dialog_shows_the_drawing_with_its_colours_and_its_size(editor):
     dialog = opened(editor, SVG / "inkscape_logo.svg")
     assert {"#2e7d32", "#c62828", "#0277bd"} <= colours_in(dialog)
-    assert dialog.picture.size_label.text() == "70 × 50 mm"
     assert dialog.missed is None
     tree = dialog.groups
     names = [tree.topLevelItem(row).text(0) for row in range(tree.topLevelItemCount())]
@@ -124,10 +119,10 @@ def test_a_circle_of_four_arcs_comes_in_as_four_points(editor, tmp_path):
     assert not any(point.corner for point in ring.points)
 
 
-def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
+def test_a_new_document_takes_the_unit_of_the_drawing(editor):
     blank(editor)
     document = imported(editor, SVG / "inkscape_logo.svg")
-    assert (document.unit, document.page) == ("mm", Page(0.0, 0.0, 70.0, 50.0))
+    assert document.unit == "mm"
     shown = {curve.name: curve for curve in document.curves}
     assert [curve.groups for curve in document.curves if curve.name == "Leaf"] == [
         ("Leaves", "Left pair"),
@@ -137,7 +132,7 @@ def test_a_new_document_takes_unit_and_page_of_the_drawing(editor):
     assert {curve.shape for curve in document.curves if curve.style.fill == "#c62828"} == {"path400"}
     assert (shown["path600"].visible, shown["path600"].locked) == (False, True)
     editor.trigger("undo")
-    assert (editor.session.document.unit, editor.session.document.page) == ("", None)
+    assert editor.session.document.unit == ""
 
 
 def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(editor):
@@ -145,7 +140,7 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
     session.files.begin(sketch)
     for _ in range(2):
         document = imported(editor, SVG / "inkscape_logo.svg")
-        assert (document.unit, document.page) == ("mm", Page(0.0, 0.0, 70.0, 50.0))
+        assert document.unit == "mm"
         assert "Sketch" not in {curve.name for curve in document.curves}
         assert (title_of(session), session.files.is_modified) == ("inkscape_logo", True)
         # Whole, as what comes to others: ready to be moved. What nobody may move stays out.
@@ -159,7 +154,7 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
         assert (session.document, title_of(session)) == (sketch, "Untitled")
     editor.drag_point(0, to=(0.0, 0.0))
     document = imported(editor, SVG / "inkscape_logo.svg")
-    assert (document.curves[0].name, document.unit, document.page) == ("Sketch", "", None)
+    assert (document.curves[0].name, document.unit) == ("Sketch", "")
 
 
 GUIDED = (
@@ -173,12 +168,12 @@ GUIDED = (
 @pytest.mark.parametrize(
     ("unit", "said"),
     [
-        ("", "Its page, its unit mm and 2 guides stay behind."),
-        ("in", "Lengths are converted from mm to in. Its page and 2 guides stay behind."),
+        ("", "Its unit mm and 2 guides stay behind."),
+        ("in", "Lengths are converted from mm to in. 2 guides stay behind."),
     ],
 )
 def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_path, unit, said):
-    """Page, unit and guides were dropped without a word."""
+    """Unit and guides were dropped without a word."""
     blank(editor)
     path = tmp_path / "guided.svg"
     path.write_text(GUIDED, encoding="utf-8")
@@ -198,7 +193,7 @@ def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_pa
     editor.settle()
     assert editor.status == f"Imported guided.svg: 1 curve, 2 points, exact. {said}"
     document = editor.session.document
-    assert (document.unit, document.page, document.guides) == (unit, None, ())
+    assert (document.unit, document.guides) == (unit, ())
 
 
 def test_what_open_shows_is_opened_and_into_this_document_imported(editor, tmp_path, monkeypatch):
@@ -297,31 +292,9 @@ def test_an_inch_is_an_inch_in_a_document_of_millimetres(editor, tmp_path):
     path = tmp_path / "inch.svg"
     path.write_text(INCH, encoding="utf-8")
     document = imported(editor, path)
-    assert (document.unit, document.page, len(document.curves)) == ("mm", None, 2)
+    assert (document.unit, len(document.curves)) == ("mm", 2)
     assert document.curves[1].points[1].x == pytest.approx(25.4)
     assert document.curves[1].style.width == pytest.approx(6.35)
-
-
-def test_an_icon_goes_out_as_large_as_it_came_in(editor, tmp_path):
-    """Recoloured, it is the same icon."""
-    blank(editor)
-    imported(editor, SVG / "lucide_leaf.svg")
-    red = Style(stroke="#ff0000")
-    editor.session.change(
-        "Recolour",
-        lambda document: replace(
-            document,
-            curves=tuple(
-                replace(curve, style=replace(curve.style, stroke=red.stroke)) for curve in document.curves
-            ),
-        ),
-    )
-    editor.window.commands[ExportCommands].export(tmp_path / "out.svg")
-    editor.wait_for_work()
-    text = (tmp_path / "out.svg").read_text(encoding="utf-8")
-    assert 'viewBox="0 0 24 24"' in text
-    assert text.count('stroke="#ff0000" stroke-width="2" stroke-linecap="round"') == 4
-    assert "<rect" not in text, "no paper"
 
 
 def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_path):
@@ -365,7 +338,7 @@ def test_layers_of_inkscape_come_in_as_groups_of_their_names_and_its_guides_come
     text = svg_of(document, Options(unit="mm")).text
     assert '<g id="Art_work" inkscape:label="Art work">' in text
     assert text.count("insensitive") == text.count("display") == 1
-    again = from_lower_left(read_svg(text.encode()).document)
+    again = read_svg(text.encode()).document
     assert [curve.groups for curve in again.curves] == [curve.groups for curve in document.curves]
     assert len(again.guides) == 2
     assert set(again.guides) == set(document.guides)

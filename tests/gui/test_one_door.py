@@ -12,7 +12,6 @@ from app.document import edits
 from app.document.model import (
     Curve,
     Document,
-    Page,
     Parametrization,
     ParametrizationKind,
     Point,
@@ -344,8 +343,6 @@ def test_what_no_file_can_hold_is_not_committed(editor):
     place, name = len(editor.curve.points), editor.curve.name
     words = f"the x of point {place} of “{name}” must lie between -1e12 and 1e12, not nan"
     assert editor.status == f"This cannot be kept: {words}."
-    editor.session.change("Odd", lambda document: replace(document, page=Page(0.0, 0.0, -1.0, 1.0)))
-    assert editor.status == "This cannot be kept: the width of the page must be greater than 0, not -1.0."
     style = replace(editor.curve.style, miter_limit=0.5)
     editor.session.change("Odd", lambda document: document.with_curve(0, replace(editor.curve, style=style)))
     assert editor.status.endswith(f"the miter limit of “{name}” must be 1 or greater, not 0.5.")

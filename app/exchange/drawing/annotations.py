@@ -50,8 +50,7 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
     handles = _handles(document) if options.handles else []
     if handles:
         ends = np.array([handle.position for _, each in handles for handle in each])
-        around = frame_with(drawing.outlines, ends)
-        frame = frame if drawing.has_page else around
+        frame = frame_with(drawing.outlines, ends)
     found = _grid(frame, readings_of(document)) if options.grid else []
     for colour, each in handles:
         found += _drawn_handles(colour, each, frame.side)
@@ -64,8 +63,7 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
         panel = Frame(frame.left, frame.bottom - height, frame.width, height)
         found += _basis(view, panel, frame.side, theme)
         frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
-    has_page = drawing.has_page and frame == drawing.frame
-    return replace(drawing, frame=frame, annotations=tuple(found), has_page=has_page)
+    return replace(drawing, frame=frame, annotations=tuple(found))
 
 
 def _functions(curve: Curve, with_estimates: bool) -> BasisView | None:

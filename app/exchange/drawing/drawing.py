@@ -15,15 +15,13 @@ from curvecore.bezier.control_points import cubic_path
 
 from ...document.model import Curve, Document, Guide
 from ...document.style import USUAL_WIDTH, Style
-from ...document.words import names_of
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.curve.refusals import in_words
 from ...view_model.fitting.cubics import RELATIVE_TOLERANCE
-from ...view_model.geometry.extents import extent_of
 from ..errors import ExchangeError
 from ..node_types import letters_of
-from .frames import LARGEST, MARGIN, Frame, frame_around, frame_of, frame_with
+from .frames import LARGEST, Frame, frame_around, frame_with
 from .outlines import Outline, by_shape
 
 POINT_RADIUS = 0.006
@@ -78,12 +76,8 @@ class Drawing(msgspec.Struct, frozen=True):
         The deviation that was allowed, in the document's unit.
     left_out
         One sentence for every curve that could not be drawn.
-    beyond
-        One for those that reach beyond the page.
     annotations
         What else is drawn.
-    has_page
-        Whether the frame is the document's page.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
     guides
@@ -94,16 +88,9 @@ class Drawing(msgspec.Struct, frozen=True):
     frame: Frame
     tolerance: float
     left_out: tuple[str, ...] = ()
-    beyond: tuple[str, ...] = ()
     annotations: tuple[Annotation, ...] = ()
-    has_page: bool = False
     hidden: tuple[tuple[int, Outline], ...] = ()
     guides: tuple[Guide, ...] = ()
-
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        """All that is to be said about a picture of it."""
-        return (*self.left_out, *self.beyond)
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -197,14 +184,11 @@ def drawing_of(
     drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
-    frame = frame_with(outlines) if document.page is None else frame_of(document.page)
     return Drawing(
         outlines,
-        frame,
+        frame_with(outlines),
         allowed,
         tuple(remarks),
-        tuple(_beyond(outlines, frame)) if document.page is not None else (),
-        has_page=document.page is not None,
         hidden=hidden,
         guides=document.guides,
     )
@@ -229,17 +213,6 @@ def _hidden(document: Document, drawn: Iterable[Curve], tolerance: float) -> Ite
         if not curve.visible and not too_much(curve) and (core := view_of(curve).curve) is not None:
             with suppress(ExchangeError):
                 yield behind, _outline(curve, core, tolerance)
-
-
-def _beyond(outlines: Iterable[Outline], page: Frame) -> list[str]:
-    """Return what to say of curves of which a page shows but a part."""
-    room = MARGIN * page.side * 1e-6
-    low, high = np.array([page.left, page.bottom]) - room, np.array([page.left + page.width, page.top]) + room
-    extents = [(each.shape or each.name, *extent_of(each.control_points)) for each in outlines]
-    over = (name for name, least, most in extents if (least < low).any() or (most > high).any())
-    names = list(dict.fromkeys(over))
-    verb = "reaches" if len(names) == 1 else "reach"
-    return [f"{names_of(names)} {verb} beyond the page; pictures end there."] if names else []
 
 
 def _scaled(style: Style, scale: float) -> Style:

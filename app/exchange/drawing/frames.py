@@ -9,7 +9,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import Page
 from ..errors import ExchangeError
 from .extents import painted_extent
 from .outlines import Outline
@@ -44,11 +43,6 @@ class Frame(msgspec.Struct, frozen=True):
     def side(self) -> float:
         """The longer side."""
         return max(self.width, self.height)
-
-
-def frame_of(page: Page) -> Frame:
-    """Return the frame that is a page."""
-    return Frame(page.x, page.y, page.width, page.height)
 
 
 def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) -> Frame:

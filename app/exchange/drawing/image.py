@@ -102,7 +102,7 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     ExchangeError
         As `png_file`.
     """
-    drawing = _png_drawing(document, options, options.paper_style(document))
+    drawing = _png_drawing(document, options, options.paper_style)
     width, height = _size(drawing, options)
     dots = _true_dots_per_metre(drawing, options)
     size = f"{width} × {height} pixels"
@@ -111,24 +111,24 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
         true = size_in_words(drawing.frame.width, drawing.frame.height, unit)
         is_asked = options.dpi is not None and options.width is None
         size += f", {true} at {options.dpi if is_asked else dots * 0.0254:.4g} dpi"
-    return _preview(drawing, options, options.paper_style(document), size, room)
+    return _preview(drawing, options, options.paper_style, size, room)
 
 
 def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what an SVG looks like; see `png_preview`."""
-    drawing = _drawing(document, options, options.vector_style(document))
+    drawing = _drawing(document, options, options.vector_style)
     frame, across = drawing.frame, nominal_width(drawing, options.width)
     size = _size_text(frame, options, (across, across * frame.height / frame.width), "px")
-    return _preview(drawing, options, options.vector_style(document), size, room)
+    return _preview(drawing, options, options.vector_style, size, room)
 
 
 def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what a PDF looks like; see `png_preview`."""
-    drawing = _drawing(document, options, options.vector_style(document))
+    drawing = _drawing(document, options, options.vector_style)
     wide, high = _page_size(drawing, options)
     page = (wide / POINTS_PER_MILLIMETRE, high / POINTS_PER_MILLIMETRE)
     size = _size_text(drawing.frame, options, page, "mm")
-    return _preview(drawing, options, options.vector_style(document), f"Page of {size}", room)
+    return _preview(drawing, options, options.vector_style, f"Page of {size}", room)
 
 
 def _size_text(frame: Frame, options: Options, size: tuple[float, float], unit: str) -> str:
@@ -212,13 +212,13 @@ def pixel_file(document: Document, options: Options, form: PixelFormat, quality:
     remarks: tuple[str, ...] = ()
     if options.transparent and not form.is_clear:
         options, remarks = msgspec.structs.replace(options, transparent=False), (_HAS_PAPER,)
-    style = options.paper_style(document)
+    style = options.paper_style
     drawing = _png_drawing(document, options, style)
     size = _size(drawing, options, form.most)
     with application():
         image = _image(drawing, size, options, style)
         data = _saved(image, form, quality)
-        return Written(data, drawing.deviation, (*drawing.remarks, *remarks), size)
+        return Written(data, drawing.deviation, (*drawing.left_out, *remarks), size)
 
 
 def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> QImage:
@@ -259,10 +259,10 @@ def pdf_file(document: Document, options: Options) -> Written:
     ExchangeError
         If nothing can be drawn, or no page is as large or as small.
     """
-    style = options.vector_style(document)
+    style = options.vector_style
     drawing = _drawing(document, options, style)
     with application():
-        return Written(_page(drawing, options, style), drawing.deviation, drawing.remarks)
+        return Written(_page(drawing, options, style), drawing.deviation, drawing.left_out)
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:

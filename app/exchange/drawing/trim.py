@@ -18,8 +18,6 @@ _SLIMMEST = 0.02
 
 def trimmed(drawing: Drawing) -> Drawing:
     """Return a drawing whose frame is the box around its curves with their strokes."""
-    if drawing.has_page:
-        return drawing
     low, high = _painted(drawing)
     middle, size = low + (high - low) / 2, high - low
     width, height = np.maximum(size, _SLIMMEST * size.max()).tolist()

@@ -87,7 +87,7 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> Written:
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     shapes = told(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
     paths = [path_data(each, has_lines=False) for each in shapes]
-    return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.remarks)
+    return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out)
 
 
 def coefficients_json(document: Document, options: Options = DEFAULT) -> Written:

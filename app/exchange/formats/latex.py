@@ -98,7 +98,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
-    return _picture(lines, deviation, drawing.remarks, "tikz")
+    return _picture(lines, deviation, drawing.left_out, "tikz")
 
 
 def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
@@ -120,7 +120,7 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
         marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in points)
         lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
     lines.append("  \\end{axis}")
-    return _picture(lines, drawing.deviation, drawing.remarks, "pgfplots")
+    return _picture(lines, drawing.deviation, drawing.left_out, "pgfplots")
 
 
 # Formulas

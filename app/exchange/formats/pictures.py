@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from .. import corner, drawing, svg
+from .. import drawing, svg
 from ..cubics_in import Imported
 from ..options import (
     BY_DPI,
@@ -28,9 +27,8 @@ if TYPE_CHECKING:
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:
-    """Return the curves of a drawing on a page that stands on the origin; see `svg.reader.read_svg`."""
-    found = svg.reader.read_svg(unpacked(data), tolerance)
-    return replace(found, document=corner.from_lower_left(found.document))
+    """Return the curves of a drawing, above the x axis; see `svg.reader.read_svg_above`."""
+    return svg.reader.read_svg_above(unpacked(data), tolerance)
 
 
 _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {

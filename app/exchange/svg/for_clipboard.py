@@ -23,5 +23,5 @@ def svg_for_clipboard(document: Document, report: Report = silent) -> Written:
         As `svg_of`.
     """
     # Who pastes it has guides of his own.
-    plain = replace(document, page=None, guides=())
+    plain = replace(document, guides=())
     return svg_of(in_unit(plain, "px"), Options(unit="px", report=report))

@@ -33,8 +33,8 @@ def guides_of(root: ET.Element, sheet: Sheet) -> Iterator[tuple[ET.Element, Guid
 def _guide(element: ET.Element, sheet: Sheet) -> Guide | Flaw:
     """Return a guide; its place is in user units, from the lower left corner."""
     place, normal = _pair(element.get("position", "")), _pair(element.get("orientation", ""))
-    page, viewport = sheet.page, sheet.viewport
-    if place is None or normal is None or page is None or not viewport.width or not viewport.height:
+    frame, viewport = sheet.frame, sheet.viewport
+    if place is None or normal is None or frame is None or not viewport.width or not viewport.height:
         return _ODD
     across, up = (abs(each) for each in normal)
     # Written so that NaN fails.
@@ -44,7 +44,9 @@ def _guide(element: ET.Element, sheet: Sheet) -> Guide | Flaw:
         return _LEANING
     axis = Axis.X if across > up else Axis.Y
     start, size, user = (
-        (page.x, page.width, viewport.width) if axis is Axis.X else (page.y, page.height, viewport.height)
+        (frame.left, frame.width, viewport.width)
+        if axis is Axis.X
+        else (frame.bottom, frame.height, viewport.height)
     )
     position = start + place[axis.coordinate] * (size / user)
     return Guide(axis, position) if abs(position) <= MAX_MAGNITUDE else _ODD

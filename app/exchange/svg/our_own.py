@@ -20,9 +20,6 @@ _NOTES = ("metadata", "desc")
 NO_CURVES = ("paper", "points", "grid", "handles", "basis")
 """Ids of what is drawn beside the curves."""
 
-PAGE = "page"
-"""Id of a drawing that shows the page of its document, and not what its curves take."""
-
 _INKS = (styles.INK.ink, styles.DARK.ink)
 _ROUNDING = 1e-9
 
@@ -36,15 +33,12 @@ class OurOwn:
         Whether it is.
     has_nominal_size
         Whether the size of the file says nothing.
-    has_page
-        Whether it shows a page, and not what its curves take.
     """
 
     def __init__(self, root: ET.Element) -> None:
         notes = ("".join(child.itertext()) for child in root if tag_of(child) in _NOTES)
         self.is_so = any(MARK in note for note in notes)
         self.has_nominal_size = self.is_so and root.get("width", "")[-1:].isdigit()
-        self.has_page = not self.is_so or root.get("id") == PAGE
         box = box_of(root.get("viewBox", ""))
         self._usual_width = USUAL_WIDTH * max(box[2:]) if box else 0.0
 

@@ -20,6 +20,7 @@ from ...document.shapes import tidy_shapes
 from ...document.style import Style
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
+from ..corner import shifted
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
 from ..missed import LEFT_OUT, Flaw, Missed, named_by_place
@@ -85,19 +86,27 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
         With the element, for anything that is no SVG or that is hostile: a DTD, entities, elements that
         use themselves, more than `MAX_ELEMENTS` elements, broken data.
     """
+    return _read(data, tolerance)[0]
+
+
+def read_svg_above(data: bytes, tolerance: float | None = None) -> Imported:
+    """Return the same; of a file of others whose corner is the origin it lies above the x axis."""
+    found, reader = _read(data, tolerance)
+    frame = reader.sheet.frame
+    if reader.is_own or frame is None or (frame.left, frame.top) != (0.0, 0.0):
+        return found
+    return replace(found, document=shifted(found.document, (0.0, frame.height)))
+
+
+def _read(data: bytes, tolerance: float | None) -> tuple[Imported, _Reader]:
     root = parsed(data)
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
     paths, guides = reader.all_paths(), reader.guides()
     found = imported(paths, missed=reader.missed)
-    document = msgspec.structs.replace(
-        found.document,
-        unit=reader.sheet.unit,
-        page=reader.sheet.page,
-        guides=guides,
-    )
-    return replace(found, document=tidy_shapes(document))
+    document = msgspec.structs.replace(found.document, unit=reader.sheet.unit, guides=guides)
+    return replace(found, document=tidy_shapes(document)), reader
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,14 +153,18 @@ class _Reader:
     def __init__(self, root: ET.Element, tolerance: float | None = None) -> None:
         self._root, self._tolerance = root, tolerance
         self._ours = OurOwn(root)
-        sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
-        self.sheet, self._place = sheet if self._ours.has_page else replace(sheet, page=None), sheet
+        self.sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
         self._cascade = Cascade(root)
         self._missing = Missing(root, self._cascade.missed)
         self._elements = elements = Elements.within(root, self._cascade.of)
         self._paints = Paints(elements)
         self._visited = self._found = 0
         self._shapes: list[ET.Element] = []
+
+    @property
+    def is_own(self) -> bool:
+        """Whether the file is one of our own."""
+        return self._ours.is_so
 
     def all_paths(self) -> list[ImportedPath]:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
@@ -171,7 +184,7 @@ class _Reader:
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
         found: dict[Guide, None] = {}
-        for element, guide in guides_of(self._root, self._place):
+        for element, guide in guides_of(self._root, self.sheet):
             if isinstance(guide, Flaw):
                 self._missing.note(element, guide)
             else:

@@ -1,4 +1,4 @@
-"""The size of an SVG file: what one is in it, and the page that it shows."""
+"""The size of an SVG file: what one is in it, and the rectangle that it shows."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import MAX_MAGNITUDE, Page
+from ...document.model import MAX_MAGNITUDE
+from ..drawing.frames import Frame
 from ..units import MILLIMETRES
 from .lengths import Viewport, with_unit
 from .matrices import Box, box_of, fitted_box
@@ -32,15 +33,15 @@ class Sheet:
         What percentages are parts of.
     pixel
         A CSS pixel in the document.
-    page
-        What the file shows; None where nobody says.
+    frame
+        What the file shows, in the document; None where nobody says.
     """
 
     unit: str
     matrix: FloatArray
     viewport: Viewport
     pixel: float = 1.0
-    page: Page | None = None
+    frame: Frame | None = None
 
 
 def sheet_of(root: ET.Element, *, is_nominal: bool = False) -> Sheet:
@@ -49,17 +50,17 @@ def sheet_of(root: ET.Element, *, is_nominal: bool = False) -> Sheet:
     size = None if is_nominal else _size(root, box)
     if size is None:
         viewport = Viewport(*box[2:]) if box else Viewport()
-        return Sheet("", _scaling(1.0, 1.0), viewport, page=_page(box) if box else None)
+        return Sheet("", _scaling(1.0, 1.0), viewport, frame=_frame(box) if box else None)
     width, height, unit = size
     pixel = MILLIMETRES["px"] / MILLIMETRES[unit]
     place = (0.0, 0.0, width, height)
     if box is None:
         viewport = Viewport(width / pixel, height / pixel)
-        return Sheet(unit, _scaling(pixel, pixel), viewport, pixel, _page(place))
+        return Sheet(unit, _scaling(pixel, pixel), viewport, pixel, _frame(place))
     fit = fitted_box(box, place, root.get("preserveAspectRatio", ""))
     across, down = (_snapped(fit[axis, axis]) for axis in (0, 1))
-    page = _page((-fit[0, 2], -fit[1, 2], width, height))
-    return Sheet(unit, _scaling(across, down), Viewport(*box[2:]), pixel, page)
+    frame = _frame((-fit[0, 2], -fit[1, 2], width, height))
+    return Sheet(unit, _scaling(across, down), Viewport(*box[2:]), pixel, frame)
 
 
 def _size(root: ET.Element, box: Box | None) -> tuple[float, float, str] | None:
@@ -88,9 +89,9 @@ def _scaling(across: float, down: float) -> FloatArray:
     return np.array([[across, 0.0, 0.0], [0.0, -down, 0.0]])
 
 
-def _page(box: Box) -> Page | None:
-    """Return what a file shows as a page; None where a document cannot hold it."""
+def _frame(box: Box) -> Frame | None:
+    """Return what a file shows; None where a document cannot hold it."""
     x, y, width, height = (float(each) + 0.0 for each in box)
     bottom = -(y + height) + 0.0
     is_sound = max(abs(each) for each in (x, bottom, width, height)) <= MAX_MAGNITUDE
-    return Page(x, bottom, width, height) if is_sound and min(width, height) > 0 else None
+    return Frame(x, bottom, width, height) if is_sound and min(width, height) > 0 else None

@@ -16,7 +16,7 @@ from ..naming import Names
 from ..node_types import guessed, joined
 from .escapes import quoted
 from .numbers import number
-from .our_own import NO_CURVES, PAGE
+from .our_own import NO_CURVES
 
 _ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
@@ -41,7 +41,7 @@ class Tree:
     def __init__(self, style: PictureStyle, usual_width: float) -> None:
         self._style, self._usual_width = style, usual_width
         self._open: tuple[str, ...] = ()
-        self._ids = Names({*NO_CURVES, PAGE}, between="_")
+        self._ids = Names(NO_CURVES, between="_")
         self.lines: list[str] = []
 
     def add(self, shape: tuple[Outline, ...]) -> None:

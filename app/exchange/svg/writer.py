@@ -10,7 +10,7 @@ from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
-from ..corner import from_upper_left, shifted
+from ..corner import shifted
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of
 from ..drawing.frames import Frame
 from ..drawing.outlines import Outline
@@ -24,7 +24,7 @@ from .escapes import escaped
 from .guides import view_elements
 from .names import INKSCAPE_SPACE, SODIPODI_SPACE
 from .numbers import number
-from .our_own import MARK, PAGE
+from .our_own import MARK
 from .tree import Tree, dash_style, pair
 
 NOMINAL_SIDE = 800
@@ -37,13 +37,11 @@ _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     """Return a document as SVG.
 
-    Coordinates are the document's own with y negated, in full precision but for noise (see `number`); where
-    its page stands on the origin they are those from its upper left corner, as usual in SVG, and of a part of
-    a document they may be those from its own. A piece of a
-    cubic Hermite curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many
-    cubics as the tolerance takes; the largest deviation stands in a comment and in the metadata. The curves
-    of a shape are one path, in their groups and with its style; hidden ones are there, and not displayed.
-    Guides are Inkscape's.
+    Coordinates are the document's own with y negated, in full precision but for noise (see `number`); of a
+    part of a document they may be those from its upper left corner. A piece of a cubic Hermite curve is
+    exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as the tolerance
+    takes; the largest deviation stands in a comment and in the metadata. The curves of a shape are one path,
+    in their groups and with its style; hidden ones are there, and not displayed. Guides are Inkscape's.
     Points are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
 
     Raises
@@ -51,14 +49,13 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     ExchangeError
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
-    document = from_upper_left(document)
-    style, report = options.vector_style(document), part(options.report, 0.0, 0.7)
+    style, report = options.vector_style, part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
-    if options.from_corner and not drawing.has_page:
+    if options.from_corner:
         by = (-float(number(drawing.frame.left)), -float(number(drawing.frame.top)))
         drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
     curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
-    return Written(_text(drawing, curves, style, options), drawing.deviation, drawing.remarks)
+    return Written(_text(drawing, curves, style, options), drawing.deviation, drawing.left_out)
 
 
 def picture_of(
@@ -95,15 +92,13 @@ def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options:
     frame = drawing.frame
     wide, high = _size_attributes(drawing, options.width, options.unit)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
-    name = f' id="{PAGE}"' if drawing.has_page else ""
     note = accuracy_of(drawing)
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {note} -->",
-        f'<svg{name} xmlns="http://www.w3.org/2000/svg" {_SPACES} '
-        f'width="{wide}" height="{high}" viewBox="{box}">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" {_SPACES} width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
-        f"  <metadata>{escaped(' '.join([note, *drawing.remarks]))}</metadata>",
+        f"  <metadata>{escaped(' '.join([note, *drawing.left_out]))}</metadata>",
         *view_elements(drawing.guides, frame),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),

@@ -210,8 +210,6 @@ def _known(curves: Document, _report: Report) -> Imported:
 
 
 def _filled(target: Target, found: Imported, told: Callable[[float], object] | None = None) -> Arrival:
-    """Return the target with what was read, in the unit of the document; in place, on its page."""
-    sized, page = exchange.rescaled.in_unit(found.document, target.document.unit), target.document.page
-    if page is not None and target.place is None:
-        sized = exchange.corner.into_page(sized, page)
+    """Return the target with what was read, in the unit of the document."""
+    sized = exchange.rescaled.in_unit(found.document, target.document.unit)
     return target.filled(sized.curves, told)

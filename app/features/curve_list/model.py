@@ -15,7 +15,6 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 
 from ...document.curve_tree import Node, NodeKind, counted_nodes, tree_of
 from ...document.model import Document
-from ...document.several_curves import is_blank
 from ...document.steps import changed_besides_points
 from ...qt.overrides import Guarded
 from .entries import Entry, Key, Marks, Row, entries_of, row_of_curve, rows_around, state_of
@@ -130,13 +129,6 @@ class CurveListModel(Guarded, QAbstractListModel):
         return Row(node.name, parts[0].style, visible, locked, what)
 
     # Rows and places
-
-    @property
-    def undrawn_row(self) -> int:
-        """Row of the curve of a drawing in which nothing is drawn yet; −1 where there is something."""
-        document = self._document
-        is_empty = document is not None and document.page is not None and is_blank(document)
-        return self.row_of(0) if is_empty else -1
 
     def row(self, row: int) -> Row:
         """Return what is shown in a row."""

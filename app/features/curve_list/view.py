@@ -91,7 +91,6 @@ class CurveListView(ClaimsKeys, QListView):
     def follow(self) -> None:
         """Mark the rows of what the model says is chosen, and go on from there."""
         marks = self.curves.marks
-        self._hide_undrawn()
         if not self._is_about(self._current):
             self._current = self.curves.row_about(marks.curves, marks.active)
         if self._reached >= self.curves.rowCount() or not self._places(self._reached) <= marks.curves:
@@ -103,15 +102,6 @@ class CurveListView(ClaimsKeys, QListView):
             self._followed = marks.active
             self.scrollTo(index)
         self.viewport().update()
-
-    def _hide_undrawn(self) -> None:
-        """Show no row of the curve that a drawing begins with, which nobody drew, but while it is renamed."""
-        row, before = self.curves.undrawn_row, self._undrawn
-        if before != row and 0 <= before < self.curves.rowCount():
-            self.setRowHidden(before, False)
-        if row >= 0 and not self.isRowHidden(row) and self.state() != QListView.State.EditingState:
-            self.setRowHidden(row, True)
-        self._undrawn = row
 
     def _is_about(self, row: int) -> bool:
         """Whether a row is about the curves that are selected, or else the active one."""

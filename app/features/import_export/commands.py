@@ -274,7 +274,7 @@ class ImportCommands:
         """Show what has come in, choose what was brought here, no document of its own, and say what it is."""
         added, document, selected = arrival.places, arrival.document, self._session.selected
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
-        if not is_all or (is_brought and (len(curves) > 1 or document.page is not None)):
+        if not is_all or (is_brought and len(curves) > 1):
             # What is brought is put in its place as a whole, but for what nobody may move.
             selected.choose([place for place in added if document.curves[place].is_free])
         elif len(curves) > 1:

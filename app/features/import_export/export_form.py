@@ -40,7 +40,7 @@ class ExportForm(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("exportForm")
-        self._shown, self._unit, self._has_page = ExportChoice(), "", False
+        self._shown, self._unit = ExportChoice(), ""
         self._formats = FORMATS.offered
         titles = [each.title for each in self._formats]
         self.format_box = choice_box("exportFormat", "Format", "What kind of file to write", titles)
@@ -70,7 +70,7 @@ class ExportForm(QWidget):
         self._show_rows(choice)
 
     def show_document(self, document: Document, *, has_chosen: bool) -> None:
-        """Offer what can be had of a document: true size in its unit, its page, and what is chosen."""
+        """Offer what can be had of a document: true size in its unit, and what is chosen."""
         self._unit = unit = known_unit(document.unit)
         check = self.fields[TRUE_SIZE.name].widget
         assert isinstance(check, QCheckBox)
@@ -79,26 +79,17 @@ class ExportForm(QWidget):
         why = f"“{document.unit}” is no unit of length" if document.unit else "The document has no unit"
         tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
         check.setToolTip(tip)
-        self._show_extents(document, has_chosen=has_chosen)
+        self._show_extents(has_chosen=has_chosen)
         self._show_rows(self._shown)
 
-    def _show_extents(self, document: Document, *, has_chosen: bool) -> None:
-        """Offer the page where there is one, without one all curves are what it would be; and what is chosen.
-
-        Where nothing is, it is the page that is exported, until something is chosen again.
-        """
+    def _show_extents(self, *, has_chosen: bool) -> None:
+        """Offer what is chosen; where nothing is, all curves are exported until something is chosen."""
         field = self.fields[EXTENT.name]
         assert isinstance(field.widget, QComboBox)
         model = field.widget.model()
         assert isinstance(model, QStandardItemModel)
-        self._has_page = document.page is not None
-        model.item(0).setEnabled(self._has_page)
         model.item(list(Extent).index(Extent.CHOSEN)).setEnabled(has_chosen)
-        wished, whole = self._shown[EXTENT], Extent.PAGE if self._has_page else Extent.ALL
-        if wished is Extent.CHOSEN:
-            field.show(wished if has_chosen else whole)
-        else:
-            field.show(wished if self._has_page else whole)
+        field.show(self._shown[EXTENT] if has_chosen else Extent.ALL)
 
     def _show_rows(self, choice: ExportChoice) -> None:
         self._description.setText(choice.format.description)
@@ -118,8 +109,6 @@ class ExportForm(QWidget):
             If no column is, or a number that concerns the format is out of its range.
         """
         values = {each: self.fields[each.name].value() for each in self._options}
-        if values[EXTENT] is Extent.ALL and not self._has_page:
-            values[EXTENT] = Extent.PAGE
         choice = chosen(self._formats[self.format_box.currentIndex()].ending, values)
         problems = (self.fields[each.name].problem() for each in choice.shown(self._unit))
         if problem := next(filter(None, problems), ""):

@@ -7,7 +7,6 @@ from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from ...document.model import Document
-from ...document.words import number
 from ...exchange.drawing.image import png_preview
 from ...exchange.drawing.styles import DARK, LIGHT
 from ...exchange.errors import ExchangeError
@@ -24,11 +23,11 @@ _TOO_PALE = 1.5
 
 
 class ImportPicture(QWidget):
-    """The curves that are taken, as they print, and the size of the drawing.
+    """The curves that are taken, as they print.
 
     Attributes
     ----------
-    picture, size_label
+    picture
         What is shown.
     """
 
@@ -40,15 +39,12 @@ class ImportPicture(QWidget):
         self.picture.setFixedSize(_WIDTH, _HEIGHT)
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.picture.setWordWrap(True)
-        self.size_label = Label(name="importSize")
-        self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        column_of(self.picture, self.size_label, 1, margins=0, parent=self)
+        column_of(self.picture, 1, margins=0, parent=self)
 
     def show_document(self, document: Document) -> None:
         """Draw a document, beside the window's own thread."""
         ratio = self.devicePixelRatioF()
         room = (round(_WIDTH * ratio), round(_HEIGHT * ratio))
-        self.size_label.setText(_size_of(document))
 
         def draw(report: Report) -> QImage:
             style = DARK if _is_for_dark_paper(document) else LIGHT
@@ -70,12 +66,6 @@ class ImportPicture(QWidget):
         if not isinstance(problem, ExchangeError):
             raise problem
         self.picture.setText(str(problem))
-
-
-def _size_of(document: Document) -> str:
-    """Return the size of the page in a line; empty where there is none."""
-    page = document.page
-    return f"{number(page.width)} × {number(page.height)} {document.unit}".strip() if page else ""
 
 
 def _is_for_dark_paper(document: Document) -> bool:

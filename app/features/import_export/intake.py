@@ -33,7 +33,7 @@ def intake(
 ) -> Arrival:
     """Return a document with the curves of another in front, and views of them if one is `told`.
 
-    What is an inch there is an inch here; to an empty document they bring their unit, page and guides.
+    What is an inch there is an inch here; to an empty document they bring their unit and guides.
     """
     new = _sized_for(document, new)
     filled, first = add_imported(document, new)
@@ -58,8 +58,7 @@ def words_about_rest(document: Document, new: Document) -> str:
 
 
 def _sized_for(document: Document, new: Document) -> Document:
-    """Return what comes to a document, in its unit and on its page; one without curves takes what comes."""
+    """Return what comes to a document, in its unit; one without curves takes what comes."""
     if is_blank(document):
         return new
-    new = exchange.rescaled.in_unit(new, document.unit)
-    return exchange.corner.into_page(new, document.page) if document.page is not None else new
+    return exchange.rescaled.in_unit(new, document.unit)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from ...appearance.theme import Theme
-from ...document.model import Curve, Document, Page
+from ...document.model import Curve, Document
 from ...document.style import Style
 from ...exchange.drawing.drawing import Drawing, drawing_of
 from ...exchange.drawing.painting import Painting
@@ -39,7 +39,7 @@ def thumbnail(document: Document, width: int, height: int, theme: Theme, ratio: 
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     try:
         if sum(len(curve.points) for curve in document.curves) <= _MOST_NODES:
-            _paint_curves(painter, drawing_of(document), document.page, theme, (width, height))
+            _paint_curves(painter, drawing_of(document), theme, (width, height))
         else:
             _paint_points(painter, document, QRectF(0, 0, width, height), theme)
     except ExchangeError:
@@ -49,28 +49,17 @@ def thumbnail(document: Document, width: int, height: int, theme: Theme, ratio: 
     return image
 
 
-def _paint_curves(
-    painter: QPainter, drawing: Drawing, page: Page | None, theme: Theme, size: tuple[int, int]
-) -> None:
-    """Paint a drawing: on a page as it prints, elsewhere with lines as on the canvas, and points."""
-    drawing = _printed(drawing, page).fitted(*size)
+def _paint_curves(painter: QPainter, drawing: Drawing, theme: Theme, size: tuple[int, int]) -> None:
+    """Paint a drawing with lines as on the canvas, and points."""
+    drawing = drawing.fitted(*size)
     usual = (replace(each, style=_with_line(each.style)) for each in drawing.outlines)
     ink = PictureStyle(theme.curve.name(), theme.paper.name(), theme.name)
     Painting(replace(drawing, outlines=tuple(usual)), painter, ink).paint(points=False, report=silent)
-    if page is not None:
-        return
     painter.setPen(Qt.PenStyle.NoPen)
     for outline in drawing.outlines:
         painter.setBrush(QColor(ink.seen(outline.colour)))
         for x, y in outline.points.tolist():
             painter.drawEllipse(QPointF(x, drawing.frame.height - y), _POINT, _POINT)
-
-
-def _printed(drawing: Drawing, page: Page | None) -> Drawing:
-    """Return a drawing whose lines have the widths that they print with on a page."""
-    width = page.usual_width if page is not None else 0.0
-    outlines = (replace(each, style=each.style.with_usual_width(width)) for each in drawing.outlines)
-    return replace(drawing, outlines=tuple(outlines))
 
 
 def _with_line(style: Style) -> Style:
@@ -88,12 +77,11 @@ def _paint_points(painter: QPainter, document: Document, frame: QRectF, theme: T
     size = np.maximum(places.max(axis=0) - low, np.finfo(float).tiny)
     room = frame.adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
     scale = min(room.width() / size[0], room.height() / size[1])
-    usual = document.page.usual_width if document.page is not None else 0.0
     corner = np.array([room.center().x(), room.center().y()]) - scale * size / 2
     for curve in curves:
         flat = (_thinned(curve, len(places)) - low) * scale
         flat[:, 1] = scale * size[1] - flat[:, 1]
-        style = curve.style.with_usual_width(usual)
+        style = curve.style
         width = _LINE if style.width is None else max(style.width * scale, _LEAST)
         painter.setPen(QPen(QColor(style.colour) if style.colour else theme.curve, width))
         painter.drawPolyline([QPointF(x, y) for x, y in (flat + corner).tolist()])

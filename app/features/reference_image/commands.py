@@ -145,16 +145,13 @@ class ImageCommands:
         return f"{listed(others)} not traced: a document has one picture to trace." if others else ""
 
     def trace(self, path: Path) -> None:
-        """Put a picture behind the curves, on the page in sight, or in the middle of what is visible.
-
-        Or say why not.
-        """
+        """Put a picture behind the curves, in the middle of what is visible, or say why not."""
         name = str(path.absolute())
         pixels = self._read(name)
         if pixels is None:
             return
-        x_min, y_min, x_max, y_max, share = self._room()
-        scale = share * min((x_max - x_min) / pixels.width(), (y_max - y_min) / pixels.height())
+        x_min, y_min, x_max, y_max = self._context.central.canvas.pixel_map.box
+        scale = _SHARE * min((x_max - x_min) / pixels.width(), (y_max - y_min) / pixels.height())
         width, height = pixels.width() * scale, pixels.height() * scale
         x, y = (x_min + x_max - width) / 2, (y_min + y_max - height) / 2
         # As many decimals as make a difference on the screen: 0, not −4.4e−16.
@@ -166,17 +163,6 @@ class ImageCommands:
             self._session.say(
                 "File › Reference Image › Move Image drags and scales the image; the panel fades it."
             )
-
-    def _room(self) -> tuple[float, float, float, float, float]:
-        """Return the box that a new picture is put into, and the part of it that is filled."""
-        x_min, y_min, x_max, y_max = self._context.central.canvas.pixel_map.box
-        page = self._session.document.page
-        if page is not None:
-            right, top = page.x + page.width, page.y + page.height
-            if max(page.x, x_min) < min(right, x_max) and max(page.y, y_min) < min(top, y_max):
-                # What is scanned from a page lies on it.
-                return page.x, page.y, right, top, 1.0
-        return x_min, y_min, x_max, y_max, _SHARE
 
     @switch(
         "moves_image",
