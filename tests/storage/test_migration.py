@@ -105,6 +105,13 @@ def test_texts_and_pictures_go_whole_and_letters_that_are_shapes_stay():
     assert [each.name for each in found.document.curves] == ["I"]
 
 
+def test_a_rectangle_stays_as_its_points_say_and_nothing_is_lost():
+    form = {"kind": "rectangle", "x": 0.0, "y": 0.0, "width": 1.0, "height": 1.0, "rx": 0.25}
+    found = decode_counting(older(curve(form=form)))
+    assert not found.left_out
+    assert found.document == decode_counting(older(curve())).document
+
+
 def test_a_file_of_this_version_cannot_hold_more():
     with pytest.raises(FormatError, match="kept_texts"):
         decode(older(**KEPT).replace(b'"version": 2', b'"version": 3'))
