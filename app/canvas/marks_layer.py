@@ -179,7 +179,7 @@ class MarksLayer(Layer):
             painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
 
     def _paint_snap(self, painter: QPainter, shown: PixelMap, snap: Snap) -> None:
-        place = shown.point(*(snap.mark or snap.position))
+        place = shown.point(*snap.position)
         if not _is_drawable(*place):
             return
         pixel = QPointF(*place)

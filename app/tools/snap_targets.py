@@ -9,13 +9,9 @@ from msgspec.structs import replace
 
 from ..document.lines import ends_of, is_line
 from ..document.model import Vector
-from ..document.point_group import PointGroup
-from ..document.shapes import shapes
-from ..view_model.boxes.bounds import NINE, Bounds, bounds_of, name_of_place
-from ..view_model.boxes.exact_boxes import find_boxes
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.nearest import NearestPoint
-from .snapping import Edges, SnapKind, SnapPlaces, Targets
+from .snapping import SnapKind, SnapPlaces, Targets
 
 Moving = Mapping[int, Collection[int]]
 """Points that move along and are nothing to snap to, by their curves."""
@@ -106,58 +102,6 @@ def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[in
     if view.source.is_closed:
         beside = [index % count for index in beside]
     return [index for index in beside if 0 <= index < count and index not in moving]
-
-
-def with_boxes(
-    targets: Targets,
-    views: Sequence[CurveView],
-    moving: Collection[int],
-    carried: tuple[Vector, ...] = (),
-) -> Targets:
-    """Return the targets with the boxes of the objects that stay."""
-    boxes = list(_boxes(views, moving))
-    places = [box.place(*at) for box, _ in boxes for at in NINE]
-    names = [name for _, name in boxes]
-    corners = SnapPlaces(
-        np.array(places).reshape(-1, 2), lambda place: _box_place(names[place // 9], *NINE[place % 9])
-    )
-    edges = tuple(_edges([box for box, _ in boxes], names, axis) for axis in (0, 1))
-    return replace(targets, corners=(corners,), edges=edges, carried=carried)
-
-
-def _edges(boxes: Sequence[Bounds], names: Sequence[str], axis: int) -> Edges:
-    values = [box.place(step, step)[axis] for box in boxes for step in (-1, 0, 1)]
-
-    def name(edge: int) -> str:
-        step = edge % 3 - 1
-        return _box_edge(names[edge // 3], (step, 0) if axis == 0 else (0, step))
-
-    return Edges(np.array(values), name)
-
-
-def _boxes(views: Sequence[CurveView], moving: Collection[int]) -> Iterator[tuple[Bounds, str]]:
-    """Yield the boxes of visible objects that stay, with their names: the curves of a shape are one."""
-    # All at once: one by one takes six times as long.
-    find_boxes([view for view in views if view.source.visible and len(view.points) > 1 and view.is_current])
-    for places in shapes([view.source for view in views]):
-        if not {*moving}.isdisjoint(places) or not views[places[0]].source.visible:
-            continue
-        group = PointGroup(
-            tuple((place, frozenset(range(len(views[place].points)))) for place in places), is_whole=True
-        )
-        bounds = bounds_of(views, group)
-        if bounds is not None:
-            yield bounds, views[places[0]].source.seen_name
-
-
-def _box_place(name: str, across: int, up: int) -> str:
-    if across and up:
-        return f"{name_of_place(across, up)} corner of {name}"
-    return f"midpoint of the {name_of_place(across, up)} of {name}" if across or up else f"centre of {name}"
-
-
-def _box_edge(name: str, at: tuple[int, int]) -> str:
-    return f"{name_of_place(*at)} edge of {name}" if any(at) else f"centre of {name}"
 
 
 def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, moving: Moving) -> Targets:

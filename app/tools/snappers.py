@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from ..document.model import Document, Guide, Vector
+from ..document.model import Document, Guide
 from ..document.point_group import PointGroup
 from ..document.readings import readings_of
-from ..view_model.boxes.bounds import Bounds, bounds_of, nine_places
-from .drag import minus
+from ..view_model.boxes.bounds import Bounds, nine_places
 from .drag_machine import EditingHost
 from .pointer import Pointer
-from .snap_targets import targets_of, targets_of_handle, targets_of_side, with_boxes
+from .snap_targets import targets_of, targets_of_handle, targets_of_side
 from .snapping import (
     Snap,
     SnapKind,
     Snapper,
     Snapping,
     Targets,
-    lines_of_guides,
 )
 from .transform_box import Grip
 
@@ -60,19 +58,7 @@ class Snappers:
         # Level with its neighbours is a point; of whole curves none has any that stay.
         curve, place = (host.active_index, -1) if grip is None or group.is_whole else grip
         views = host.views
-
-        def collect() -> Targets:
-            targets = targets_of(views, curve, moving, place, self._kinds)
-            if not group.is_whole or SnapKind.BOXES not in self._kinds:
-                return targets
-            bounds = bounds_of(views, group) if grip is not None else None
-            carried: tuple[Vector, ...] = ()
-            if bounds is not None and grip is not None:
-                held = views[grip[0]].source.points[grip[1]].position
-                carried = tuple(minus(at, held) for at in nine_places(bounds).values())
-            return with_boxes(targets, views, moving, carried)
-
-        return self._make(collect)
+        return self._make(lambda: targets_of(views, curve, moving, place, self._kinds))
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
         """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
@@ -87,13 +73,7 @@ class Snappers:
             return self.for_group(group)
         host, moving = self._host, dict(group.parts)
         views = host.views
-
-        def collect() -> Targets:
-            targets = targets_of_side(views, host.active_index, moving, self._kinds)
-            is_boxed = group.is_whole and SnapKind.BOXES in self._kinds
-            return with_boxes(targets, views, moving) if is_boxed else targets
-
-        return self._make(collect)
+        return self._make(lambda: targets_of_side(views, host.active_index, moving, self._kinds))
 
     def for_guide(self) -> Snapper:
         """Return the snapper of a guide: points that it meets, and the grid."""
@@ -105,9 +85,7 @@ class Snappers:
         # Guides as they are at the press.
         document = self._host.document
         guides = document.guides if guides is None else guides
-        readings = readings_of(document)
-        drawn = tuple(lines_of_guides(guides, readings))
-        self.now = Snapper(self._settings, self._grid, readings, collect, drawn)
+        self.now = Snapper(self._settings, self._grid, readings_of(document), collect, guides)
         return self.now
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
 
 import msgspec
@@ -11,7 +11,6 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.decimals import decimal_sum
 from ..document.guide_edits import place_words
 from ..document.model import Guide, Vector
 from ..document.readings import Readings
@@ -31,7 +30,6 @@ class SnapKind(NamedEnum):
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
     MIDDLES = "middles", "Midpoints of segments"
-    BOXES = "boxes", "Boxes of whole objects"
     LEVEL = "level", "Level or plumb with the neighbours"
 
 
@@ -58,8 +56,6 @@ class Snap(msgspec.Struct, frozen=True):
         Which coordinates were caught.
     grid_line
         The coordinate that a line of the grid holds, None where it is none or a crossing.
-    mark
-        Where that is shown; None for at the place.
     """
 
     position: Vector
@@ -67,7 +63,6 @@ class Snap(msgspec.Struct, frozen=True):
     guides: tuple[Vector, ...] = ()
     axes: tuple[int, ...] = (0, 1)
     grid_line: int | None = None
-    mark: Vector | None = None
 
 
 def with_snap(text: str, caught: Snap | None) -> str:
@@ -94,61 +89,16 @@ class SnapPlaces(msgspec.Struct, frozen=True, eq=False):
 
 
 class _Line(msgspec.Struct, frozen=True):
-    """A coordinate to snap to; a neighbour's has that as its `guide`.
-
-    What is carried along lies `ahead` of what snaps.
-    """
+    """A coordinate to snap to; a neighbour's has that as its `guide`."""
 
     value: float
     label: str
     guide: Vector | None = None
     is_grid: bool = False
-    ahead: float = 0.0
-
-
-class DrawnLine(msgspec.Struct, frozen=True):
-    """A level or upright line of the drawing: a guide.
-
-    Attributes
-    ----------
-    kind
-        What is snapped to with it.
-    axis, value
-        The coordinate that its points have in common, 0 or 1, and its value.
-    label
-        Its name.
-    """
-
-    kind: SnapKind
-    axis: int
-    value: float
-    label: str
-
-
-def lines_of_guides(guides: Sequence[Guide], readings: Readings) -> Iterator[DrawnLine]:
-    """Yield the lines of guides."""
-    for guide in guides:
-        label = f"guide {place_words(guide, readings)}"
-        yield DrawnLine(SnapKind.GUIDES, guide.axis.coordinate, guide.position, label)
-
-
-class Edges(msgspec.Struct, frozen=True, eq=False):
-    """Lines along one axis, by their values; `name` tells what each is called."""
-
-    values: FloatArray
-    name: Callable[[int], str]
-
-    def near(self, value: float, reach: float) -> _Line | None:
-        """Return the nearest one within reach."""
-        if not len(self.values):
-            return None
-        best = int(np.argmin(np.abs(self.values - value)))
-        found = float(self.values[best])
-        return _Line(found, self.name(best)) if abs(found - value) <= reach else None
 
 
 class Targets(msgspec.Struct, frozen=True):
-    """Targets of snapping besides the grid and the lines of the drawing.
+    """Targets of snapping besides the grid and the guides.
 
     Attributes
     ----------
@@ -158,18 +108,11 @@ class Targets(msgspec.Struct, frozen=True):
         The points whose heights and verticals count, with their names.
     curves
         The other curves with their names.
-    corners, edges
-        Of the boxes of other objects: their places, and their lines along either axis.
-    carried
-        Ways from the place that snaps to those of the box that moves along, which snap where it does not.
     """
 
     points: tuple[SnapPlaces, ...] = ()
     neighbours: tuple[tuple[Vector, str], ...] = ()
     curves: tuple[tuple[NearestPoint, str], ...] = ()
-    corners: tuple[SnapPlaces, ...] = ()
-    edges: tuple[Edges, ...] = ()
-    carried: tuple[Vector, ...] = ()
 
     def with_places(self, places: Mapping[str, Vector]) -> Targets:
         """Return the targets with more places, by their names."""
@@ -193,10 +136,10 @@ class Snapper:
         grid: Callable[[], float],
         readings: Readings,
         collect: Callable[[], Targets],
-        drawn: Iterable[DrawnLine] = (),
+        guides: Iterable[Guide] = (),
     ) -> None:
         self._settings, self._grid, self._readings = settings, grid, readings
-        self._collect, self._drawn = collect, tuple(drawn)
+        self._collect, self._guides = collect, tuple(guides)
         self._targets: Targets | None = None
         self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
@@ -225,86 +168,42 @@ class Snapper:
         targets = self._targets
         if axis is not None:
             return self._on_lines(targets, position, reach, (axis,))
-        on_points = (each.nearest(position, reach) for each in (*targets.points, *targets.corners))
+        on_points = (each.nearest(position, reach) for each in targets.points)
         on_curves = (_on_curve(curve, name, position, reach) for curve, name in targets.curves)
-        return (
-            _nearest(on_points)
-            or _nearest(_carried(targets, position, reach))
-            or _nearest(on_curves)
-            or self._on_lines(targets, position, reach, (0, 1))
-        )
+        return _nearest(on_points) or _nearest(on_curves) or self._on_lines(targets, position, reach, (0, 1))
 
     def _on_lines(self, targets: Targets, position: Vector, reach: float, axes: Sequence[int]) -> Snap | None:
-        lines = {
-            axis: self._line(targets, position, reach, axis) or self._carried(targets, position, reach, axis)
-            for axis in axes
-        }
+        lines = {axis: self._line(targets, position, reach, axis) for axis in axes}
         caught = {axis: line for axis, line in lines.items() if line is not None}
         if not caught:
             return None
-        x = _shifted(caught[0].value, -caught[0].ahead) if 0 in caught else position[0]
-        y = _shifted(caught[1].value, -caught[1].ahead) if 1 in caught else position[1]
+        x, y = (caught[axis].value if axis in caught else position[axis] for axis in (0, 1))
         by_grid = [axis for axis, line in caught.items() if line.is_grid]
         labels = [line.label for line in caught.values()]
         if len(by_grid) == 2:
             labels = ["grid"]
         guides = tuple(line.guide for line in caught.values() if line.guide is not None)
         grid_line = by_grid[0] if len(by_grid) == 1 else None
-        mark = None
-        if any(line.ahead for line in caught.values()):
-            mark = (caught[0].value if 0 in caught else x, caught[1].value if 1 in caught else y)
-        return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line, mark)
-
-    def _carried(self, targets: Targets, position: Vector, reach: float, axis: int) -> _Line | None:
-        """Return the line that an edge or the middle of what is carried along is nearest to."""
-        found = []
-        for ahead in dict.fromkeys(way[axis] for way in targets.carried):
-            at = position[axis] + ahead
-            for line in self._drawn_near(targets, at, reach, axis):
-                found.append((abs(line.value - at), replace(line, ahead=ahead)))
-        return min(found, key=lambda each: each[0])[1] if found else None
-
-    def _drawn_near(self, targets: Targets, value: float, reach: float, axis: int) -> list[_Line]:
-        """Return guides and edges of objects that are near along one axis."""
-        kinds = self._settings().kinds
-        drawn = [
-            _Line(line.value, line.label)
-            for line in self._drawn
-            if line.axis == axis and line.kind in kinds and abs(line.value - value) <= reach
-        ]
-        edge = targets.edges[axis].near(value, reach) if targets.edges else None
-        return drawn if edge is None else [*drawn, edge]
+        return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line)
 
     def _line(self, targets: Targets, position: Vector, reach: float, axis: int) -> _Line | None:
-        """Return the coordinate to snap to along one axis: of a drawn line, of a neighbour, of the grid."""
+        """Return the coordinate to snap to along one axis: of a guide, of a neighbour, of the grid."""
         value, kinds = position[axis], self._settings().kinds
-        drawn = self._drawn_near(targets, value, reach, axis)
+        guides = [
+            _Line(guide.position, f"guide {place_words(guide, self._readings)}")
+            for guide in self._guides
+            if SnapKind.GUIDES in kinds and guide.axis.coordinate == axis
+        ]
         level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
         if SnapKind.GRID in kinds:
             told = grid_value(self._readings.shown_at(axis, value), self._grid())
             grid = [_Line(self._readings.meant_at(axis, told), f"grid {'xy'[axis]}", is_grid=True)]
-        for lines in (drawn, level, grid):
+        for lines in (guides, level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:
                 return min(near, key=lambda line: abs(line.value - value))
         return None
-
-
-def _carried(targets: Targets, position: Vector, reach: float) -> Iterator[tuple[float, Snap] | None]:
-    """Yield the nearest places of other objects' boxes to those of the box that is carried along."""
-    for way in targets.carried:
-        at = (position[0] + way[0], position[1] + way[1])
-        for each in targets.corners:
-            found = each.nearest(at, reach)
-            if found is not None:
-                (x, y), away = found[1].position, found[0]
-                place = (_shifted(x, -way[0]), _shifted(y, -way[1]))
-                yield away, replace(found[1], position=place, mark=(x, y))
-
-
-def _shifted(value: float, way: float) -> float:
-    return decimal_sum(value, way) if way else value
 
 
 def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) -> tuple[float, Snap] | None:

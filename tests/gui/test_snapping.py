@@ -447,7 +447,7 @@ def test_percent_switches_snapping_and_leaves_shift_s_to_smooth_points(pair):
     assert pair.action("toggleSnap").isChecked() is not before
 
 
-# Midpoints and boxes
+# Midpoints
 
 
 @pytest.fixture
@@ -476,33 +476,5 @@ def test_a_point_finds_midpoints(boxes):
     boxes.window.store.change(snap_kinds=frozenset({SnapKind.POINTS}))
     boxes.press(boxes.point(0))
     boxes.move(near(boxes, place))
-    assert boxes.window.canvas.marks.snap is None
-    boxes.escape()
-
-
-def test_the_box_of_what_is_dragged_finds_boxes_that_stay(boxes):
-    boxes.window.store.change(snap_kinds=frozenset({SnapKind.BOXES}))
-    start = boxes.point(0)
-
-    def moved_by(x, y):
-        boxes.move((start[0] + x + 3 * boxes.pixel, start[1] + y + 2 * boxes.pixel))
-        return boxes.window.canvas.marks.snap
-
-    boxes.press(start)
-    # Its upper end comes to the ellipse's lower left corner; what is held is another place.
-    snap = moved_by(0.4, 3.0)
-    assert (snap.mark, snap.label) == ((5.0, 2.0), "bottom left corner of Egg")
-    # Its middle comes below that of the card.
-    snap = moved_by(-2.8, -0.35)
-    assert (snap.mark[0], snap.label, snap.axes) == (1.0, "centre of Card", (0,))
-    snap = moved_by(-1.0, -0.35)
-    assert (snap.label, snap.axes) == ("right edge of Card", (0,))
-    boxes.release((start[0] - 1.0, start[1] - 0.35))
-    assert [x for x, _ in map(boxes.point, (0, 1))] == [2.0, pytest.approx(3.6, abs=1e-15)]
-    assert boxes.session.views[0].source.points[0].y != start[1]
-    # Points alone have no box.
-    boxes.session.selected.edit_chosen()
-    boxes.press(boxes.point(0))
-    boxes.move(near(boxes, (1.0, 0.5)))
     assert boxes.window.canvas.marks.snap is None
     boxes.escape()
