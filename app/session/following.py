@@ -85,16 +85,16 @@ class Following:
             yield
             session.scrub.keep()
             return
-        was_active, was_marked = before.curves[session.active_index], selected.marked
+        marked = [each for place, each in enumerate(before.curves) if place in selected.marked]
         session.active_index = min(session.active_index, len(curves) - 1)
         old = selected.choice
         new = followed_choice(old, before.curves, curves)
         session.active_index = new.active
         selected.last = max(followed_curves({selected.last}, before.curves, curves), default=new.active)
         selected.hold(new.curves, new.chosen, is_editing=new.is_editing)
-        if was_marked and not selected.marked:
-            # It was deleted: what is drawn next looks like it.
-            selected.next_style = was_active.style
+        if marked and not selected.marked:
+            # They were deleted: what is drawn next looks like the foremost of them.
+            selected.next_style = marked[-1].style
         elif all(each is not curves[new.active] for each in before.curves):
             # It was begun, or worked on.
             selected.is_lent, selected.next_style = False, None
