@@ -114,7 +114,6 @@ def test_the_window_starts_without_what_is_rarely_used():
         "copy_commands",
         "export_commands",
         "import_series",
-        "save_copy_commands",
     }
 
 

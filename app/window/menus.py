@@ -15,10 +15,10 @@ from ..actions.mnemonics import give_mnemonics, with_mnemonics
 from ..actions.qactions import Actions
 from ..actions.sections import (
     CURVE_CONVERT,
-    CURVE_TANGENTS,
     FILE_EXAMPLES,
     FILE_RECENT,
     MENUS,
+    POINTS_KINDS,
     VIEW_PANELS,
     Menu,
     Section,
@@ -47,8 +47,8 @@ class Menus:
             self._fill(window.menuBar().addMenu(marked), menu)
         self.recent, self.examples = self._submenu(FILE_RECENT), self._submenu(FILE_EXAMPLES)
         # A tooltip tells why an entry cannot be used.
-        for section in (CURVE_TANGENTS, CURVE_CONVERT):
-            self._submenu(section).setToolTipsVisible(True)
+        for section in (POINTS_KINDS, CURVE_CONVERT):
+            self._places[section].setToolTipsVisible(True)
         self._submenu(CURVE_CONVERT).aboutToShow.connect(lambda: actions.open_section(CURVE_CONVERT))
         actions.redeclared.connect(self._follow_actions)
 

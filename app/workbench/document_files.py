@@ -246,13 +246,13 @@ class DocumentFiles:
 
     def ask_and_save(self) -> bool:
         """Let the person choose a file and save there; return whether it was saved."""
-        path = self.ask_where("Save As")
+        path = self._ask_where()
         return path is not None and self._save(path)
 
-    def ask_where(self, title: str, *, is_copy: bool = False) -> Path | None:
-        """Let the person choose a file for the document, or for a copy; None where none may be that."""
-        start = self._proposed_path(is_copy=is_copy)
-        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), SAVED_KINDS)
+    def _ask_where(self) -> Path | None:
+        """Let the person choose a file for the document; None where none may be that."""
+        start = self._proposed_path()
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), SAVED_KINDS)
         if not name:
             return None
         path = path_to_save(Path(name))
@@ -265,12 +265,12 @@ class DocumentFiles:
         self.refused(path, f"{path.name} was not saved. {reason}", StorageError(reason))
         return None
 
-    def _proposed_path(self, *, is_copy: bool) -> Path:
+    def _proposed_path(self) -> Path:
         path, stem = self._session.files.path, file_stem(self._session)
         start = path or self._preferences.last_folder / (stem + SUFFIX)
         if path is not None and is_misnamed(path):
             start = path.with_name(stem + SUFFIX)
-        if self._session.files.is_read_only or is_copy:
+        if self._session.files.is_read_only:
             start = start.with_name(f"{stem} copy{SUFFIX}")
         return start
 

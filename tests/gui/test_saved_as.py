@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog
-
-from app.storage.files import load
 
 
 @pytest.fixture
@@ -48,43 +45,3 @@ def test_a_document_under_the_name_of_an_svg_opens_as_what_it_is_and_is_saved_el
     save_as("icons.curve.json")
     assert save_as.proposed[-1] == str(tmp_path / "icons.curve.json")
     assert path.read_bytes() == held
-
-
-def test_a_copy_is_written_elsewhere_and_the_document_stays_with_its_file(
-    editor, save_as, tmp_path, monkeypatch
-):
-    session, files = editor.session, editor.session.files
-    save_as("own.curve.json")
-    own, title = tmp_path / "own.curve.json", editor.window.windowTitle()
-    before = own.read_bytes()
-    session.selected.choose({0})
-    editor.key(Qt.Key.Key_Right)
-    asked, keys = [], Qt.KeyboardModifier
-    monkeypatch.setattr(
-        QFileDialog, "getSaveFileName", lambda *words: asked.append(words[1:3]) or (str(tmp_path / "one"), "")
-    )
-    editor.key(Qt.Key.Key_S, keys.ControlModifier | keys.AltModifier | keys.ShiftModifier)
-    assert editor.status == "Saved a copy as one.curve.json."
-    # The file, what it holds, the changes and the title are as they were.
-    assert (files.path, files.is_modified, own.read_bytes()) == (own, True, before)
-    assert editor.window.windowTitle() == title
-    assert asked == [("Save a Copy", str(tmp_path / "own copy.curve.json"))]
-    assert load(tmp_path / "one.curve.json").curves == session.document.curves
-    # Nobody else finds the copy locked, and it is no recent file.
-    assert not list(tmp_path.glob(".*one*"))
-    assert editor.window.preferences.recent_files[0] == own
-
-
-def test_a_copy_is_not_written_over_the_document_itself(editor, save_as, tmp_path, monkeypatch):
-    save_as("own.curve.json")
-    own = tmp_path / "own.curve.json"
-    before = own.read_bytes()
-    editor.session.selected.choose({0})
-    editor.key(Qt.Key.Key_Right)
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(own), ""))
-    editor.trigger("saveCopy")
-    assert (
-        editor.message
-        == "own.curve.json was not saved. It is the file of this document; choose another name."
-    )
-    assert (own.read_bytes(), editor.session.files.is_modified) == (before, True)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.keymap import action_name
 from ...actions.needs import TWO_POINTS, Need
-from ...actions.sections import CURVE_PARAMETERS, CURVE_STARTS
+from ...actions.sections import CURVE_STARTS, POINTS_TYPED
 from ...actions.strips import RAIL_MENU
 from ...document import edits
 from ...document.model import ParametrizationKind
@@ -149,7 +149,7 @@ class BasisCommands:
     @action(
         "typeParameter",
         "Type t…",
-        CURVE_PARAMETERS,
+        POINTS_TYPED,
         full_name="Type a Parameter t…",
         needs=Need("one selected point", lambda state: state.is_current and state.selected_count == 1),
     )

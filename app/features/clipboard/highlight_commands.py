@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...actions.declaration import action, also
 from ...actions.needs import HIGHLIGHTED, Need
-from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE
+from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE, POINTS_NUMBER
 from ...actions.strips import POINT_MENU
 from ...document.selection import all_points
 from ...document.several_curves import named
@@ -51,7 +51,7 @@ class HighlightCommands:
     @action(
         "deleteLeavingHandles",
         "Delete, Leaving the Handles",
-        EDIT_DELETE,
+        POINTS_NUMBER,
         "Ctrl+Del",
         needs=Need("selected points", lambda state: state.selected_count > 0),
         keywords="nodes without keeping the shape",

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.keymap import keys_text
 from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE, Need
-from ...actions.sections import CURVE_NEW, CURVE_POINTS, CURVE_SHAPE
+from ...actions.sections import CURVE_NEW, CURVE_SHAPE, POINTS_NUMBER
 from ...actions.strips import (
     CANVAS_MENU,
     CURVE_LIST_BUTTONS,
@@ -67,7 +67,7 @@ class CurveCommands:
     @action(
         "insertPoint",
         "Insert Point at the Scrub Line",
-        CURVE_POINTS,
+        POINTS_NUMBER,
         "I",
         "add",
         needs=UNLOCKED_CURVE,
@@ -85,7 +85,7 @@ class CurveCommands:
     @action(
         "insertMidpoints",
         "Insert Points Between",
-        CURVE_POINTS,
+        POINTS_NUMBER,
         "Ins",
         "insert-points",
         needs=UNLOCKED_CURVE,

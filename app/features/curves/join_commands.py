@@ -8,7 +8,7 @@ import numpy as np
 
 from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
-from ...actions.sections import CURVE_POINTS, CURVE_SHAPE
+from ...actions.sections import CURVE_SHAPE, POINTS_NUMBER
 from ...actions.strips import (
     CHOSEN_MENU,
     CURVE_LIST_BUTTONS,
@@ -77,7 +77,7 @@ class JoinCommands:
     @action(
         "mergeEnds",
         "Merge Ends",
-        CURVE_POINTS,
+        POINTS_NUMBER,
         "Shift+J",
         "merge",
         full_name="Merge Ends into One Point",

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 
 from ...actions.declaration import action
 from ...actions.needs import SECOND_CURVE, Need
-from ...actions.sections import CURVE_ORDER, CURVE_WALK
+from ...actions.sections import ARRANGE_ORDER, ARRANGE_WALK
 from ...document.model import Document
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import at_end, stepped
@@ -38,7 +38,7 @@ class OrderCommands:
     @action(
         "raiseCurve",
         "Raise",
-        CURVE_ORDER,
+        ARRANGE_ORDER,
         "Ctrl+Shift+PgUp",
         "move-up",
         full_name="Raise Curve",
@@ -51,7 +51,7 @@ class OrderCommands:
     @action(
         "lowerCurve",
         "Lower",
-        CURVE_ORDER,
+        ARRANGE_ORDER,
         "Ctrl+Shift+PgDown",
         "move-down",
         full_name="Lower Curve",
@@ -64,7 +64,7 @@ class OrderCommands:
     @action(
         "raiseToTop",
         "Raise to Top",
-        CURVE_ORDER,
+        ARRANGE_ORDER,
         "Ctrl+Shift+Home",
         "move-to-top",
         full_name="Raise Curve to Top",
@@ -78,7 +78,7 @@ class OrderCommands:
     @action(
         "lowerToBottom",
         "Lower to Bottom",
-        CURVE_ORDER,
+        ARRANGE_ORDER,
         "Ctrl+Shift+End",
         "move-to-bottom",
         full_name="Lower Curve to Bottom",
@@ -100,7 +100,7 @@ class OrderCommands:
     @action(
         "nextCurve",
         "Next Curve",
-        CURVE_WALK,
+        ARRANGE_WALK,
         "Ctrl+PgDown",
         needs=SECOND_CURVE,
     )
@@ -111,7 +111,7 @@ class OrderCommands:
     @action(
         "previousCurve",
         "Previous Curve",
-        CURVE_WALK,
+        ARRANGE_WALK,
         "Ctrl+PgUp",
         needs=SECOND_CURVE,
     )

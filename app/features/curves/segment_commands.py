@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.needs import HERMITE_CURVE, UNLOCKED_CURVE, Need
-from ...actions.sections import CURVE_POINTS
+from ...actions.sections import POINTS_NUMBER
 from ...actions.strips import POINT_MENU
 from ...document.curve_edits import with_parts
 from ...document.model import Document
@@ -28,7 +28,7 @@ class SegmentCommands:
     @action(
         "deleteSegment",
         "Delete Segment",
-        CURVE_POINTS,
+        POINTS_NUMBER,
         "Alt+K",
         "delete-segment",
         needs=Need(

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.sections import FILE_SAVE
+from ...actions.sections import FILE_DOCUMENT
 from ...document.readings import Readings, readings_of
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -80,7 +80,7 @@ class DocumentSettingsCommands:
     @action(
         "documentSettings",
         "Document…",
-        FILE_SAVE,
+        FILE_DOCUMENT,
         "Ctrl+Shift+D",
         full_name="Document: Unit and Grid…",
         keywords="properties unit millimetres inches grid spacing new setup",

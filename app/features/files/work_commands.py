@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...actions.declaration import action
 from ...actions.needs import Need
-from ...actions.sections import FILE_WORK
+from ...actions.sections import EDIT_WORK
 from ...workbench.context import WindowContext
 from .job_bar import JobBar
 
@@ -24,7 +24,7 @@ class WorkCommands:
     @action(
         "cancelWork",
         "Stop What Is Running",
-        FILE_WORK,
+        EDIT_WORK,
         "Ctrl+.",
         "stop",
         needs=Need(

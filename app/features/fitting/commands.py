@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray
 from ...actions.declaration import Action, action, action_for_each
 from ...actions.keymap import action_name
 from ...actions.needs import UNLOCKED_CURVE
-from ...actions.sections import CURVE_POINTS, EDIT_PENCIL
+from ...actions.sections import CURVE_FEWER, EDIT_PENCIL
 from ...canvas.trace_layer import Trace
 from ...document.curve_edits import replace_curve
 from ...document.limits import EditError
@@ -104,7 +104,7 @@ class FitCommands(QObject):
     @action(
         "fitFewerPoints",
         "Fit to Fewer Points…",
-        CURVE_POINTS,
+        CURVE_FEWER,
         icon="fewer-points",
         needs=UNLOCKED_CURVE,
         keywords="simplify reduce thin decimate approximate least squares",

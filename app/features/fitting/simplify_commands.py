@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from ...actions.declaration import action
 from ...actions.needs import Need
-from ...actions.sections import CURVE_SHAPES
+from ...actions.sections import ARRANGE_SHAPES
 from ...document.edits import EditError
 from ...document.model import Document
 from ...document.plain import plain
@@ -42,7 +42,7 @@ class SimplifyCommands:
     @action(
         "simplify",
         "Simplify",
-        CURVE_SHAPES,
+        ARRANGE_SHAPES,
         "",
         "fewer-points",
         full_name="Simplify Paths",

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
-from ...actions.sections import EDIT_HISTORY, FILE_BACK
+from ...actions.sections import EDIT_BACK, EDIT_HISTORY
 from ...actions.strips import TOOLBAR
 from ...qt.labels import menu_text
 from ...workbench.context import WindowContext
@@ -96,7 +96,7 @@ class HistoryCommands:
     @action(
         "goBack",
         "Go Back",
-        FILE_BACK,
+        EDIT_BACK,
         icon="history",
         full_name="Go Back to What Was Before the Lesson",
         needs=Need(

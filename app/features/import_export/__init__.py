@@ -3,7 +3,6 @@
 - ``commands``: what comes in.  ``import_series``: several files, one after the other.
   ``intake``: curves of one in the document.
 - ``export_commands``: what goes out.  ``copy_commands``: pictures on the clipboard.
-- ``save_copy_commands``: the document in another file, beside it.
 - ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,
   ``import_foot``, ``import_picture``, ``missed_list``: what a file holds, before it comes in.

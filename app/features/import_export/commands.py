@@ -32,7 +32,6 @@ from .. import import_export
 from .copy_commands import CopyCommands
 from .export_commands import ExportCommands
 from .import_series import ImportSeries
-from .save_copy_commands import SaveCopyCommands
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
@@ -306,5 +305,4 @@ COMMAND_SETS = (
     ImportCommands,
     ExportCommands,
     CopyCommands,
-    SaveCopyCommands,
 )

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
-from ...actions.sections import CURVE_POINTS
+from ...actions.sections import POINTS_TYPED
 from ...actions.strips import POINT_BUTTONS, POINT_MENU
 from ...document.readings import readings_of
 from ...view_model.curve.curve_view import CurveView
@@ -48,7 +48,7 @@ class PointTableCommands:
     @action(
         "typePoint",
         "Type x and y…",
-        CURVE_POINTS,
+        POINTS_TYPED,
         full_name="Type x and y of the Point…",
         needs=Need("a selected point", lambda state: state.selected_count > 0),
         keywords="exact coordinates position place numbers node",

@@ -5,9 +5,9 @@ from __future__ import annotations
 from ...actions.declaration import action, also
 from ...actions.needs import SOME_CURVE, Need
 from ...actions.sections import (
-    CURVE_EDITING,
-    CURVE_VELOCITIES,
     EDIT_SELECT,
+    POINTS_EDITING,
+    POINTS_VELOCITIES,
 )
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import edits
@@ -73,7 +73,7 @@ class PointCommands:
     @action(
         "editCurve",
         "Edit Curve",
-        CURVE_EDITING,
+        POINTS_EDITING,
         icon="spline-pointer",
         checked=lambda state: state.is_editing,
         keywords="points nodes whole curves leave objects",
@@ -90,7 +90,7 @@ class PointCommands:
     @action(
         "resetVelocities",
         "Reset Derivatives to Estimated",
-        CURVE_VELOCITIES,
+        POINTS_VELOCITIES,
         icon="reset",
         needs=Need("selected points with a derivative that was set", lambda state: state.has_explicit),
     )

@@ -10,7 +10,14 @@ from ... import view_model
 from ...actions.declaration import Action, Opened, action, action_for_each, also, also_for_each, widget_at
 from ...actions.keymap import keys_text
 from ...actions.needs import UNLOCKED_CURVE, Need
-from ...actions.sections import CURVE_CONVERT, CURVE_FAMILY, CURVE_PARAMETERS, CURVE_RULES
+from ...actions.sections import (
+    CURVE_CONVERT,
+    CURVE_FAMILIES,
+    CURVE_FAMILY,
+    CURVE_PARAMETERS,
+    CURVE_RULES,
+    Section,
+)
 from ...actions.state import ActionState
 from ...actions.strips import CURVE_MENU, FAMILIES_MENU, FAMILY_BAR, RAIL_MENU, Place
 from ...document import edits
@@ -47,6 +54,11 @@ def _icon_of(family: Family) -> str:
     """Return the name of a family's icon, that of splines where it has none."""
     own = family.name.replace("_", "-")
     return own if has_resource("icons", f"{own}.svg") else "spline"
+
+
+def _section_of(family: Family) -> Section:
+    """Return the section of the menu Curve that a family stands in."""
+    return CURVE_FAMILY if family in FAMILIES[:_BUTTONS] else CURVE_FAMILIES
 
 
 def _place_of(family: Family) -> Place:
@@ -104,7 +116,7 @@ class RuleCommands:
         lambda family: Action(
             family.action_name,
             family.label,
-            CURVE_FAMILY,
+            _section_of(family),
             _key_of(family),
             _icon_of(family),
             family.tip,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
-from ...actions.sections import CURVE_GROUPS, CURVE_SHAPES
+from ...actions.sections import ARRANGE_GROUPS, ARRANGE_SHAPES
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_edits import remove_curve
 from ...document.curve_tree import counted_nodes
@@ -45,7 +45,7 @@ class ShapeCommands:
     @action(
         "combineCurves",
         "Combine",
-        CURVE_SHAPES,
+        ARRANGE_SHAPES,
         "Ctrl+K, Ctrl+Alt+K",
         "combine",
         full_name="Combine Curves",
@@ -67,7 +67,7 @@ class ShapeCommands:
     @action(
         "breakApart",
         "Break Apart",
-        CURVE_SHAPES,
+        ARRANGE_SHAPES,
         "Ctrl+Shift+K",
         "break-apart",
         full_name="Break Shape Apart",
@@ -86,7 +86,7 @@ class ShapeCommands:
     @action(
         "deleteContour",
         "Delete This Curve Alone",
-        CURVE_SHAPES,
+        ARRANGE_SHAPES,
         icon="delete",
         full_name="Delete This Curve of the Shape",
         needs=Need("a shape of several curves", lambda state: state.is_in_shape),
@@ -107,7 +107,7 @@ class ShapeCommands:
     @action(
         "groupCurves",
         "Group",
-        CURVE_GROUPS,
+        ARRANGE_GROUPS,
         "Ctrl+G",
         "group",
         full_name="Group Curves",
@@ -126,7 +126,7 @@ class ShapeCommands:
     @action(
         "ungroupCurves",
         "Ungroup",
-        CURVE_GROUPS,
+        ARRANGE_GROUPS,
         "Ctrl+Shift+G",
         "ungroup",
         full_name="Ungroup Curves",

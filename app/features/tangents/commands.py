@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 
 from ...actions.declaration import Action, PlaceAction, action, action_for_each, also, also_for_each
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
-from ...actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
+from ...actions.sections import POINTS_KINDS, POINTS_VELOCITIES
 from ...actions.strips import POINT_BUTTONS, POINT_MENU
 from ...document.curve_edits import replace_curve
 from ...document.edits import AlreadySoError, EditError
@@ -35,7 +35,7 @@ _OF_A_KIND = Need(HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda state:
 
 
 class TangentCommands:
-    """The menu Curve › Tangents."""
+    """The kinds of points in the menu Points."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -46,7 +46,7 @@ class TangentCommands:
         lambda kind: Action(
             kind.action,
             kind.title,
-            CURVE_TANGENTS,
+            POINTS_KINDS,
             kind.key,
             kind.name,
             kind.tip,
@@ -75,7 +75,7 @@ class TangentCommands:
     @action(
         "straightSegment",
         "Straight Segment",
-        CURVE_TANGENTS,
+        POINTS_KINDS,
         "Alt+4, Shift+L",
         "straight",
         needs=Need(
@@ -100,7 +100,7 @@ class TangentCommands:
     @action(
         "pullVelocity",
         "Pull Out Velocity",
-        CURVE_VELOCITIES,
+        POINTS_VELOCITIES,
         "",
         "spline-pointer",
         "Give the selected points handles of their own to drag; Alt+drag a point does too",

@@ -7,7 +7,13 @@ from typing import NamedTuple
 from ...actions.declaration import Action, action_for_each, also_for_each
 from ...actions.keymap import action_name
 from ...actions.needs import Need
-from ...actions.sections import EDIT_ALIGN_ACROSS, EDIT_ALIGN_TO, EDIT_ALIGN_UP, EDIT_DISTRIBUTE, Section
+from ...actions.sections import (
+    ARRANGE_ALIGN_ACROSS,
+    ARRANGE_ALIGN_TO,
+    ARRANGE_ALIGN_UP,
+    ARRANGE_DISTRIBUTE,
+    Section,
+)
 from ...actions.state import ActionState
 from ...actions.strips import ALIGN_BUTTONS
 from ...document.model import Document
@@ -44,12 +50,12 @@ class _Distribution(NamedTuple):
 
 
 _ALIGNMENTS = (
-    _Alignment(Edge.LEFT, EDIT_ALIGN_ACROSS, "one vertical, that of the leftmost edge", 10),
-    _Alignment(Edge.CENTRE, EDIT_ALIGN_ACROSS, "one vertical, halfway", 11),
-    _Alignment(Edge.RIGHT, EDIT_ALIGN_ACROSS, "one vertical, that of the rightmost edge", 12),
-    _Alignment(Edge.TOP, EDIT_ALIGN_UP, "one horizontal, that of the top", 13),
-    _Alignment(Edge.MIDDLE, EDIT_ALIGN_UP, "one horizontal, halfway", 14),
-    _Alignment(Edge.BOTTOM, EDIT_ALIGN_UP, "one horizontal, that of the bottom", 15),
+    _Alignment(Edge.LEFT, ARRANGE_ALIGN_ACROSS, "one vertical, that of the leftmost edge", 10),
+    _Alignment(Edge.CENTRE, ARRANGE_ALIGN_ACROSS, "one vertical, halfway", 11),
+    _Alignment(Edge.RIGHT, ARRANGE_ALIGN_ACROSS, "one vertical, that of the rightmost edge", 12),
+    _Alignment(Edge.TOP, ARRANGE_ALIGN_UP, "one horizontal, that of the top", 13),
+    _Alignment(Edge.MIDDLE, ARRANGE_ALIGN_UP, "one horizontal, halfway", 14),
+    _Alignment(Edge.BOTTOM, ARRANGE_ALIGN_UP, "one horizontal, that of the bottom", 15),
 )
 
 _CENTRES = "Space the selected points, or the centres of the chosen curves, evenly from {}"
@@ -133,7 +139,7 @@ class AlignCommands:
         lambda each: Action(
             f"distribute{each.what.strip()}{each.way.capitalize()}",
             f"Distribute {each.what}{each.way.capitalize()}",
-            EDIT_DISTRIBUTE,
+            ARRANGE_DISTRIBUTE,
             icon=f"{each.what.strip().lower() or 'distribute'}-{each.way}",
             tip=each.tip,
             needs=THREE_CURVES if each.spacing is Spacing.GAPS else THREE,
@@ -162,7 +168,7 @@ class AlignCommands:
         lambda each: Action(
             action_name("alignTo", each),
             f"To {each.label[0].lower()}{each.label[1:]}",
-            EDIT_ALIGN_TO,
+            ARRANGE_ALIGN_TO,
             tip=each.tip,
             full_name=f"Align to {each.label[0].lower()}{each.label[1:]}",
             checked=lambda state: state.window.align_to is each,

@@ -7,7 +7,7 @@ from typing import NamedTuple, TypeVar
 
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
 from ...actions.needs import Need
-from ...actions.sections import EDIT_TRANSFORM, EDIT_TRANSFORM_BOX
+from ...actions.sections import ARRANGE_BOX, ARRANGE_TRANSFORM
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
 from ...document.readings import readings_of
@@ -109,7 +109,7 @@ class SelectionCommands:
         lambda each: Action(
             f"{each.kind.name.lower()}Selection",
             each.text,
-            EDIT_TRANSFORM,
+            ARRANGE_TRANSFORM,
             each.key,
             each.text.lower(),
             each.tip,
@@ -128,7 +128,7 @@ class SelectionCommands:
         lambda each: Action(
             f"flip{each.way.capitalize()}",
             f"Flip {each.way.capitalize()}",
-            EDIT_TRANSFORM,
+            ARRANGE_TRANSFORM,
             each.key,
             f"flip-{each.way}",
             each.tip,
@@ -144,7 +144,7 @@ class SelectionCommands:
         lambda each: Action(
             each.name,
             f"Rotate {abs(each.degrees):g}° {each.way.capitalize()}",
-            EDIT_TRANSFORM,
+            ARRANGE_TRANSFORM,
             each.key,
             each.icon,
             f"Rotate what is selected or chosen, or else all points, to the {each.way}",
@@ -170,7 +170,7 @@ class SelectionCommands:
     @action(
         "turnGrips",
         "Grips That Rotate and Skew",
-        EDIT_TRANSFORM_BOX,
+        ARRANGE_BOX,
         needs=_BOX,
         checked=lambda state: state.grips_turn,
         keywords="shear slant second click box",
@@ -184,7 +184,7 @@ class SelectionCommands:
         "transform_box",
         "toggleTransformBox",
         "Box with Grips",
-        EDIT_TRANSFORM_BOX,
+        ARRANGE_BOX,
         icon="transform-box",
         full_name="Transform Box with Grips",
         during_gesture=True,
@@ -196,7 +196,7 @@ class SelectionCommands:
         "keep_proportions",
         "keepProportions",
         "Keep Proportions",
-        EDIT_TRANSFORM_BOX,
+        ARRANGE_BOX,
         icon="lock",
         full_name="Transform Panel: Keep Proportions",
     )

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action
-from ...actions.sections import EDIT_TRANSFORM_PANEL
+from ...actions.sections import ARRANGE_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
 from ...document.readings import Readings, readings_of
@@ -73,7 +73,7 @@ class TransformPanelCommands(QObject):
     @action(
         "openTransform",
         "Transform Panel…",
-        EDIT_TRANSFORM_PANEL,
+        ARRANGE_PANEL,
         "Ctrl+Shift+M",
         icon="transform-box",
         keywords="exact width height position angle size pivot align",

@@ -12,6 +12,7 @@ from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...actions.sections import (
     EDIT_TOOLS,
     VIEW_DRAWING,
+    VIEW_PRESENTATION,
     VIEW_SHOWN,
     VIEW_SIZE,
     VIEW_THEME,
@@ -284,7 +285,7 @@ class ViewCommands:
         "presentation",
         "presentation",
         "Presentation",
-        VIEW_SIZE,
+        VIEW_PRESENTATION,
         "F11",
         "presentation",
     )
