@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from ..document.model import Document
 from ..storage.files import write
-from ..tasks.progress import FINAL, Report
+from ..tasks.progress import FINAL
 from .errors import ExchangeError
 from .formats import FORMATS, Written, format_of
 from .options import DEFAULT, Options
@@ -24,35 +24,13 @@ def export(document: Document, path: str | os.PathLike[str], options: Options = 
     StorageError
         If the file cannot be written; an old one stays as it was.
     """
-    written = written_for(document, path, options)
-    put(written, path, options.report)
-    return written
-
-
-def written_for(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> Written:
-    """Return what a file of this name would hold.
-
-    Raises
-    ------
-    ExchangeError
-        As `export`.
-    """
     options = replace(options, path=os.fspath(path))
     if options.width is not None and options.width < 1:
         raise ExchangeError("The width must be at least 1.")
     form = format_of(path, FORMATS.written)
     options.report(0.0, "Writing")
     assert form.write is not None
-    return form.write(document, options)
-
-
-def put(written: Written, path: str | os.PathLike[str], report: Report) -> None:
-    """Write what a writer made; it cannot be taken back.
-
-    Raises
-    ------
-    StorageError
-        If the file cannot be written; an old one stays as it was.
-    """
-    report(FINAL, "Writing")
+    written = form.write(document, options)
+    options.report(FINAL, "Writing")
     write(path, written.data)
+    return written

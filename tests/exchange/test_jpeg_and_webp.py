@@ -10,7 +10,7 @@ from PIL import Image
 from app.cli import main
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
-from app.exchange.writing import export, written_for
+from app.exchange.writing import export
 from app.storage.files import load, save
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -34,14 +34,12 @@ def test_it_shows_what_a_png_shows(example, tmp_path, ending, kind):
 
 def test_a_jpeg_has_paper_and_whoever_wants_none_is_told(example, tmp_path):
     """A JPEG has no transparency: what is clear in a PNG was black in pictures of other programs."""
-    written = written_for(example, "a.jpg", Options(width=200, transparent=True))
-    (tmp_path / "a.jpg").write_bytes(written.data)
+    written = export(example, tmp_path / "a.jpg", Options(width=200, transparent=True))
     assert "A JPEG cannot be seen through: it has paper." in written.remarks
     found, _, mode, _ = colours(tmp_path / "a.jpg")
     assert mode == "RGB"
     assert found[0, 0].min() >= 250
-    clear = written_for(example, "a.webp", Options(width=200, transparent=True))
-    (tmp_path / "a.webp").write_bytes(clear.data)
+    export(example, tmp_path / "a.webp", Options(width=200, transparent=True))
     with Image.open(tmp_path / "a.webp") as image:
         assert image.mode == "RGBA"
         assert image.getpixel((0, 0))[3] == 0
@@ -69,6 +67,6 @@ def test_more_quality_is_a_larger_file(example, tmp_path, ending):
     assert load(source) == example
 
 
-def test_a_webp_larger_than_its_format_has_is_refused(example):
+def test_a_webp_larger_than_its_format_has_is_refused(example, tmp_path):
     with pytest.raises(ExchangeError, match="1 to 16383"):
-        written_for(example, "a.webp", Options(width=16384))
+        export(example, tmp_path / "a.webp", Options(width=16384))

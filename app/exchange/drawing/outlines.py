@@ -54,11 +54,6 @@ class Outline(msgspec.Struct, frozen=True):
         """The paint that the curve is known by, "#rrggbb", or empty for the ink of the picture."""
         return self.style.colour
 
-    @property
-    def reach(self) -> float:
-        """Reach of the stroke beyond the curve, but for miters; 0 for a line of the usual width."""
-        return (self.style.width or 0.0) / 2 if self.style.has_stroke else 0.0
-
 
 def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
     """Return outlines that follow each other in one shape together, and the others each by itself."""

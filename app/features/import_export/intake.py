@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from ... import exchange
 from ...document.model import Document
@@ -13,9 +12,6 @@ from ...document.shapes import tidy_shapes
 from ...document.words import names_of
 from ...view_model.curve.views_ahead import views_ahead
 from ...view_model.pieces.arrivals import Arrival
-
-if TYPE_CHECKING:
-    pass
 
 MANY_POINTS = 1000
 """Points of curves whose views are made beside the window."""
