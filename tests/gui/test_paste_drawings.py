@@ -123,7 +123,8 @@ def test_what_cannot_come_is_said(three):
     )
     paste(three)
     assert "flowRoot" in three.message
-    assert "Tree" in [curve.name for curve in three.session.document.curves]
+    assert "<text> “Tree”" in three.message
+    assert len(three.session.document.curves) == 4
 
 
 def test_a_picture_is_no_curve_and_that_is_said(three):
