@@ -57,8 +57,9 @@ class Readouts:
 
     def show_t(self, t: float | None) -> None:
         """Show the t under the pointer; None when the pointer is elsewhere."""
-        self._t_here = t
-        self._render_soon()
+        if t != self._t_here:
+            self._t_here = t
+            self._render_soon()
 
     def show_scrub(self, t: float | None) -> None:
         """Show the t of the scrub line while the pointer is elsewhere; None without one."""
@@ -67,8 +68,9 @@ class Readouts:
 
     def show_lebesgue(self, constant: float | None) -> None:
         """Show the Lebesgue constant of the points; NaN without a curve, None while it changes."""
-        self._lebesgue = constant
-        self._render_soon()
+        if constant != self._lebesgue:
+            self._lebesgue = constant
+            self._render_soon()
 
     def _render_soon(self) -> None:
         if not self._soon.isActive():
