@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
 from ..view_model.boxes.pivot import Pivot
-
-_MOST_PIVOTS = 24
-"""Pivots that are remembered: each is taken along by every step."""
 
 
 class SelectionBox:
@@ -20,21 +17,21 @@ class SelectionBox:
 
     Attributes
     ----------
-    pivots
-        What was chosen to turn, scale and mirror about, each with what it was chosen for; the last one first.
+    pivot
+        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
     turns
         Whether its grips rotate and skew; until something else is selected.
     """
 
     def __init__(self, pivot_changed: Callable[[], None], grips_changed: Callable[[], None]) -> None:
         self._pivot_changed, self._grips_changed = pivot_changed, grips_changed
-        self.pivots: tuple[Pivot, ...] = ()
+        self.pivot: Pivot | None = None
         self.turns = False
 
-    def set_pivots(self, pivots: Iterable[Pivot]) -> None:
-        """Turn, scale and mirror about other places, the latest of them; what has none about its middle."""
-        before, self.pivots = self.pivots, tuple(pivots)[:_MOST_PIVOTS]
-        if [each.place for each in before] != [each.place for each in self.pivots]:
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place; None for the middle."""
+        before, self.pivot = self.pivot, pivot
+        if (before and before.place) != (pivot and pivot.place):
             self._pivot_changed()
 
     def set_turns(self, turns: bool) -> None:

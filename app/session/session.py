@@ -296,7 +296,7 @@ class Session(SessionSignals):
             self.undo_stack.resetClean()
         self._following.leave()
         self.scrub.set(None)
-        self.box.set_pivots(())
+        self.box.set_pivot(None)
         # Another document's curves are nobody's last good shape.
         self._views.take()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Hashable, Iterable
+from collections.abc import Callable, Collection, Hashable
 from typing import Protocol
 
 import msgspec
@@ -87,11 +87,11 @@ class SelectionHost(Protocol):
 class BoxHost(Protocol):
     """Box around what is selected in a session, as the tools use it."""
 
-    pivots: tuple[Pivot, ...]
+    pivot: Pivot | None
     turns: bool
 
-    def set_pivots(self, pivots: Iterable[Pivot]) -> None:
-        """Turn, scale and mirror about other places; what has none about its middle."""
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place; None for the middle."""
 
     def set_turns(self, turns: bool) -> None:
         """Have grips that rotate and skew, or such that scale."""

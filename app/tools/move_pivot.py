@@ -39,7 +39,7 @@ class MovePivot(Gesture):
     def __init__(self, context: ToolContext, on_click: Callable[[], None] | None = None) -> None:
         self._on_click = on_click
         self._press, self._start = context.pointer, context.target.centre
-        self._before = context.host.box.pivots
+        self._before = context.host.box.pivot
         self._snapper = context.snappers.for_pivot(context.target.bounds)
         self._is_moving = False
         if context.pointer.is_double:
@@ -65,7 +65,7 @@ class MovePivot(Gesture):
 
     def cancel(self, context: ToolContext) -> None:
         """Put it where it was."""
-        context.host.box.set_pivots(self._before)
+        context.host.box.set_pivot(self._before)
         if self._is_moving:
             context.host.say(CANCELLED)
 

@@ -138,27 +138,16 @@ class TransformTarget:
 
     @property
     def pivot(self) -> Vector | None:
-        """The pivot that was chosen, where it is by now; None for the middle.
-
-        Whole curves have that of any of them, the latest: a pair is mirrored about the foot of one. One of
-        several does not have theirs.
-        """
-        if not self._host.box.pivots or self.is_nothing:
+        """The pivot that was chosen for it, where it is by now; None for the middle."""
+        pivot = self._host.box.pivot
+        if pivot is None or self.is_nothing:
             return None
-        pivots = [each for each in self._host.box.pivots if not each.is_waiting]
-        now = self.anchored()
-        found = next(filter(None, (each.at(now) for each in pivots)), None)
-        if found is None and now.group.is_whole:
-            whole = now.group.curves
-            shared = (each for each in pivots if each.anchor.group.curves <= whole)
-            found = next(filter(None, map(self._where_it_is, shared)), None)
+        found = pivot.at(self.anchored())
         return found.place if found is not None else None
 
     @pivot.setter
     def pivot(self, place: Vector | None) -> None:
-        now = self.anchored()
-        rest = [each for each in self._host.box.pivots if not _is_put_off(each, now, place)]
-        self._host.box.set_pivots([*([Pivot(place, now)] if place is not None else []), *rest])
+        self._host.box.set_pivot(Pivot(place, self.anchored()) if place is not None else None)
 
     def anchored(self) -> Anchor:
         """Return what keys transform as it is now."""
@@ -168,37 +157,18 @@ class TransformTarget:
         host = self._host
         return anchored(host.views, group, live=host.is_previewing)
 
-    def _where_it_is(self, pivot: Pivot) -> Pivot | None:
-        """Return a pivot with what it was chosen for, as that is now; None where that is gone."""
-        own = pivot.anchor.group_in(self._host.document.curves)
-        return (pivot.at(self._anchored(own)) or pivot) if own is not None else None
+    def keep_pivot(self) -> None:
+        """Take the pivot along with what it was chosen for, or with a copy of that which lies there.
 
-    def keep_pivots(self) -> None:
-        """Take the pivots along: the document has changed, and each belongs to what it was chosen for.
-
-        It waits for undo after the last of that has gone, so that what is drawn in its place has none; copies
-        have it, too.
+        Where that is gone the pivot goes, too: what is drawn in its place has none.
         """
-        host = self._host
-        if not host.box.pivots or host.is_previewing:
+        host, pivot = self._host, self._host.box.pivot
+        if pivot is None or host.is_previewing:
             return
-        now, kept = None if self.is_nothing else self.anchored(), list[Pivot]()
-        for pivot in host.box.pivots:
-            own = self._where_it_is(pivot)
-            is_meant = now is not None and (own is not None or pivot.anchor.has_same_points(now))
-            found = pivot.at(now) if now is not None and is_meant else None
-            if found is not None:
-                kept.append(found)
-            kept.append(own or pivot.waiting)
-        there = {each.anchor.group.parts: each for each in reversed(kept) if not each.is_waiting}
-        host.box.set_pivots(
-            each for each in kept if each.is_waiting or there[each.anchor.group.parts] is each
-        )
-
-
-def _is_put_off(pivot: Pivot, now: Anchor, place: Vector | None) -> bool:
-    """Whether another pivot, or none, for what is meant now puts one away."""
-    if pivot.is_waiting or pivot.at(now) is not None:
-        return not pivot.is_waiting
-    mine, meant = pivot.anchor.group.curves, now.group.curves
-    return now.group.is_whole and (mine <= meant if place is not None else not mine.isdisjoint(meant))
+        own = pivot.anchor.group_in(host.document.curves)
+        now = None if self.is_nothing else self.anchored()
+        is_meant = now is not None and (own is not None or pivot.anchor.has_same_points(now))
+        if now is not None and is_meant and (found := pivot.at(now)) is not None:
+            host.box.set_pivot(found)
+        else:
+            host.box.set_pivot(None if own is None else pivot.at(self._anchored(own)) or pivot)

@@ -232,7 +232,7 @@ def test_escape_takes_a_drag_of_it_back(two):
     two.escape()
     two.release((2.5, -3.0))
     assert pivot(two) == middle
-    assert two.session.box.pivots == ()
+    assert two.session.box.pivot is None
 
 
 def test_a_double_click_puts_it_back_to_the_middle(two):
@@ -242,7 +242,7 @@ def test_a_double_click_puts_it_back_to_the_middle(two):
     document = two.session.document
     two.double_click(pivot(two))
     assert pivot(two) == middle
-    assert two.session.box.pivots == ()
+    assert two.session.box.pivot is None
     assert two.session.document is document
 
 
@@ -291,7 +291,7 @@ def test_a_click_on_it_reaches_what_lies_there(editor, turns, keys):
     editor.click((0.0, 0.0), keys=keys)
     assert selected.chosen == ({rectangle, ellipse} if keys else {ellipse})
     assert editor.session.document is document
-    assert editor.session.box.pivots == ()
+    assert editor.session.box.pivot is None
 
 
 def shows_cross(editor):
@@ -332,7 +332,7 @@ def test_in_the_middle_of_a_small_box_a_drag_moves_what_is_in_it(two):
     before, middle = points(two), pivot(two)
     two.drag(middle, (middle[0] + 20, middle[1]))
     assert points(two)[:, 0] == pytest.approx(before[:, 0] + 20, abs=two.pixel)
-    assert two.session.box.pivots == ()
+    assert two.session.box.pivot is None
 
 
 def test_with_nothing_chosen_there_is_none(two):
@@ -373,7 +373,7 @@ def test_it_is_forgotten_with_the_selection_and_comes_back_with_it(two):
     two.trigger("selectAll")
     assert pivot(two) == place
     two.session.new()
-    assert two.session.box.pivots == ()
+    assert two.session.box.pivot is None
 
 
 def test_what_is_drawn_or_chosen_in_its_place_has_none(two):
@@ -410,46 +410,6 @@ def test_what_is_drawn_or_chosen_in_its_place_has_none(two):
     middle = draw((-3.0, -4.0), (0.0, 3.0))
     assert two.session.active_index == place + 1
     assert pivot(two) == pytest.approx(middle, abs=CLOSE)
-    two.trigger("undo")
-    two.trigger("undo")
-    two.session.selected.choose([place + 1])
-    assert two.curve.name == first
-    assert pivot(two) == own, "it came back with what it belongs to"
-
-
-def test_every_curve_remembers_its_own_and_a_pair_is_mirrored_about_the_foot_again(two):
-    """Another one chosen, and given a pivot, had the first forget its own; a pair had none."""
-    two.session.selected.choose([0])
-    two.session.box.set_turns(True)
-    drag_pivot(two, (-1.0, 1.0))
-    foot = pivot(two)
-    two.key(Key.Key_D, CTRL)
-    two.key(Key.Key_H)
-    copy = two.session.active_index
-    other = next(index for index in range(3) if index not in (0, copy))
-    two.session.selected.choose([other])
-    two.session.box.set_turns(True)
-    drag_pivot(two, (3.0, -1.0))
-    elsewhere = pivot(two)
-    for chosen in ([0], [copy], [0, copy]):
-        two.session.selected.choose(chosen)
-        assert pivot(two) == pytest.approx(foot, abs=CLOSE), chosen
-    before = [two.session.document.curves[index].points for index in (copy, 0)]
-    two.key(Key.Key_H)
-    for index, points_before in zip((0, copy), before, strict=True):
-        now = two.session.document.curves[index].points
-        for one, then in zip(now, points_before, strict=True):
-            assert one.position == pytest.approx(then.position, abs=CLOSE)
-    two.trigger("undo")
-    two.key(Key.Key_G)
-    two.type_amount("2")
-    two.key(Key.Key_Return)
-    assert pivot(two) == pytest.approx((foot[0] + 2.0, foot[1]), abs=CLOSE)
-    two.double_click(pivot(two))
-    two.session.selected.choose([0])
-    assert pivot(two) == pytest.approx(box_shown(two).mean(axis=0))
-    two.session.selected.choose([other])
-    assert pivot(two) == elsewhere
 
 
 def test_copies_have_it_too(two):

@@ -241,7 +241,7 @@ def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
     assert float(field(leaf, "X").text()) == pytest.approx(20.0, abs=2 * leaf.pixel)
     click(leaf, "pivotMiddle")
     assert down() == [True, False]
-    assert leaf.session.box.pivots == ()
+    assert leaf.session.box.pivot is None
 
 
 def test_flips_in_the_panel_are_about_the_pivot(leaf):

@@ -95,7 +95,7 @@ class SelectionCommands:
         self._session = context.session
         self._target = context.central.canvas.tools.target
         context.store.changed.connect(self._show_state)
-        self._session.history_changed.connect(self._target.keep_pivots)
+        self._session.history_changed.connect(self._target.keep_pivot)
         for changed in (self._session.pivot_changed, self._session.grips_changed):
             changed.connect(context.central.canvas.show_marks)
 

@@ -36,7 +36,7 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
     points, bounds
         Where they were, (k, 2), and the bounds of the group; None of no points.
     curves, count
-        The curves that they were of, and how many the document had; 0 once one of them is gone.
+        The curves that they were of, and how many the document had.
     """
 
     group: PointGroup
@@ -114,16 +114,6 @@ class Pivot(msgspec.Struct, frozen=True, eq=False):
         # What it was turned about stays to the last bit.
         stays = math.dist(place, self.place) <= _SLACK * size
         return Pivot(self.place if stays else place, now)
-
-    @property
-    def is_waiting(self) -> bool:
-        """Whether its group is gone."""
-        return self.anchor.count == 0
-
-    @property
-    def waiting(self) -> Pivot:
-        """The same of a group that is gone: until undo brings its very curves back."""
-        return replace(self, anchor=replace(self.anchor, count=0))
 
 
 class Turning:
