@@ -12,7 +12,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from contextlib import nullcontext
 from time import monotonic
 
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import ThemeMode
 from app.families import FAMILIES, HERMITE
@@ -22,7 +22,6 @@ from app.settings.preferences import Preferences
 from app.testing import Editor
 
 FOLDER = Path(__file__).parents[2] / "resources" / "screenshots"
-DRAWING = Path(__file__).parent / "harbour.svg"
 
 
 class Bot:
@@ -39,7 +38,7 @@ class Bot:
 def main() -> None:
     """Draw every picture of the README."""
     app = QApplication(sys.argv)
-    for picture in (first_sketch, drawing, analysis, laboratory, own_family):
+    for picture in (first_sketch, analysis, laboratory, own_family):
         with tempfile.TemporaryDirectory() as folder:
             preferences = Preferences(Path(folder) / "settings.ini")
             editor = Editor(Bot(), preferences=preferences, size=(1280, 860))
@@ -64,25 +63,6 @@ def first_sketch(app: QApplication, editor: Editor) -> None:
     editor.scrub(0.52)
     for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
         take(app, editor, "editor", mode)
-
-
-def drawing(app: QApplication, editor: Editor) -> None:
-    """An emblem from an SVG, with a point of one of its shapes selected."""
-    editor.window.open_file(DRAWING)
-    editor.wait_for_work()
-    if dialog := editor.window.findChild(QDialog, "importDrawingDialog"):
-        while dialog.jobs.is_busy:
-            app.processEvents()
-        dialog.ok.click()
-    editor.settle()
-    editor.trigger("fitPage")
-    shape = next(each for each in editor.session.document.curves if each.name == "mountains")
-    # Once chooses the shape, twice edits its points.
-    editor.double_click(shape.points[2].position)
-    editor.click(shape.points[2].position)
-    editor.leave()
-    for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
-        take(app, editor, "drawing", mode)
 
 
 def analysis(app: QApplication, editor: Editor) -> None:

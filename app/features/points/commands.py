@@ -76,7 +76,7 @@ class PointCommands:
         POINTS_EDITING,
         icon="spline-pointer",
         checked=lambda state: state.is_editing,
-        keywords="points nodes whole curves leave objects",
+        keywords="points nodes whole curves leave",
     )
     @also(CANVAS_MENU(13), CHOSEN_MENU(1), CURVE_LIST_MENU(1))
     def _edit_or_leave(self) -> None:
