@@ -18,7 +18,8 @@ from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve.curve_view import CurveView, Polyline
-from .looks import Shape, is_plain, line_of, paint_shape
+from .looks import Shape, is_plain, line_of
+from .shape_painting import paint_shape
 
 CASING = 1.0
 """Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""

@@ -2,16 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from PySide6.QtGui import QPainter
-
-from ..appearance.colours import curve_colour, fill_colour
-from ..appearance.theme import Theme
 from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
 from ..plotting.pixel_map import PixelMap
-from ..plotting.printed import Ink, Part, paint_printed
-from ..plotting.wide_line import RoundLine
 from ..view_model.curve.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
@@ -58,24 +50,3 @@ def printed_width(style: Style, shown: PixelMap, usual: float) -> float:
     if not style.has_stroke:
         return 0.0
     return usual if style.width is None else style.width * shown.sx
-
-
-def paint_shape(
-    painter: QPainter,
-    shape: Sequence[CurveView],
-    shown: PixelMap,
-    theme: Theme,
-    usual: float,
-    line: RoundLine | None = None,
-) -> None:
-    """Paint a shape as it prints; `usual` is the width of lines without one, in pixels.
-
-    Whoever paints many keeps a `line`.
-    """
-    style = shape[0].source.style
-    width = usual if style.width is None else style.width * shown.sx
-    ink = Ink(curve_colour(style.stroke, theme), fill_colour(style.fill, theme), width)
-    parts = [
-        Part(line_of(view, shown, style).points, view.source.is_closed) for view in shape if view.has_curve
-    ]
-    paint_printed(painter, parts, style, ink, shown, line)

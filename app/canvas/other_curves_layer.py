@@ -22,8 +22,9 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.look.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
 from .line_finder import LineFinder, pixels_of
-from .looks import Shape, is_plain, line_of, paint_shape
+from .looks import Shape, is_plain, line_of
 from .sections import loose_places, sections_of
+from .shape_painting import paint_shape
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""

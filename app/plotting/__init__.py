@@ -4,7 +4,7 @@
 - ``drawing``: polylines drawn fast; nothing unsafe reaches Qt.  ``segments``: many shapes in one call.
   ``crowds``: strokes that fill an area.  ``wide_line``: an opaque line, drawn without Qt's stroker.
 - ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
-- ``printed``: shapes as they print, with fills, ends and dashes.  ``rings``: areas cut to what is seen.
+- ``rings``: areas cut to what is seen.
 - ``graphs``: pyqtgraph itself.  ``painted_plot``: a plot of it that we paint.  ``plot_widget``: one with
   mouse and keys.  ``tool_plot``: one with tools.
 - ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``view_box``: its ranges.

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from app.document.model import Document, make_curve
 from app.document.style import LineCap, LineJoin, Style
 from app.exchange.drawing.drawing import drawing_of
-from app.exchange.drawing.extents import painted_extent
+from app.exchange.drawing.outlines import painted_extent
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
 

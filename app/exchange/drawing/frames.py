@@ -10,8 +10,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ..errors import ExchangeError
-from .extents import painted_extent
-from .outlines import Outline
+from .outlines import Outline, painted_extent
 
 MARGIN = 0.06
 """Free space on every side of the drawing, against its larger side."""

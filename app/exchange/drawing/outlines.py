@@ -12,6 +12,8 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...document.style import PLAIN_STYLE, Style
+from ...view_model.geometry.extents import extent_of, turns_within
+from ...view_model.geometry.stroked import half_width, line_of, stroke_box
 
 
 class Outline(msgspec.Struct, frozen=True):
@@ -53,6 +55,14 @@ class Outline(msgspec.Struct, frozen=True):
     def colour(self) -> str:
         """The paint that the curve is known by, "#rrggbb", or empty for the ink of the picture."""
         return self.style.colour
+
+
+def painted_extent(outline: Outline) -> FloatArray:
+    """Return the corners, (2, 2), of the box of a curve with its stroke: with its caps, joins and miters."""
+    controls, line = outline.control_points, None
+    if half_width(outline.style) > 0.0:
+        line = line_of(controls, turns_within(controls), is_closed=outline.closed)
+    return extent_of(controls) if line is None else stroke_box(line, outline.style)
 
 
 def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:

@@ -5,13 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import (
-    QColor,
-    QPainter,
-    QPainterPath,
-    QPen,
-    QTransform,
-)
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from ...document.style import Style
 from ...qt.strokes import FILL_RULES, pen_of, with_opacity
@@ -41,13 +35,12 @@ class Painting:
     def __init__(self, drawing: Drawing, painter: QPainter, style: PictureStyle) -> None:
         self._drawing, self._painter, self._style = drawing, painter, style
         self._height = drawing.frame.height
-        self._frame = QRectF(0, 0, drawing.frame.width, drawing.frame.height)
-        self._way = QTransform(1, 0, 0, -1, 0, self._height)
 
     def paint(self, *, points: bool, report: Report) -> None:
         """Paint all of it, from the back to the front."""
         if self._style.paper:
-            self._painter.fillRect(self._frame, QColor(self._style.paper))
+            frame = QRectF(0, 0, self._drawing.frame.width, self._height)
+            self._painter.fillRect(frame, QColor(self._style.paper))
         paint_annotations(self._painter, self._drawing, self._style, "grid")
         for shape in told(self._drawing.shapes, report, "Painting"):
             self._paint_shape(shape)

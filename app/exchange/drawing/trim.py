@@ -9,8 +9,8 @@ from curvecore.arrays import FloatArray
 
 from ...document.style import USUAL_WIDTH
 from .drawing import Drawing
-from .extents import painted_extent
 from .frames import Frame
+from .outlines import painted_extent
 
 _SLIMMEST = 0.02
 """Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""

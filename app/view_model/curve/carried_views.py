@@ -36,9 +36,6 @@ _FINEST = 1e-3
 
 _SAME, _NO_WAY = np.eye(2), np.zeros(2)
 
-_ROUNDED = 1e-6
-"""Share of a common way by which that of a curve may differ: what was rounded on the way."""
-
 _besides_points = attrgetter(*(name for name in LINE if name != "points"))
 _functions = attrgetter("family", "family.curve_class", *(each.rule_field for each in DERIVATIVES))
 

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
-import msgspec
 import numpy as np
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from curvecore.arrays import FloatArray
 
+from ..appearance.colours import curve_colour, fill_colour
+from ..appearance.theme import Theme
 from ..document.style import LineCap, LineJoin, Style
+from ..plotting.drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
+from ..plotting.pixel_map import PixelMap
+from ..plotting.rings import ring_within
+from ..plotting.wide_line import RoundLine
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
-from .drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
-from .pixel_map import PixelMap
-from .rings import ring_within
-from .wide_line import RoundLine
+from ..view_model.curve.curve_view import CurveView
+from .looks import line_of, printed_width
 
 _NARROW = 4.0
 """Pixels of a line up to which it is cut where others are."""
@@ -33,45 +37,44 @@ _FARTHEST_DASH = 20_000.0
 """Pixels from the area to which dashes are counted through; a dashed line is not cut nearer by."""
 
 
-class Part(msgspec.Struct, frozen=True, eq=False):
-    """One polyline of a shape, (k, 2) in the plane; a closed one ends where it begins."""
+class _Part(NamedTuple):
+    """One curve of a shape as a polyline, (k, 2) in the plane; a closed one ends where it begins."""
 
     points: FloatArray
     is_closed: bool
 
 
-class Ink(msgspec.Struct, frozen=True, eq=False):
-    """Colours of a shape as they are on the screen, and the width of its line in pixels.
-
-    Attributes
-    ----------
-    stroke, fill, width
-        Of line and inside.
-    """
-
-    stroke: QColor
-    fill: QColor
-    width: float
-
-
-def paint_printed(
+def paint_shape(
     painter: QPainter,
-    parts: Sequence[Part],
-    style: Style,
-    ink: Ink,
+    shape: Sequence[CurveView],
     shown: PixelMap,
-    line: RoundLine | None = None,
+    theme: Theme,
+    usual: float,
+    line: RoundLine,
 ) -> None:
-    """Paint a shape, its fill and its line; with `line`, which may be kept for the next shape."""
+    """Paint the fill and the line of a shape as they print.
+
+    Parameters
+    ----------
+    usual
+        Width in pixels of a line that has none of its own.
+    line
+        What fine lines are drawn with; one may serve for many shapes.
+    """
+    style = shape[0].source.style
+    parts = [
+        _Part(line_of(view, shown, style).points, view.source.is_closed) for view in shape if view.has_curve
+    ]
     if style.has_fill:
         area = _area(parts, shown)
         area.setFillRule(FILL_RULES[style.fill_rule])
-        painter.fillPath(area, with_opacity(ink.fill, style.fill_opacity))
-    if style.has_stroke and ink.width > 0:
-        _stroke(painter, parts, style, ink, shown, line or RoundLine())
+        painter.fillPath(area, with_opacity(fill_colour(style.fill, theme), style.fill_opacity))
+    if (width := printed_width(style, shown, usual)) > 0:
+        pen = _pen(style, curve_colour(style.stroke, theme), min(width, _WIDEST))
+        _stroke(painter, parts, style, pen, shown, line)
 
 
-def _area(parts: Sequence[Part], shown: PixelMap) -> QPainterPath:
+def _area(parts: Sequence[_Part], shown: PixelMap) -> QPainterPath:
     """Return the inside of a shape, cut to what may be seen."""
     area = QPainterPath()
     for part in parts:
@@ -83,18 +86,11 @@ def _area(parts: Sequence[Part], shown: PixelMap) -> QPainterPath:
 
 
 def _stroke(
-    painter: QPainter,
-    parts: Sequence[Part],
-    style: Style,
-    ink: Ink,
-    shown: PixelMap,
-    line: RoundLine,
+    painter: QPainter, parts: Sequence[_Part], style: Style, pen: QPen, shown: PixelMap, line: RoundLine
 ) -> None:
-    pen, width = _pen(style, ink), min(ink.width, _WIDEST)
-    is_opaque = pen.color().alphaF() == 1.0
-    is_dashed = bool(pen.dashPattern())
+    width, is_opaque = pen.widthF(), pen.color().alphaF() == 1.0
     reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
-    if is_dashed:
+    if pen.dashPattern():
         _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
     elif is_opaque and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
         painter.setPen(pen)
@@ -111,7 +107,7 @@ def _stroke(
         painter.strokePath(_line(parts, shown, reach), pen)
 
 
-def _line(parts: Sequence[Part], shown: PixelMap, reach: float) -> QPainterPath:
+def _line(parts: Sequence[_Part], shown: PixelMap, reach: float) -> QPainterPath:
     """Return the line of a shape, cut to what may be seen."""
     path = QPainterPath()
     for part in parts:
@@ -119,17 +115,16 @@ def _line(parts: Sequence[Part], shown: PixelMap, reach: float) -> QPainterPath:
     return path
 
 
-def _pen(style: Style, ink: Ink) -> QPen:
+def _pen(style: Style, colour: QColor, width: float) -> QPen:
     """Return the pen of a line; where its dashes are too short to be seen it is paler in place of them."""
-    width = min(ink.width, _WIDEST)
     opacity = style.stroke_opacity
     is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
     if style.dash and not is_dashed:
         opacity *= sum(style.dashes_and_gaps[::2]) / sum(style.dashes_and_gaps)
-    return pen_of(style, with_opacity(ink.stroke, opacity), width, is_dashed=is_dashed)
+    return pen_of(style, with_opacity(colour, opacity), width, is_dashed=is_dashed)
 
 
-def _add_line(line: QPainterPath, part: Part, shown: PixelMap, reach: float) -> None:
+def _add_line(line: QPainterPath, part: _Part, shown: PixelMap, reach: float) -> None:
     """Add a polyline to a path, cut to what may be seen; a closed one that is whole has no ends."""
     pixels = shown.points(part.points)
     runs = list(_runs(pixels, shown, reach))
@@ -148,7 +143,7 @@ def _runs(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[FloatAr
 
 
 def _stroke_dashed(
-    painter: QPainter, parts: Sequence[Part], pen: QPen, offset: float, shown: PixelMap, reach: float
+    painter: QPainter, parts: Sequence[_Part], pen: QPen, offset: float, shown: PixelMap, reach: float
 ) -> None:
     """Stroke with dashes that run on from the beginning of each polyline, however little of it is seen."""
     for part in parts:
