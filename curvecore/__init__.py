@@ -16,6 +16,44 @@ HermiteCurve(n=4, dim=2, domain=(0, 1))
 >>> round(arc_length(curve, 1e-9).value, 6)
 8.871727
 
+Derivatives and antiderivatives are curves too, and coordinates can be solved for:
+
+>>> velocity = curve.derivative()
+>>> velocity
+Derivative(HermiteCurve(n=4, dim=2, domain=(0, 1)), order=1)
+>>> curve.integrate(0, 1).round(3).tolist()
+[2.757, 1.944]
+>>> curve.solve(2.0, axis=0).round(3).tolist()
+[0.39]
+>>> curve(1.25, extrapolate=False).tolist()
+[nan, nan]
+
+Functions measure any curve of any family, within a bound that is an argument:
+
+>>> from curvecore import flatten, nearest
+>>> round(nearest(curve, [3, 1], 1e-9).distance, 6)
+1.884072
+>>> len(flatten(curve, 0.01)) < 50
+True
+
+A family of your own says what its functions are, and gets all of the above:
+
+>>> import numpy as np
+>>> from curvecore import ParametricCurve
+>>> class Ellipse(ParametricCurve):
+...     "An ellipse from the ends of its two axes."
+...     name = title = "ellipse"
+...     interpolates = False
+...     def _basis(self, t, order):  # t (m,) -> (m, n, R)
+...         angle = t + order * np.pi / 2
+...         return np.stack([np.cos(angle), np.sin(angle)], axis=1)[:, :, None]
+>>> ellipse = Ellipse([[2, 0], [0, 1]], [0, 2 * np.pi])
+>>> round(arc_length(ellipse, 1e-9).value, 6)
+9.688448
+
+Where SciPy is installed, polynomial curves go there and come back: `to_bpoly`,
+`to_ppoly`, `from_bpoly`.
+
 Its methods are those of `ParametricCurve`, whatever its family; functions of
 this package take any curve. Start with ``help(curvecore.ParametricCurve)``.
 

@@ -819,7 +819,7 @@ def test_version_and_help_need_no_numpy():
         assert run(option, code=code).stdout.splitlines()[-1] == "False"
 
 
-@pytest.mark.parametrize("name", ["a.svg", "a.svgz", "a.csv"])
+@pytest.mark.parametrize("name", ["a.svg", "a.csv"])
 @pytest.mark.usefixtures("drawings_read_here")
 def test_a_file_that_is_refused_at_the_start_leaves_an_empty_window(qtbot, tmp_path, name):
     """The first sketch was there, as if it were what the file holds."""

@@ -44,8 +44,9 @@ def test_the_version_stands_in_one_place():
     assert app.__version__ is curvecore.__version__
 
 
-def test_the_changelog_has_room_for_what_comes_next():
-    assert "## [Unreleased]" in text_of("CHANGELOG.md")
+def test_the_changelog_begins_with_the_present_version():
+    first = re.search(r"^## (\S+)", text_of("CHANGELOG.md"), re.MULTILINE)
+    assert first.group(1) == curvecore.__version__
 
 
 def called_icons():

@@ -90,15 +90,14 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
         "--dpi",
         type=positive_number,
         metavar="X",
-        help="pixels of a PNG, JPEG or WebP for each inch of its true size, for a document with a unit; "
-        "not with --width",
+        help="pixels of a PNG for each inch of its true size, for a document with a unit; not with --width",
     )
     add(
         "--scale",
         type=positive_number,
         default=1.0,
         metavar="X",
-        help="pixels of a PNG, JPEG or WebP for each of the width, and for 1/96 inch (default: 1)",
+        help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
     )
 
 

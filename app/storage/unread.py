@@ -34,9 +34,7 @@ UNREAD = (
     Unread("an Illustrator drawing", (".ai",), (), _BY_INKSCAPE),
     Unread("PostScript", (".eps", ".ps"), (b"%!PS", b"\xc5\xd0\xd3\xc6"), _BY_INKSCAPE),
     Unread("a CorelDRAW drawing", (".cdr",), (), _BY_INKSCAPE),
-    Unread(
-        "a compressed file", (), (b"\x1f\x8b",), "which is no document; an SVG drawing in it ends in .svgz"
-    ),
+    Unread("a compressed file", (), (b"\x1f\x8b",), "which is no document"),
     Unread("a PNG picture", (), (b"\x89PNG",), _PLACED),
     Unread("a JPEG picture", (), (b"\xff\xd8\xff",), _PLACED),
 )

@@ -64,7 +64,7 @@ def test_a_table_is_named_after_its_file(tmp_path):
 
 
 def test_an_unknown_ending_is_refused(tmp_path):
-    known = r"use .curve.json, .svg, .svgz, .dxf, .csv, .tsv, .txt, .dat, .npy, .json or .geojson"
+    known = r"use .curve.json, .svg, .dxf, .csv, .tsv, .txt, .dat, .npy, .json or .geojson"
     with pytest.raises(ExchangeError, match=known):
         import_file(tmp_path / "a.gif")
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 import msgspec
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
@@ -17,7 +16,6 @@ from PySide6.QtGui import (
     QColor,
     QGuiApplication,
     QImage,
-    QImageWriter,
     QPageLayout,
     QPageSize,
     QPainter,
@@ -56,32 +54,6 @@ _MOST_DOTS = 2**31 - 1
 
 _DRAWN = 0.6
 """Share of a picture that is its drawing; painting follows."""
-
-
-@dataclass(frozen=True)
-class PixelFormat:
-    """A format of pictures in pixels that Qt writes.
-
-    Attributes
-    ----------
-    title
-        What it is called, and Qt calls it.
-    most
-        The longer side of the largest.
-    is_clear
-        Whether it can be seen through; else it has paper.
-    """
-
-    title: str
-    most: int = LARGEST_SIDE
-    is_clear: bool = True
-
-
-PNG, JPEG = PixelFormat("PNG"), PixelFormat("JPEG", is_clear=False)
-WEBP = PixelFormat("WebP", 16383)
-"""Its sides have 14 bits (RFC 9649, section 2.5)."""
-
-_HAS_PAPER = "A JPEG cannot be seen through: it has paper."
 
 
 def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
@@ -159,13 +131,13 @@ def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     return f"“{moved[0].shape or moved[0].name}” is {style.adjustment_of(moved[0].colour)}{more}."
 
 
-def _size(drawing: Drawing, options: Options, most: int = LARGEST_SIDE) -> tuple[int, int]:
+def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
     # Huge factors shall be refused, not overflow.
     width = round(min(_wanted_width(drawing, options), 1e9))
     height = round(width * drawing.frame.height / drawing.frame.width)
-    if not 1 <= min(width, height) <= max(width, height) <= most:
+    if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
         raise ExchangeError(
-            f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {most}."
+            f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
         )
     return width, height
 
@@ -195,12 +167,7 @@ def _paint(fitted: Drawing, painter: QPainter, style: PictureStyle, options: Opt
 
 
 def png_file(document: Document, options: Options) -> Written:
-    """Return a PNG file; see `pixel_file`."""
-    return pixel_file(document, options, PNG)
-
-
-def pixel_file(document: Document, options: Options, form: PixelFormat, quality: int = -1) -> Written:
-    """Return a picture in pixels, `options.width` × `options.scale` wide, of a quality from 1 to 100.
+    """Return a PNG file, `options.width` × `options.scale` pixels wide.
 
     Its pixels are as dense as true size asks for where that can be, else as on a screen.
 
@@ -209,16 +176,12 @@ def pixel_file(document: Document, options: Options, form: PixelFormat, quality:
     ExchangeError
         If nothing can be drawn, or the picture would be too large.
     """
-    remarks: tuple[str, ...] = ()
-    if options.transparent and not form.is_clear:
-        options, remarks = msgspec.structs.replace(options, transparent=False), (_HAS_PAPER,)
     style = options.paper_style
     drawing = _png_drawing(document, options, style)
-    size = _size(drawing, options, form.most)
+    size = _size(drawing, options)
     with application():
-        image = _image(drawing, size, options, style)
-        data = _saved(image, form, quality)
-        return Written(data, drawing.deviation, (*drawing.left_out, *remarks), size)
+        data = _png(_image(drawing, size, options, style))
+        return Written(data, drawing.deviation, drawing.left_out, size)
 
 
 def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> QImage:
@@ -232,11 +195,9 @@ def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: Pic
     return image
 
 
-def _saved(image: QImage, form: PixelFormat, quality: int) -> bytes:
-    buffer, name = _buffer(), form.title.lower()
-    if name.encode() not in [bytes(each.data()) for each in QImageWriter.supportedImageFormats()]:
-        raise ExchangeError(f"The Qt that is installed here writes no {form.title}.")
-    if not image.save(buffer, name, quality):  # type: ignore[call-overload]  # its stub forgets devices
+def _png(image: QImage) -> bytes:
+    buffer = _buffer()
+    if not image.save(buffer, "png"):  # type: ignore[call-overload]  # its stub forgets devices
         raise ExchangeError("The picture could not be made; there may be too little memory.")
     return bytes(buffer.data().data())
 

@@ -1,4 +1,4 @@
-"""Pictures: in pixels, as a drawing, which is also read, packed or not, and as a page."""
+"""Pictures: in pixels, as a drawing, which is also read, and as a page."""
 
 from __future__ import annotations
 
@@ -12,23 +12,19 @@ from ..options import (
     PICTURE,
     SCALE,
     TOLERANCE,
-    TRANSPARENT,
     WIDTH,
     Option,
-    Options,
-    Whole,
 )
-from ..svg.compressed import packed, unpacked
 from ..svg.writer import svg_of
-from . import ContentKind, Format, Written
+from . import ContentKind, Format
 
 if TYPE_CHECKING:
-    from ...document.model import Document
+    pass
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:
     """Return the curves of a drawing, above the x axis; see `svg.reader.read_svg_above`."""
-    return svg.reader.read_svg_above(unpacked(data), tolerance)
+    return svg.reader.read_svg_above(data, tolerance)
 
 
 _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
@@ -41,25 +37,6 @@ _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
 
 
 _IN_PIXELS = (BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:])
-
-QUALITY = Whole(
-    name="quality",
-    label="Quality",
-    tip="How much of the picture is kept: more is sharper, and a larger file",
-    default=90,
-    limits=(1, 100),
-    suffix=" %",
-    help="how much of a JPEG or WebP picture is kept, 1 to 100 (default: 90)",
-)
-
-
-def _jpeg(document: Document, options: Options) -> Written:
-    return drawing.image.pixel_file(document, options, drawing.image.JPEG, options[QUALITY])
-
-
-def _webp(document: Document, options: Options) -> Written:
-    return drawing.image.pixel_file(document, options, drawing.image.WEBP, options[QUALITY])
-
 
 # Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.
 # ruff: noqa: PLW0108
@@ -75,26 +52,6 @@ FORMATS = (
         preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
     ),
     Format(
-        endings=(".jpg", ".jpeg"),
-        title="JPEG picture",
-        description="Pixels on paper, for mail and the web; lines are a little blurred.",
-        place=12,
-        options=(*(each for each in _IN_PIXELS if each is not TRANSPARENT), QUALITY),
-        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
-        write=_jpeg,
-        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
-    ),
-    Format(
-        endings=(".webp",),
-        title="WebP picture",
-        description="Pixels for web pages, in smaller files than PNG; without loss at 100 %.",
-        place=14,
-        options=(*_IN_PIXELS, QUALITY),
-        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
-        write=_webp,
-        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
-    ),
-    Format(
         endings=(".svg",),
         title="SVG drawing",
         description="Bézier curves, a path for each shape, in groups; cubic Hermite curves are exact.",
@@ -104,18 +61,6 @@ FORMATS = (
         preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
         kind=ContentKind.DRAWING,
         plural="SVG drawings",
-        read=read,
-    ),
-    Format(
-        endings=(".svgz",),
-        title="Compressed SVG drawing",
-        description="An SVG drawing packed by gzip, of about a fifth of its size.",
-        place=25,
-        options=(*PICTURE, TOLERANCE),
-        write=lambda document, options: packed(svg_of(document, options)),
-        preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
-        kind=ContentKind.DRAWING,
-        plural="Compressed SVG drawings",
         read=read,
     ),
     Format(

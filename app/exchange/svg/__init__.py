@@ -11,7 +11,6 @@
 - ``cascade``, ``properties``, ``paint``, ``gradients``: the style of an element, from attributes
   and rules.  ``missing``: what of a file is lost, and told.
 - ``fragments``: SVG as people copy it.  ``for_clipboard``: as others paste it.
-- ``compressed``: packed by gzip.
 - ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 
