@@ -10,12 +10,11 @@ from PySide6.QtGui import QColor, QPainter
 
 from curvecore.arrays import FloatArray
 
-from ..document.readings import PLAIN, Readings
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.segments import Bars
-from ..plotting.ticks import Stretch, nice_step, told_range
+from ..plotting.ticks import Stretch, nice_step
 
 _LEAST_GAP = 8.0
 """Pixels between two lines of a grid of fixed spacing, at least."""
@@ -41,7 +40,7 @@ class GridLayer(Layer):
         super().__init__(plot)
         self._shown: PixelMap | None = None
         self._fine, self._coarse = Bars(), Bars()
-        self._fixed, self.steps, self._readings = 0.0, (0.0, 0.0), PLAIN
+        self._fixed, self.steps = 0.0, (0.0, 0.0)
         plot.camera.changed.connect(self._tune_axes)
         self.set_spacing(0.0)
 
@@ -50,14 +49,6 @@ class GridLayer(Layer):
         self._fixed, self.steps = spacing, (0.0, 0.0)
         self._tune_axes()
         self.update()
-
-    def set_readings(self, readings: Readings) -> None:
-        """Count the lines from the place that is told as 0, 0, and have the axes told so."""
-        if readings != self._readings:
-            self._readings, self._shown = readings, None
-            for side in ("bottom", "left"):
-                self._plot.getAxis(side).set_readings(readings)
-            self.update()
 
     def spacing(self, shown: PixelMap) -> float:
         """Return the distance of the fine lines, along x as along y: what snapping to the grid goes by."""
@@ -92,16 +83,9 @@ class GridLayer(Layer):
     def _compute(self, shown: PixelMap) -> None:
         self._shown = shown
         x_min, y_min, x_max, y_max = shown.box
-        told = self._readings
-        seen = (
-            Stretch(*told_range(told, 0, x_min, x_max), shown.width),
-            Stretch(*told_range(told, 1, y_min, y_max), shown.height),
-        )
+        seen = Stretch(x_min, x_max, shown.width), Stretch(y_min, y_max, shown.height)
         for lines, step in ((self._coarse, self.steps[0]), (self._fine, self.steps[1])):
-            x, y = (
-                told.all_meant_at(axis, np.array(along.multiples(step), dtype=float))
-                for axis, along in enumerate(seen)
-            )
+            x, y = (np.array(along.multiples(step), dtype=float) for along in seen)
             lines.fill(_lines(shown.x(x), shown.y(y), shown))
 
 

@@ -8,7 +8,6 @@ from PySide6.QtGui import QPainter, QPen
 
 from ..document.guide_edits import place_words
 from ..document.model import Axis, Guide, Vector
-from ..document.readings import PLAIN, Readings
 from ..plotting.halo import Halo
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
@@ -41,14 +40,14 @@ class GuidesLayer(Layer):
         super().__init__(plot)
         self.guides: tuple[Guide, ...] = ()
         self.lit: int | None = None
-        self._unit, self._readings = "", PLAIN
+        self._unit = ""
         self._halo = Halo()
         self.set_shown(False)
 
-    def render(self, guides: tuple[Guide, ...], unit: str, readings: Readings) -> None:
-        """Draw these guides from the next paint on; `unit` is that of their places, told as `readings` do."""
-        if (guides, unit, readings) != (self.guides, self._unit, self._readings):
-            self.guides, self._unit, self._readings = guides, unit, readings
+    def render(self, guides: tuple[Guide, ...], unit: str) -> None:
+        """Draw these guides from the next paint on; `unit` is that of their places."""
+        if (guides, unit) != (self.guides, self._unit):
+            self.guides, self._unit = guides, unit
             self.set_shown(bool(guides))
             self.update()
 
@@ -93,7 +92,7 @@ class GuidesLayer(Layer):
 
     def _write(self, painter: QPainter, shown: PixelMap, guide: Guide, at: int) -> None:
         """Write where the guide lies, near its upper or left end."""
-        text = place_words(guide, self._readings, self._unit)
+        text = place_words(guide, self._unit)
         painter.setFont(self.fonts.times(0.95 * self.scale))
         size = size_of(painter, text)
         if guide.axis is Axis.X:

@@ -16,7 +16,6 @@ from msgspec.structs import asdict, replace
 
 from .. import cli, exchange
 from ..document.limits import EditError
-from ..document.readings import readings_of
 from ..document.words import count_of, enumerated
 from ..exchange.drawing.animation import FILMS, first_round, write_film
 from ..exchange.drawing.film import Film
@@ -299,23 +298,20 @@ def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
 def _info(options: argparse.Namespace) -> int:
     found = _document_of(options)
     document = found.document
-    readings = readings_of(document)
     with _told_on_terminals() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
-        curves = [facts_as_json(each, readings) for each in facts]
-        way = "down" if readings.is_down else "up"
+        curves = [facts_as_json(each) for each in facts]
         _say_json(
             {
                 "file": options.file,
                 "unit": document.unit or None,
-                "y_axis": way,
                 "left_out": dict(found.left_out.counts),
                 "curves": curves,
             }
         )
     else:
-        say("\n\n".join(facts_as_text(each, document.unit, readings) for each in facts))
+        say("\n\n".join(facts_as_text(each, document.unit) for each in facts))
     return 0
 
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 import sys
 from decimal import ROUND_UP, Context
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import asdict
 
-from ..document.readings import Readings
 from ..document.style import NO_PAINT, Style
 from ..view_model.basis.basis_findings import digits_in_words
 from .refusals import one_line
@@ -18,13 +17,16 @@ if TYPE_CHECKING:
     from ..exchange.facts import CurveFacts, Growth
 
 # A bound that was rounded to the nearest would not be one.
+_EDGES = ("left", "bottom", "right", "top")
+"""Of the box of a curve."""
+
 _ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 
-def facts_as_json(facts: CurveFacts, readings: Readings) -> dict[str, Any]:
-    """Return the facts as plain values, places as they are told; what is not known is null."""
+def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
+    """Return the facts as plain values, what is not known is null."""
     rule = facts.parametrization
-    box = _told_box(facts.box, readings)._asdict() if facts.box else None
+    box = dict(zip(_EDGES, facts.box, strict=True)) if facts.box else None
     length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
     return {
         "name": facts.name,
@@ -50,11 +52,8 @@ def facts_as_json(facts: CurveFacts, readings: Readings) -> dict[str, Any]:
     }
 
 
-def facts_as_text(facts: CurveFacts, unit: str, readings: Readings) -> str:
-    """Return the facts as lines: the name, and one for each; the document may have a unit.
-
-    Places are told as `readings` do.
-    """
+def facts_as_text(facts: CurveFacts, unit: str) -> str:
+    """Return the facts as lines: the name, and one for each; the document may have a unit."""
     rows = [("shape", one_line(facts.shape))] if facts.shape else []
     rows += [("group", " > ".join(map(one_line, facts.groups)))] if facts.groups else []
     rows.append(("family", facts.family.full_title))
@@ -74,9 +73,8 @@ def facts_as_text(facts: CurveFacts, unit: str, readings: Readings) -> str:
     if facts.lebesgue_constant is not None:
         rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
-        box = _told_box(facts.box, readings)
-        low, high = sorted((box.bottom, box.top))
-        rows.append(("box", f"about x {_edges_text(box.left, box.right)}, y {_edges_text(low, high)}"))
+        left, bottom, right, top = facts.box
+        rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
     rows.append(("style", _style_text(facts.style, unit)))
     if unit:
         rows.append(("unit", one_line(unit)))
@@ -84,20 +82,6 @@ def facts_as_text(facts: CurveFacts, unit: str, readings: Readings) -> str:
         rows.append(("hidden", "not drawn in pictures"))
     rows += [("warning", warning) for warning in facts.warnings]
     return "\n".join([one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
-
-
-class _Box(NamedTuple):
-    """The edges of a curve: in a drawing y of the upper one is the less."""
-
-    left: float
-    bottom: float
-    right: float
-    top: float
-
-
-def _told_box(edges: tuple[float, float, float, float], readings: Readings) -> _Box:
-    left, bottom, right, top = edges
-    return _Box(*readings.shown((left, bottom)), *readings.shown((right, top)))
 
 
 def _edges_text(low: float, high: float) -> str:

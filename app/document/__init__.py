@@ -20,7 +20,6 @@
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
-- ``readings``: how coordinates are told.
 - ``box_edits``: rectangles and ellipses drawn into a box.
 - ``style_edits``: how curves look, and what several have in common.
 - ``ties``: velocities before and after a point that go the same way.

@@ -6,15 +6,14 @@ from msgspec.structs import replace
 
 from .limits import AlreadySoError, EditError, checked
 from .model import Axis, Document, Guide
-from .readings import Readings, readings_of
 from .words import number
 
 _DIGITS = 9
 
 
-def place_words(guide: Guide, readings: Readings, unit: str = "") -> str:
-    """Return where a guide lies, as it is told: "x = 20 mm"."""
-    position = number(readings.shown_at(guide.axis.coordinate, guide.position), _DIGITS)
+def place_words(guide: Guide, unit: str = "") -> str:
+    """Return where a guide lies: "x = 20 mm"."""
+    position = number(guide.position, _DIGITS)
     return f"{guide.axis.value} = {position} {unit}".rstrip()
 
 
@@ -22,7 +21,7 @@ def add_guide(document: Document, axis: Axis, position: float) -> Document:
     """Draw a guide more; refused where there is one."""
     guide = Guide(axis, _checked(axis, position))
     if guide in document.guides:
-        raise AlreadySoError(f"There is a guide at {place_words(guide, readings_of(document))} already.")
+        raise AlreadySoError(f"There is a guide at {place_words(guide)} already.")
     return replace(document, guides=(*document.guides, guide))
 
 

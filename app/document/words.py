@@ -59,8 +59,23 @@ def with_minus(text: str) -> str:
 
 
 def pair(value: tuple[float, float]) -> str:
-    """Return two numbers; of a place or a way those that `Readings` tell, which have words of their own."""
+    """Return two numbers, such as the coordinates of a place or the components of a way."""
     return f"{number(value[0])}, {number(value[1])}"
+
+
+def point_at(index: int, place: tuple[float, float]) -> str:
+    """Return "Point 3 at 2.4, 5.158"."""
+    return f"Point {index} at {pair(place)}"
+
+
+def direction(way: tuple[float, float]) -> str:
+    """Return the direction of a way."""
+    return angle(math.degrees(math.atan2(way[1], way[0])))
+
+
+def polar(way: tuple[float, float]) -> str:
+    """Return length and direction, "3.2 at 45°"."""
+    return f"{number(math.hypot(*way))} at {direction(way)}"
 
 
 def points(indices: Collection[int]) -> str:

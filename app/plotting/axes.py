@@ -13,11 +13,10 @@ from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
 from curvecore.arrays import FloatArray
 
 from ..appearance.theme import LIGHT, Theme
-from ..document.readings import PLAIN, Readings
 from .graphs import pg
 from .pixel_map import PixelMap
 from .segments import Bars
-from .ticks import LabelRoom, Stretch, Ticks, choose_ticks, nice_step, told_range, with_marks
+from .ticks import LabelRoom, Stretch, Ticks, choose_ticks, nice_step, with_marks
 
 _WIDTH = 46
 _TICK, _MARK = 5.0, 3.5
@@ -57,7 +56,7 @@ class Axis:
         self._changed, self._is_upright = changed, is_upright
         self.is_ruler = False
         self.set_font(QFont(), 1.0)
-        self._factor, self._readings = 1.0, PLAIN
+        self._factor = 1.0
         self._least = -math.inf
         # Distances of ticks and numbers, None for such as suit the zoom; or all that is shown.
         self._distances: tuple[float, float] | None = None
@@ -88,12 +87,6 @@ class Axis:
         self._factor = factor
         self._changed()
 
-    def set_readings(self, readings: Readings) -> None:
-        """Write places of a plane as they are told there; numbers and ticks are round as such."""
-        if readings != self._readings:
-            self._readings = readings
-            self._changed()
-
     def set_font(self, font: QFont, scale: float) -> None:
         """Write in this font, which is enlarged by `scale`."""
         self.font, self._scale, self._metrics = font, scale, QFontMetricsF(font)
@@ -114,11 +107,9 @@ class Axis:
         """Return the ticks from `low` to `high`, on so many pixels."""
         if self._given is not None:
             return self._given
-        asked = (low, high, size, self._distances, self._factor, self._scale, self.is_ruler, self._readings)
+        asked = (low, high, size, self._distances, self._factor, self._scale, self.is_ruler)
         if self._found[0] != asked:
-            told = self._readings, int(self._is_upright)
-            seen = Stretch(*told_range(*told, low, high), size, self._factor)
-            self._found = (asked, self._find(seen).in_plane(*told))
+            self._found = (asked, self._find(Stretch(low, high, size, self._factor)))
         return self._found[1]
 
     def ticks_in(self, shown: PixelMap) -> Ticks:

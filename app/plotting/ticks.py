@@ -7,9 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
 import msgspec
-import numpy as np
 
-from ..document.readings import PLAIN, Readings
 from ..document.words import number
 
 LEAST_LABELS = 2
@@ -52,25 +50,6 @@ class Ticks(msgspec.Struct, frozen=True):
     marks: tuple[tuple[float, float], ...] = ()
     offset: str = ""
     step: float = 0.0
-
-    def in_plane(self, readings: Readings, axis: int) -> Ticks:
-        """Return those of what is told along an axis at their places in the plane."""
-        if readings == PLAIN:
-            return self
-
-        def placed(ticks: Sequence[tuple[float, T]]) -> tuple[tuple[float, T], ...]:
-            told = np.array([place for place, _ in ticks], dtype=float)
-            places = readings.all_meant_at(axis, told).tolist()
-            found = [(place, what) for place, (_, what) in zip(places, ticks, strict=True)]
-            return tuple(sorted(found, key=lambda each: each[0]))
-
-        return msgspec.structs.replace(self, labels=placed(self.labels), marks=placed(self.marks))
-
-
-def told_range(readings: Readings, axis: int, low: float, high: float) -> tuple[float, float]:
-    """Return the least and the largest that is told between two coordinates."""
-    first, last = readings.shown_at(axis, low), readings.shown_at(axis, high)
-    return min(first, last), max(first, last)
 
 
 class LabelRoom(msgspec.Struct, frozen=True):

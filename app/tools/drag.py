@@ -5,7 +5,6 @@ from __future__ import annotations
 import msgspec
 
 from ..document.model import Document, Vector
-from ..document.readings import Readings, readings_of
 from ..view_model.curve.curve_view import CurveView
 from .pointer import Pointer
 
@@ -20,11 +19,6 @@ class Drag(msgspec.Struct, frozen=True):
     """
 
     document: Document
-
-    @property
-    def readings(self) -> Readings:
-        """How its coordinates are told."""
-        return readings_of(self.document)
 
     @property
     def name(self) -> str:

@@ -59,10 +59,10 @@ class MovePoints(Drag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is and how far it came; of several, how far they came."""
-        way, one = self.readings.way_words(self.displacement(pointer)), self.group.only_point
+        way, one = words.pair(self.displacement(pointer)), self.group.only_point
         if one is None:
             return f"{self.name} by {way}"
-        return f"{self.readings.point_words(one[1], self.place_at(pointer))} · moved {way}"
+        return f"{words.point_at(one[1], self.place_at(pointer))} · moved {way}"
 
     def place_at(self, pointer: Pointer) -> Vector:
         """Return where the point is that is held, to the last bit where it snapped to."""
@@ -115,12 +115,12 @@ class NudgePoints(Drag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is now, or how many went, and the step."""
-        one, step = self.group.only_point, self.readings.way_words(self.step)
+        one, step = self.group.only_point, words.pair(self.step)
         if one is None:
             return f"{self.group.words} nudged · step {step}"
         curve, index = one
         place = self.document_at(pointer).curves[curve].points[index].position
-        return f"{self.readings.point_words(index, place)} · step {step}"
+        return f"{words.point_at(index, place)} · step {step}"
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
@@ -170,9 +170,7 @@ class DragHandle(CurveDrag, frozen=True):
         """Return the derivative by its length and direction."""
         what = what_handle_sets(self.hit, self.view)
         broken = ", a corner now" if self._breaks(pointer) else ""
-        return (
-            f"{what[0].upper()}{what[1:]}: {self.readings.polar_words(self._derivative_at(pointer))}{broken}"
-        )
+        return f"{what[0].upper()}{what[1:]}: {words.polar(self._derivative_at(pointer))}{broken}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Keep the offset between pointer and handle that the press had."""
@@ -252,7 +250,7 @@ class PullVelocity(CurveDrag, frozen=True):
 
     def readout(self, pointer: Pointer) -> str:
         """Return the velocity by its length and direction."""
-        what, velocity = "velocity", self.readings.polar_words(self._velocity_at(pointer))
+        what, velocity = "velocity", words.polar(self._velocity_at(pointer))
         return f"{what.capitalize()} of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:

@@ -8,7 +8,6 @@ from msgspec.structs import replace
 
 from ..document.guide_edits import move_guide, place_words, remove_guide
 from ..document.model import Axis, Document, Guide, Vector
-from ..document.readings import readings_of
 from .drag import Drag
 from .marks import GestureMarks
 from .pointer import Cursor, Hint, Hit, Part, Pointer
@@ -44,8 +43,8 @@ class MoveGuide(Drag, frozen=True):
     def name_at(self, pointer: Pointer) -> str:
         """Return the name of the step: where the guide is, or that it is gone."""
         if _is_beyond(pointer):
-            return f"Remove guide at {place_words(self.document.guides[self.place], self.readings)}"
-        where = place_words(self._guide_at(pointer), self.readings)
+            return f"Remove guide at {place_words(self.document.guides[self.place])}"
+        where = place_words(self._guide_at(pointer))
         return f"{'Guide at' if self.is_new else 'Move guide to'} {where}"
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -59,22 +58,22 @@ class MoveGuide(Drag, frozen=True):
         index = guide.axis.coordinate
         caught = self.snapper.snap(pointer.position, pointer, index)[index]
         is_snapped = self.snapper.caught is not None
-        return replace(guide, position=caught if is_snapped else self._clean(index, caught, pointer.scale))
-
-    def _clean(self, axis: int, value: float, pixels_per_unit: float) -> float:
-        """Return a coordinate within a pixel that is told with no more decimals than that takes."""
-        decimals = -math.floor(-math.log10(pixels_per_unit))
-        return self.readings.meant_at(axis, round(self.readings.shown_at(axis, value), decimals))
+        return replace(guide, position=caught if is_snapped else _clean(caught, pointer.scale))
 
     def readout(self, pointer: Pointer) -> str:
         """Return where the guide is."""
         if _is_beyond(pointer):
             return "Drag onto the drawing for a guide" if self.is_new else "Let go to remove the guide"
-        return f"Guide {place_words(self._guide_at(pointer), self.readings, self.unit)}"
+        return f"Guide {place_words(self._guide_at(pointer), self.unit)}"
 
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return the place on the guide beside the pointer."""
         return self._guide_at(pointer).beside(pointer.position)
+
+
+def _clean(value: float, pixels_per_unit: float) -> float:
+    """Return a coordinate within a pixel that has no more decimals than that takes."""
+    return round(value, -math.floor(-math.log10(pixels_per_unit))) + 0.0
 
 
 def _is_beyond(pointer: Pointer) -> bool:
@@ -109,7 +108,7 @@ class GuidePicker:
         if self.lit is None:
             return None
         guide = context.host.document.guides[self.lit]
-        words = place_words(guide, readings_of(context.host.document), context.settings.unit)
+        words = place_words(guide, context.settings.unit)
         text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type its place"
         return Hint(text, grab=True, cursor=CURSORS[guide.axis.coordinate])
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from ..document import words
 from ..document.model import Vector
-from ..document.readings import readings_of
 from .drag import along_axis, axis_held, plus
 from .drag_machine import CANCELLED, THRESHOLD
 from .pointer import AXIS_KEYS, SNAP_KEY, Cursor, Hint, Pointer
@@ -73,6 +73,6 @@ class MovePivot(Gesture):
         """Tell where it is."""
         if not self._is_moving:
             return ""
-        place = readings_of(context.host.document).place_words(context.target.centre)
+        place = words.pair(context.target.centre)
         text = f"Pivot {place} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
         return with_snap(text, self._snapper.caught)

@@ -91,11 +91,11 @@ class AppendPoint(CurveDrag, frozen=True):
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes, and where its velocity points."""
         place = self._place(pointer)
-        note = f"{self.name} at {self.readings.place_words(place)}"
+        note = f"{self.name} at {words.pair(place)}"
         if not self._sets_velocity(pointer):
             return note
         way = self._displacement(pointer, place)
-        note = f"{note}, velocity at {self.readings.direction_words(way)}"
+        note = f"{note}, velocity at {words.direction(way)}"
         if pointer.alt:
             return f"{note} · a corner"
         if self.view.source.is_closed:
@@ -177,7 +177,7 @@ class InsertPoint(CurveDrag, frozen=True, dict=True):
         """Return where it goes."""
         if self._is_on_curve(pointer):
             return f"{self.name} at t = {words.number(self.hit.t)}"
-        return f"{self.name} at {self.readings.place_words(self.snapper.at(pointer))}"
+        return f"{self.name} at {words.pair(self.snapper.at(pointer))}"
 
     def _is_on_curve(self, pointer: Pointer) -> bool:
         return not _is_away(pointer, self.press)

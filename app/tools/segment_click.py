@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ..document import words
 from ..document.point_group import NO_POINTS, PointGroup, points_of
-from ..document.readings import readings_of
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.geometry.sampling import segment_at
 from . import hints
@@ -17,7 +16,7 @@ def click_segment(host: EditingHost, hit: Hit, pointer: Pointer) -> None:
     selected, ends = host.selected, _ends_of(host.active_view, host.active_index, hit.t)
     if ends.parts:
         selected.set_group(_toggled(selected.group, ends) if pointer.shift else ends)
-    said = f"t = {words.number(hit.t)} · c(t) = ({readings_of(host.document).place_words(hit.position)})"
+    said = f"t = {words.number(hit.t)} · c(t) = ({words.pair(hit.position)})"
     host.say(f"{hints.selected(selected.group)} · {said}" if ends.parts else said)
 
 

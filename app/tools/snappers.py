@@ -6,7 +6,6 @@ from collections.abc import Callable, Collection, Sequence
 
 from ..document.model import Document, Guide
 from ..document.point_group import PointGroup
-from ..document.readings import readings_of
 from ..view_model.boxes.bounds import Bounds, nine_places
 from .drag_machine import EditingHost
 from .pointer import Pointer
@@ -83,9 +82,8 @@ class Snappers:
     def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
         """Return a snapper to what `collect` returns and to guides, by default those of the document."""
         # Guides as they are at the press.
-        document = self._host.document
-        guides = document.guides if guides is None else guides
-        self.now = Snapper(self._settings, self._grid, readings_of(document), collect, guides)
+        guides = self._host.document.guides if guides is None else guides
+        self.now = Snapper(self._settings, self._grid, collect, guides)
         return self.now
 
     @property

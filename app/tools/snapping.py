@@ -13,7 +13,6 @@ from curvecore.arrays import FloatArray
 
 from ..document.guide_edits import place_words
 from ..document.model import Guide, Vector
-from ..document.readings import Readings
 from ..document.words import NamedEnum
 from ..view_model.curve.nearest import NearestPoint
 from .pointer import Pointer
@@ -134,11 +133,10 @@ class Snapper:
         self,
         settings: Callable[[], Snapping],
         grid: Callable[[], float],
-        readings: Readings,
         collect: Callable[[], Targets],
         guides: Iterable[Guide] = (),
     ) -> None:
-        self._settings, self._grid, self._readings = settings, grid, readings
+        self._settings, self._grid = settings, grid
         self._collect, self._guides = collect, tuple(guides)
         self._targets: Targets | None = None
         self._asked: tuple[Vector, float, int | None, bool] | None = None
@@ -190,15 +188,14 @@ class Snapper:
         """Return the coordinate to snap to along one axis: of a guide, of a neighbour, of the grid."""
         value, kinds = position[axis], self._settings().kinds
         guides = [
-            _Line(guide.position, f"guide {place_words(guide, self._readings)}")
+            _Line(guide.position, f"guide {place_words(guide)}")
             for guide in self._guides
             if SnapKind.GUIDES in kinds and guide.axis.coordinate == axis
         ]
         level = [_level(at, name, position, axis) for at, name in targets.neighbours]
         grid = []
         if SnapKind.GRID in kinds:
-            told = grid_value(self._readings.shown_at(axis, value), self._grid())
-            grid = [_Line(self._readings.meant_at(axis, told), f"grid {'xy'[axis]}", is_grid=True)]
+            grid = [_Line(grid_value(value, self._grid()), f"grid {'xy'[axis]}", is_grid=True)]
         for lines in (guides, level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:

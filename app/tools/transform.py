@@ -153,15 +153,15 @@ class Transform(Drag, frozen=True):
             return f"All {what}: {note[0].lower()}{note[1:]}"
         if one is None or self.kind is not TransformKind.MOVE:
             return note
-        return f"{note} · {self.readings.point_words(one[1], self._moved(self._displacement(pointer)))}"
+        return f"{note} · {words.point_at(one[1], self._moved(self._displacement(pointer)))}"
 
     def _amount_at(self, pointer: Pointer) -> str:
         """Return the amount in words; while one is typed that is no number yet, with that."""
         mark = f" ({self.typed.unfinished}…)" if self.typed.unfinished else ""
         if self.kind is TransformKind.ROTATE:
-            return f"{self.readings.angle_words(self._degrees(pointer))}{mark}"
+            return f"{words.angle(self._degrees(pointer))}{mark}"
         if self.kind is TransformKind.SKEW:
-            return f"{self.readings.angle_words(self._skewed(pointer))} along {'xy'[self.axis or 0]}{mark}"
+            return f"{words.angle(self._skewed(pointer))} along {'xy'[self.axis or 0]}{mark}"
         if self.typed.is_pair:
             return self.typed.told("0" if self.kind is TransformKind.MOVE else "1")
         along = "" if self.axis is None else f" along {'xy'[self.axis]}"
@@ -169,8 +169,8 @@ class Transform(Drag, frozen=True):
             return f"{words.number(self._factor(pointer))}{along}{mark}"
         by = self._displacement(pointer)
         if self.axis is None:
-            return f"{self.readings.way_words(by)}{mark}"
-        return f"{words.number(self.readings.way_along(self.axis, by[self.axis]))}{along}{mark}"
+            return f"{words.pair(by)}{mark}"
+        return f"{words.number(by[self.axis])}{along}{mark}"
 
     def _moved(self, by: Vector) -> Vector:
         curve, index = self.grip
@@ -202,9 +202,9 @@ class Transform(Drag, frozen=True):
         if not self.typed.counts:
             return self._move().displacement(pointer)
         if self.typed.is_pair:
-            return self.readings.way(self.typed.pair(0.0))
+            return self.typed.pair(0.0)
         amount = self.typed.number(0.0)
-        return self.readings.way((0.0, amount) if self.axis == 1 else (amount, 0.0))
+        return (0.0, amount) if self.axis == 1 else (amount, 0.0)
 
     def _factors(self, pointer: Pointer) -> Vector:
         if self.typed.is_pair:
@@ -221,7 +221,7 @@ class Transform(Drag, frozen=True):
 
     def _degrees(self, pointer: Pointer) -> float:
         if self.typed.counts:
-            return self.readings.turn(self.typed.number(0.0))
+            return self.typed.number(0.0)
         first, now = (_direction(self._about(pointer), place) for place in (self.start, pointer.position))
         turned = (now - first + 180.0) % 360.0 - 180.0
         return _STEP * round(turned / _STEP) if self._is_stepped(pointer) else turned
@@ -229,7 +229,7 @@ class Transform(Drag, frozen=True):
     def _skewed(self, pointer: Pointer) -> float:
         """Return the degrees with which what is held goes along with the pointer."""
         if self.typed.counts:
-            return self.readings.turn(self.typed.number(0.0))
+            return self.typed.number(0.0)
         axis = self.axis or 0
         arm = self.hold[1 - axis] - self._about(pointer)[1 - axis]
         if not arm:

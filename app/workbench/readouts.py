@@ -8,7 +8,6 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QStatusBar
 
 from ..document.model import Vector
-from ..document.readings import PLAIN, Readings
 from ..document.words import number
 from ..widgets.controls import named
 from ..widgets.elided_label import SteadyLabel
@@ -27,8 +26,8 @@ class Readouts:
 
     Attributes
     ----------
-    unit, readings
-        What is written behind the place, and how that is told.
+    unit
+        What is written behind the place.
     """
 
     def __init__(self, line: QStatusBar) -> None:
@@ -41,13 +40,13 @@ class Readouts:
         self._t_here: float | None = None
         self._t_scrub: float | None = None
         self._lebesgue: float | None = math.nan
-        self.unit, self.readings = "", PLAIN
+        self.unit = ""
         self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self.render)
 
-    def show_unit(self, unit: str, readings: Readings) -> None:
-        """Show the place in this unit from now on, told in this way."""
-        self.unit, self.readings = unit, readings
+    def show_unit(self, unit: str) -> None:
+        """Show the place in this unit from now on."""
+        self.unit = unit
         self._render_soon()
 
     def show_place(self, place: Vector | None) -> None:
@@ -92,7 +91,7 @@ class Readouts:
     def _place_text(self) -> str:
         if self._place_now is None:
             return ""
-        x, y = self.readings.shown(self._place_now)
+        x, y = self._place_now
         unit = f" {self.unit}" if self.unit else ""
         return f"x {number(x)}{unit}   y {number(y)}{unit}"
 

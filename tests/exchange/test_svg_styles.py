@@ -8,7 +8,6 @@ from msgspec.structs import replace
 
 from app.document.guide_edits import place_words
 from app.document.model import Document, empty_document, make_curve
-from app.document.readings import readings_of
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange.options import Options
 from app.exchange.rescaled import in_unit
@@ -430,9 +429,7 @@ def test_level_and_upright_guides_of_inkscape_come_in_and_go_out_again_and_leani
     drawn = [(guide.axis.value, guide.position) for guide in found.document.guides]
     assert drawn == [("x", min(x)), ("y", min(y)), ("x", max(x)), ("y", max(y))]
     again = read_svg(svg_of(found.document, Options(unit="mm")).text.encode()).document
-    told = [
-        {place_words(guide, readings_of(each)) for guide in each.guides} for each in (again, found.document)
-    ]
+    told = [{place_words(guide) for guide in each.guides} for each in (again, found.document)]
     assert told[0] == told[1]
     assert intake(empty_document(), found.document).document.guides == found.document.guides
     assert [each.element for each in found.missed] == ["<guide>", "<guide>"]

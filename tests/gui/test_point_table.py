@@ -13,7 +13,6 @@ from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
 from app.document import edits
 from app.document.derivatives import VelocityRule
 from app.document.model import Parametrization, ParametrizationKind, Point, make_curve
-from app.document.readings import PLAIN
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.controller import PointTableController
 from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
@@ -56,7 +55,7 @@ class Table:
         self.window.setCentralWidget(self.panel)
         self.session.document_changed.connect(
             lambda _document: self.panel.render_view(
-                self.session.active_view, PLAIN, streaming=self.session.is_previewing
+                self.session.active_view, streaming=self.session.is_previewing
             )
         )
         self.session.selection_changed.connect(self.panel.set_selection)

@@ -12,7 +12,6 @@ from PySide6.QtCore import Qt
 from app.document import edits
 from app.document.box_edits import ellipse_in, rectangle_in, with_pieces_drawn
 from app.document.model import Document, ParametrizationKind, make_curve
-from app.document.readings import PLAIN
 from app.document.style import PLAIN_STYLE
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
@@ -67,7 +66,6 @@ def snap_of(position, *, kinds=frozenset(SnapKind), grid=1.0, axis=None, moving=
     snapper = Snapper(
         lambda: Snapping(on, kinds),
         lambda: grid,
-        PLAIN,
         lambda: targets_of(views, 0, {0: moving}, moving[0], kinds),
     )
     place = snapper.snap(position, Pointer(position, (0, 0), scale=100.0), axis)

@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.model import Curve, Document
-from ...document.readings import Readings, readings_of
 from ...view_model.basis.basis_view import BasisView, basis_view
 from ...view_model.basis.cardinal_view import cardinal_view
 from ...view_model.curve.curve_view import view_of
@@ -51,7 +50,7 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
     if handles:
         ends = np.array([handle.position for _, each in handles for handle in each])
         frame = frame_with(drawing.outlines, ends)
-    found = _grid(frame, readings_of(document)) if options.grid else []
+    found = _grid(frame) if options.grid else []
     for colour, each in handles:
         found += _drawn_handles(colour, each, frame.side)
     if options.basis is not None:
@@ -78,15 +77,13 @@ def grid_step(frame: Frame) -> float:
     return next(step * decade for step in (1, 2, 5, 10) if step * decade >= least * (1 - 1e-9))
 
 
-def _grid(frame: Frame, readings: Readings) -> list[Annotation]:
+def _grid(frame: Frame) -> list[Annotation]:
     step, right = grid_step(frame), frame.left + frame.width
     upright = [
-        (place, np.array([(x, frame.bottom), (x, frame.top)]))
-        for place, x in _lines(readings, 0, frame.left, right, step)
+        (place, np.array([(x, frame.bottom), (x, frame.top)])) for place, x in _lines(frame.left, right, step)
     ]
     level = [
-        (place, np.array([(frame.left, y), (right, y)]))
-        for place, y in _lines(readings, 1, frame.bottom, frame.top, step)
+        (place, np.array([(frame.left, y), (right, y)])) for place, y in _lines(frame.bottom, frame.top, step)
     ]
     lines = [*upright, *level]
     kinds = (
@@ -98,13 +95,10 @@ def _grid(frame: Frame, readings: Readings) -> list[Annotation]:
     return [Annotation("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
 
 
-def _lines(
-    readings: Readings, axis: int, low: float, high: float, step: float
-) -> Iterator[tuple[int, float]]:
-    """Yield the coordinates between two whose telling is a multiple of a step, with which it is."""
-    first, last = sorted((readings.shown_at(axis, low), readings.shown_at(axis, high)))
-    for place in range(ceil(first / step), floor(last / step) + 1):
-        yield place, readings.meant_at(axis, place * step)
+def _lines(low: float, high: float, step: float) -> Iterator[tuple[int, float]]:
+    """Yield the coordinates between two that are multiples of a step, each with which it is."""
+    for place in range(ceil(low / step), floor(high / step) + 1):
+        yield place, place * step
 
 
 def _handles(document: Document) -> list[tuple[str, list[Handle]]]:

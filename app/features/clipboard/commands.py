@@ -10,7 +10,6 @@ from ...actions.sections import EDIT_CLIPBOARD
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
-from ...document.readings import Readings, readings_of
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import Highlight
 from ...view_model.pieces.pasting import copied, parts_of
@@ -55,14 +54,13 @@ class ClipboardCommands:
     def _offer(self, what: Highlight) -> Offer:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark = self._session, decimal_mark()
-        readings = readings_of(session.document)
         if len(what.points.parts) != 1:
             return Offer(CURVES, Document(self._copied_curves(what), unit=session.document.unit))
         ((curve, indices),) = what.points.parts
         view = session.views[curve]
         clip = copied(view, indices)
         rows = [
-            [exact_text(number, mark) for number in _row(point, readings, timed=view.source.is_manual)]
+            [exact_text(number, mark) for number in _row(point, timed=view.source.is_manual)]
             for point in clip.points
         ]
         return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
@@ -78,9 +76,8 @@ class ClipboardCommands:
         return tuple(parts)
 
 
-def _row(point: Point, readings: Readings, *, timed: bool) -> Sequence[float]:
-    told = readings.shown(point.position)
-    return (point.t, *told) if timed and point.t is not None else told
+def _row(point: Point, *, timed: bool) -> Sequence[float]:
+    return (point.t, *point.position) if timed and point.t is not None else point.position
 
 
 COMMAND_SETS = (ClipboardCommands, PasteCommands, HighlightCommands, DerivativeCommands)

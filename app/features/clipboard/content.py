@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import msgspec
-from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 
 from ...document.edits import EditError
-from ...document.model import Curve, Document, Point, Vector
-from ...document.readings import Readings
+from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import Block, read_titled_block
 from ...storage.format import decode
 from ...storage.format_error import FormatError
@@ -44,8 +42,8 @@ def curves_in(data: QMimeData) -> Document | None:
     return _document(data, CURVES, "curves")
 
 
-def points_in(data: QMimeData, readings: Readings) -> PointsContent:
-    """Return points, as they were copied here or read from text that tells them as `readings` do.
+def points_in(data: QMimeData) -> PointsContent:
+    """Return points, as they were copied here or read from text.
 
     Raises
     ------
@@ -62,13 +60,7 @@ def points_in(data: QMimeData, readings: Readings) -> PointsContent:
     # A row of titles was skipped.
     first_row = 1 + len(text.rstrip().splitlines()) - len(block.rows)
     note = "; the row of titles was skipped" if block.titles else ""
-    told = points_of_rows(_in_order(block))
-    points = tuple(_at(readings.meant(point.position), point) for point in told)
-    return PointsContent(points, first_row=first_row, note=note)
-
-
-def _at(place: Vector, point: Point) -> Point:
-    return replace(point, x=place[0], y=place[1])
+    return PointsContent(tuple(points_of_rows(_in_order(block))), first_row=first_row, note=note)
 
 
 def _document(data: QMimeData, kind: str, what: str) -> Document | None:

@@ -15,7 +15,6 @@ from ...actions.sections import EDIT_DERIVATIVES
 from ...actions.strips import POINT_MENU
 from ...document import derivatives, edits
 from ...document.model import Document, Point
-from ...document.readings import readings_of
 from ...exchange.table.clipboard import write_block
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import clipboard_data, put_on_clipboard
@@ -56,8 +55,7 @@ class DerivativeCommands:
             before, after
         )
         mark = decimal_mark()
-        readings = readings_of(self._session.document)
-        numbers = [number for vector in before if vector for number in readings.way(vector)]
+        numbers = [number for vector in before if vector for number in vector]
         data = QMimeData()
         data.setData(DERIVATIVES, msgspec.json.encode(jet))
         data.setText(write_block([[exact_text(number, mark) for number in numbers]]))

@@ -18,7 +18,6 @@ from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Document, Vector
-from ...document.readings import readings_of
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
@@ -80,7 +79,7 @@ class PasteCommands:
 
     def _take_points(self, data: QMimeData, put_points: Callable[[PointsContent], None]) -> None:
         try:
-            points = points_in(data, readings_of(self._session.document))
+            points = points_in(data)
         except TableTextError:
             # A spreadsheet offers a picture of its cells, too: there numbers are meant.
             if holds_picture(data):

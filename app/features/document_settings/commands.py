@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QWidget
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.sections import FILE_DOCUMENT
-from ...document.readings import Readings, readings_of
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel
@@ -29,7 +28,7 @@ class DocumentSettingsCommands:
         self._preferences = context.preferences
         self._dock = context.docks["documentDock"]
         self._panel: DocumentPanel | None = None
-        self._shown: tuple[str, float, Readings] | None = None
+        self._shown: tuple[str, float] | None = None
         self.render(context.session.active_view)
 
     @LatePanel("documentDock", "Document", on_demand=True)
@@ -44,16 +43,14 @@ class DocumentSettingsCommands:
     def render(self, view: CurveView) -> None:
         """Draw in the unit and on the grid of the document."""
         document = self._session.document
-        readings = readings_of(document)
-        now = (document.unit, document.grid_spacing, readings)
+        now = (document.unit, document.grid_spacing)
         if now != self._shown:
             before, self._shown = self._shown, now
             canvas = self._context.central.canvas
             canvas.change_tool_settings(unit=document.unit)
-            canvas.drawing.grid.set_readings(readings)
             canvas.drawing.grid.set_spacing(document.grid_spacing)
             canvas.drawing.units.render(document.unit)
-            self._context.status_line.readouts.show_unit(document.unit, readings)
+            self._context.status_line.readouts.show_unit(document.unit)
             if before is not None and before[0] != document.unit and self._panel is not None:
                 name = f"are in {document.unit}" if document.unit else "have no unit"
                 note = exchange.units.note_of_unknown(document.unit)

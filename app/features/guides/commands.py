@@ -9,7 +9,6 @@ from ...actions.needs import Need
 from ...actions.sections import VIEW_DRAWING, VIEW_GUIDES
 from ...document.guide_edits import add_guide, clear_guides, move_guide, place_words
 from ...document.model import Axis, Guide
-from ...document.readings import Readings, readings_of
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 from .. import guides
@@ -36,15 +35,11 @@ class GuideCommands:
 
     def show_document(self) -> None:
         """Show the guides of the document."""
-        self._guides.render(self._session.document.guides, self._unit, self._readings)
+        self._guides.render(self._session.document.guides, self._unit)
 
     @property
     def _unit(self) -> str:
         return self._session.document.unit
-
-    @property
-    def _readings(self) -> Readings:
-        return readings_of(self._session.document)
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
         if state.shows_rulers != self._canvas.rulers.are_shown:
@@ -67,13 +62,12 @@ class GuideCommands:
     def _open(self, which: int | Axis) -> None:
         """Ask for the place of a guide in the document, or of a new one of an axis."""
         self._canvas.cancel_gesture()
-        unit, readings = self._unit, self._readings
         if isinstance(which, Axis):
             self._typed = None
-            self.field.open_for(which, None, unit, readings, lambda: self._corner_of_new(which))
+            self.field.open_for(which, None, self._unit, lambda: self._corner_of_new(which))
         else:
             guide, self._typed = self._session.document.guides[which], which
-            self.field.open_for(guide.axis, guide.position, unit, readings, lambda: self._corner_of(guide))
+            self.field.open_for(guide.axis, guide.position, self._unit, lambda: self._corner_of(guide))
 
     def _corner_of(self, guide: Guide) -> QPoint:
         """Return where the field stands for a guide: beside it, at the ruler."""
@@ -89,7 +83,7 @@ class GuideCommands:
         return (at + QPointF(_BESIDE, _BESIDE)).toPoint()
 
     def _take(self, guide: Guide) -> None:
-        place, where = self._typed, place_words(guide, self._readings)
+        place, where = self._typed, place_words(guide)
         if place is None:
             self._context.store.change(guides_shown=True)
             self._session.change(

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.guide import Axis, Guide
-from ...document.readings import PLAIN, Readings
 from ...qt.keys import ENTER, PASSING, ClaimsKeys
 from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of
@@ -81,7 +80,7 @@ class GuideField(OverlayFrame):
     def __init__(self, below: QWidget) -> None:
         super().__init__("guideField", below)
         self.setAccessibleName("Guide")
-        self._axis, self._unit, self._readings = Axis.X, "", PLAIN
+        self._axis, self._unit = Axis.X, ""
         self._now = 0.0
         self._corner: Callable[[], QPoint] = lambda: QPoint(0, 0)
         self.edit = named(_PlaceEdit(), "guidePlace", "Place of the guide", _TIP)
@@ -105,15 +104,14 @@ class GuideField(OverlayFrame):
         axis: Axis,
         position: float | None,
         unit: str,
-        readings: Readings,
         corner: Callable[[], QPoint],
     ) -> None:
-        """Ask for the place of a guide of an axis at a corner of the canvas, typed as `readings` tell it.
+        """Ask for the place of a guide of an axis at a corner of the canvas.
 
         `position` is where it lies so far; None for a new one.
         """
-        self._axis, self._unit, self._readings, self._corner = axis, unit, readings, corner
-        self._now = 0.0 if position is None else readings.shown_at(axis.coordinate, position)
+        self._axis, self._unit, self._corner = axis, unit, corner
+        self._now = 0.0 if position is None else position
         self._label.setText(f"{axis.value} =")
         self._suffix.setText(unit)
         self._suffix.setVisible(bool(unit))
@@ -154,7 +152,7 @@ class GuideField(OverlayFrame):
             self.edit.selectAll()
             return
         self.close_field()
-        self.entered.emit(Guide(self._axis, self._readings.meant_at(self._axis.coordinate, typed)))
+        self.entered.emit(Guide(self._axis, typed))
 
     def _say(self, text: str) -> None:
         self._remark.setText(text)

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action
 from ...actions.sections import PLOTS_IN_PLANE
-from ...document.readings import readings_of
 from ...tasks.debounced_task import DebouncedTask
 from ...tools.rail import SCRUB_ALONG
 from ...tools.toolbox import Toolbox
@@ -75,8 +74,7 @@ class HodographCommands:
         panel, session = self._shown, self._context.session
         if panel is not None:
             owners = len(session.active_curve.points)
-            readings = readings_of(session.document)
-            panel.plot.render_hodograph(hodograph, owners, readings, calm=session.is_previewing)
+            panel.plot.render_hodograph(hodograph, owners, calm=session.is_previewing)
             self._show_scrub(session.scrub.t)
 
     def _show_scrub(self, t: float | None) -> None:

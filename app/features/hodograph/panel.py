@@ -12,7 +12,6 @@ from ...appearance.icons import icon
 from ...appearance.theme import LIGHT, Theme
 from ...appearance.themed import FollowsTheme
 from ...document.derivatives import DERIVATIVES
-from ...document.readings import PLAIN, Readings
 from ...document.words import number
 from ...plotting.drawing import MARGIN, Stroke, draw_segments
 from ...plotting.layers import Layer
@@ -50,7 +49,7 @@ class HodographPlot(ToolPlot, Surface):
         self.hodograph: Hodograph | None = None
         self.scrub: tuple[float, tuple[float, float]] | None = None
         self.owners = 0
-        self.unit, self.readings = 1.0, PLAIN
+        self.unit = 1.0
         self.theme = LIGHT
         self.waits = False
         self.note = ""
@@ -59,10 +58,8 @@ class HodographPlot(ToolPlot, Surface):
         self._layer = Layer(self, self.paint_layer)
         self.camera.steered.connect(self._leave)
 
-    def render_hodograph(self, hodograph: Hodograph, owners: int, readings: Readings, *, calm: bool) -> None:
-        """Show a hodograph of a curve with so many points, as told; while `calm`, the view only grows."""
-        self.readings = readings.of_ways
-        self.getAxis("left").set_readings(self.readings)
+    def render_hodograph(self, hodograph: Hodograph, owners: int, *, calm: bool) -> None:
+        """Show a hodograph of a curve with so many points; while `calm`, the view only grows."""
         self.hodograph, self.owners, self.waits, self.note = hodograph, owners, False, ""
         if self.is_fitted and (not calm or hodograph.reach > self._reach):
             self.fit()
@@ -232,9 +229,8 @@ class HodographPanel(FollowsTheme, QWidget):
         else:
             self.plot.scrub = (t, value)
             mark, gap = decimal_mark(), "; " if decimal_mark() == "," else ", "
-            told = self.plot.readings.way(value)
-            x, y = (number(each, 4, mark) for each in told)
-            angle = number(float(np.degrees(np.arctan2(told[1], told[0]))), 3, mark)
+            x, y = (number(each, 4, mark) for each in value)
+            angle = number(float(np.degrees(np.arctan2(value[1], value[0]))), 3, mark)
             name = f"{_NAMES[self.order][0]}({number(t, 3, mark)})"
             self._value.setText(f"{name} = ({x}{gap}{y}), {angle}°")
         self.plot.refresh()

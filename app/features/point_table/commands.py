@@ -8,7 +8,6 @@ from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import POINTS_TYPED
 from ...actions.strips import POINT_BUTTONS, POINT_MENU
-from ...document.readings import readings_of
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
@@ -41,8 +40,7 @@ class PointTableCommands:
 
     def follow(self, view: CurveView) -> bool:
         """Show the points of `view`, as soon as the table's pace allows."""
-        readings = readings_of(self._session.document)
-        self.panel.render_view(view, readings, streaming=self._session.is_previewing)
+        self.panel.render_view(view, streaming=self._session.is_previewing)
         return True
 
     @action(

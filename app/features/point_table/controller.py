@@ -9,7 +9,6 @@ import numpy as np
 
 from ...document.edits import EditError
 from ...document.model import Document
-from ...document.readings import Readings, readings_of
 from ...document.words import count_of
 from ...session import Session
 from ...view_model.points.point_columns import POSITION, Column
@@ -41,19 +40,10 @@ class PointTableController:
 
     def _show_now(self) -> None:
         session = self._session
-        self._panel.show_now(session.active_view, self._readings, streaming=session.is_previewing)
-
-    @property
-    def _readings(self) -> Readings:
-        return readings_of(self._session.document)
-
-    def _meant(self, column: Column, told: float) -> float:
-        """Return the number of a column that was typed."""
-        return float(column.meant(np.array(told), self._readings))
+        self._panel.show_now(session.active_view, streaming=session.is_previewing)
 
     def _set_number(self, row: int, column: Column, number: float) -> None:
         session, label, set_number = self._session, column.at(row), column.set
-        number = self._meant(column, number)
         assert set_number is not None
 
         def edit(document: Document) -> Document:
@@ -73,12 +63,12 @@ class PointTableController:
     def _fill(self, cells: Mapping[Column, Sequence[int]], value: float) -> None:
         """Put one number into cells, the rows of each column."""
         session = self._session
-        passed, meant = passed_over(cells), {column: self._meant(column, value) for column in cells}
+        passed, numbers = passed_over(cells), dict.fromkeys(cells, value)
         cells = {column: rows for column, rows in cells.items() if column.set is not None} or cells
         what = count_of(sum(map(len, cells.values())), "cell")
         change = session.change(
             f"Fill {what}",
-            lambda document: fill_cells(document, session.active_index, session.active_view, cells, meant),
+            lambda document: fill_cells(document, session.active_index, session.active_view, cells, numbers),
         )
         if not self._is_refused(change.refusal):
             session.say(f"Filled {what}{passed}.")
@@ -90,9 +80,6 @@ class PointTableController:
         passed, can_be_set = passed_over(columns), [column.set is not None for column in columns]
         if any(can_be_set):
             columns, numbers = list(compress(columns, can_be_set)), numbers[:, can_be_set]
-        numbers = np.column_stack(
-            [column.meant(told, self._readings) for column, told in zip(columns, numbers.T, strict=True)]
-        )
         height, width = numbers.shape
         whole = [column.order for column in columns].count(POSITION) == 2
         what = count_of(height, "point") if whole else count_of(height * width, "value")

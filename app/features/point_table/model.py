@@ -17,7 +17,6 @@ from ...canvas.point_marks import mark_picture
 from ...document.edits import EditError, checked
 from ...document.expression import ExpressionError, parse_number
 from ...document.model import Point
-from ...document.readings import PLAIN, Readings
 from ...document.words import number, with_minus
 from ...qt.overrides import Guarded
 from ...view_model.curve.curve_view import CurveView
@@ -42,9 +41,9 @@ class TableValues(msgspec.Struct, frozen=True):
     estimated: np.ndarray
 
 
-def table_values(view: CurveView, columns: Sequence[Column], readings: Readings) -> TableValues:
+def table_values(view: CurveView, columns: Sequence[Column]) -> TableValues:
     """Return the numbers of `view`; where the rules give no curve, only what the person set."""
-    values = np.column_stack([column.told(column.get(view), readings) for column in columns])
+    values = np.column_stack([column.get(view) for column in columns])
     return TableValues(values, np.column_stack([column.is_estimated(view) for column in columns]))
 
 
@@ -80,7 +79,6 @@ class PointTableModel(Guarded, QAbstractTableModel):
         super().__init__(parent)
         self.setObjectName("pointTableModel")
         self._view: CurveView | None = None
-        self._readings = PLAIN
         self.columns = columns_of(derivatives=0)
         self._shown = _no_values(self.columns)
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
@@ -119,13 +117,13 @@ class PointTableModel(Guarded, QAbstractTableModel):
 
     # What is shown
 
-    def show_view(self, view: CurveView, readings: Readings) -> None:
-        """Show the numbers of `view` as they are told; only what changed is announced."""
-        if view is self._view and readings == self._readings:
+    def show_view(self, view: CurveView) -> None:
+        """Show the numbers of `view`; only what changed is announced."""
+        if view is self._view:
             return
-        self._view, self._readings = view, readings
+        self._view = view
         columns = columns_of(view.source.family.derivatives)
-        new = table_values(view, columns, readings)
+        new = table_values(view, columns)
         if columns != self.columns:
             self.beginResetModel()
             self._two_sided, self._kinds = frozenset(view.two_sided), kinds_of(view)
@@ -284,8 +282,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         after, view = self.columns[column].after, self._view
         if view is None or after is None or view.sides is None or row not in self._two_sided:
             return ""
-        told = self.columns[column].told(np.array([after(view, row)]), self._readings)
-        ahead = with_minus(exact_text(float(told[0]), decimal_mark()))
+        ahead = with_minus(exact_text(float(after(view, row)), decimal_mark()))
         what = "corner" if self._kind(row) is CORNER else "point"
         return f", before the {what}; {ahead} after it"
 

@@ -14,7 +14,6 @@ from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
 from ...document.edits import EditError
 from ...document.model import Document
-from ...document.readings import Readings
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError, read_titled_block, write_block
 from ...qt.labels import Label, html_of
@@ -67,7 +66,7 @@ class PointTable(FollowsTheme, QWidget):
         self.setObjectName("pointTablePanel")
         self._selection: frozenset[int] = frozenset()
         # What is to be shown soon, and whether it is one of a gesture.
-        self._pending: tuple[CurveView, Readings, bool] | None = None
+        self._pending: tuple[CurveView, bool] | None = None
         self._rendering = False
         # The view shown last, and whether it was one of a gesture.
         self._fitted: tuple[CurveView, bool] | None = None
@@ -157,12 +156,12 @@ class PointTable(FollowsTheme, QWidget):
 
     # Rendering: nothing here writes back
 
-    def render_view(self, view: CurveView, readings: Readings, *, streaming: bool = False) -> None:
-        """Show `view`, told so: at once if nothing was shown for a while, else soon; or once it is shown.
+    def render_view(self, view: CurveView, *, streaming: bool = False) -> None:
+        """Show `view`: at once if nothing was shown for a while, else soon; or once it is shown.
 
         While the previews of a gesture are `streaming`, the columns keep their widths.
         """
-        self._pending = view, readings, streaming
+        self._pending = view, streaming
         if self._said:
             self._clear_message()
         if self._timer.isActive() or not self.isVisible():
@@ -176,14 +175,14 @@ class PointTable(FollowsTheme, QWidget):
     def _show_pending(self) -> None:
         if self._pending is not None:
             self._timer.start(INTERVAL_MS)
-            view, readings, streaming = self._pending
-            self.show_now(view, readings, streaming=streaming)
+            view, streaming = self._pending
+            self.show_now(view, streaming=streaming)
 
-    def show_now(self, view: CurveView, readings: Readings, *, streaming: bool = False) -> None:
+    def show_now(self, view: CurveView, *, streaming: bool = False) -> None:
         """Show `view` at once: who reads the table after a step of the history finds the present numbers."""
         self._pending = None
         self._rendering = True
-        self.model.show_view(view, readings)
+        self.model.show_view(view)
         self._fit_columns(view, streaming=streaming)
         self.view.select_rows(self._selection)
         self._rendering = False

@@ -16,7 +16,6 @@ from ...actions.strips import IMAGE_BUTTONS
 from ...canvas.image_file import ImageFileError, read_image
 from ...document.image_edits import set_image, set_image_file, set_image_opacity
 from ...document.model import ReferenceImage
-from ...document.readings import PLAIN, readings_of
 from ...document.words import listed
 from ...state.window_state import WindowState
 from ...storage.image_path import PICTURES
@@ -55,7 +54,6 @@ class ImageCommands:
         self._pixels: QImage | None = None
         self._problem = ""
         self._shown: ReferenceImage | None = None
-        self._readings = PLAIN
         # What stood in front when the panel came; it comes back when the panel goes.
         self._in_front_before: list[QDockWidget] = []
         self._dock = context.docks["imageDock"]
@@ -80,10 +78,9 @@ class ImageCommands:
 
     def render(self, view: CurveView) -> None:
         """Show the picture of the document, or say why it cannot be shown."""
-        image, readings = self._session.document.image, readings_of(self._session.document)
-        if (image, readings) == (self._shown, self._readings) and self._is_loaded:
+        image = self._session.document.image
+        if image == self._shown and self._is_loaded:
             return
-        self._readings = readings
         self._is_loaded = True
         if image is not None and image.path != self._loaded_path:
             self._load(image.path)
@@ -91,7 +88,7 @@ class ImageCommands:
             self._loaded_path, self._pixels, self._problem = "", None, ""
         had_one, self._shown = self._shown is not None, image
         self._context.central.canvas.drawing.set_image(image, self._pixels)
-        self.panel.render_image(image, readings)
+        self.panel.render_image(image)
         self.panel.show_problem(self._problem)
         self._context.store.change(image_problem=self._problem and _MISSING.format(self._problem))
         if image is None or image.locked:

@@ -9,10 +9,8 @@ from pathlib import Path
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from ...document.decimals import decimal_sum
 from ...document.image_edits import place_image, set_image_locked
 from ...document.model import ReferenceImage, Vector
-from ...document.readings import PLAIN, Readings
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import check_box, named
@@ -37,9 +35,8 @@ class ImagePanel(FieldForm):
     def __init__(self, buttons: Sequence[QAction], parent: QWidget | None = None) -> None:
         super().__init__("imagePanel", "imageProblem", parent)
         self._image: ReferenceImage | None = None
-        self._readings = PLAIN
-        self.x_edit = _number_edit("imageX", "x", "x of the corner from which x and y grow")
-        self.y_edit = _number_edit("imageY", "y", "y of the corner from which x and y grow")
+        self.x_edit = _number_edit("imageX", "x", "x of the lower left corner")
+        self.y_edit = _number_edit("imageY", "y", "y of the lower left corner")
         self.width_edit = _number_edit("imageWidth", "Width", "Width in the plane; the height follows")
         self.height_edit = _number_edit("imageHeight", "Height", "Height in the plane; the width follows")
         self._edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit)
@@ -56,7 +53,7 @@ class ImagePanel(FieldForm):
         self._lay_out(buttons)
         self._connect()
         self.follow_theme()
-        self.render_image(None, PLAIN)
+        self.render_image(None)
 
     def _lay_out(self, buttons: Sequence[QAction]) -> None:
         fields = form_of(
@@ -80,16 +77,16 @@ class ImagePanel(FieldForm):
 
     # Rendering: nothing here writes back
 
-    def render_image(self, image: ReferenceImage | None, readings: Readings) -> None:
+    def render_image(self, image: ReferenceImage | None) -> None:
         """Show where `image` lies, as it is told; nothing of one that is there no more."""
-        self._image, self._readings = image, readings
+        self._image = image
         if image is None:
             for edit in self._edits:
                 edit.show_text("")
             self._file.setText("")
             self._file.setToolTip("")
             return
-        told = readings.shown(self._corner_of(image))
+        told = (image.x, image.y)
         for edit, value in zip(self._edits, (*told, image.width, image.height), strict=True):
             edit.show_number(value, 6)
             edit.setEnabled(not image.locked)
@@ -101,7 +98,7 @@ class ImagePanel(FieldForm):
         self._percent.setText(f"{image.opacity:.0%}".replace("%", " %"))
 
     def _render_again(self) -> None:
-        self.render_image(self._image, self._readings)
+        self.render_image(self._image)
 
     def show_problem(self, text: str) -> None:
         """Say why the picture cannot be shown; empty where it can."""
@@ -111,27 +108,18 @@ class ImagePanel(FieldForm):
 
     # What the person did
 
-    def _corner_of(self, image: ReferenceImage) -> Vector:
-        """Return the corner from which x and y grow."""
-        return (image.x, decimal_sum(image.y, image.height) if self._readings.is_down else image.y)
-
-    def _place(self, axis: int, told: float) -> None:
+    def _place(self, axis: int, value: float) -> None:
         if (image := self._image) is not None:
-            corner = list(self._corner_of(image))
-            corner[axis] = self._readings.meant_at(axis, told)
+            corner = (value, image.y) if axis == 0 else (image.x, value)
             self._ask("Move image", corner, image.width)
 
     def _scale(self, width: float) -> None:
         if (image := self._image) is not None:
-            self._ask("Scale image", self._corner_of(image), width)
+            self._ask("Scale image", (image.x, image.y), width)
 
-    def _ask(self, text: str, corner: Sequence[float], width: float) -> None:
-        """Ask for the picture with the corner from which x and y grow there, and so wide."""
-        image = self._image
-        assert image is not None
-        below = -width * (image.height / image.width) if self._readings.is_down else 0.0
-        place = (corner[0], decimal_sum(corner[1], below))
-        self.edited.emit(text, lambda document, _curve: place_image(document, place, width))
+    def _ask(self, text: str, corner: Vector, width: float) -> None:
+        """Ask for the picture with its lower left corner there, and so wide."""
+        self.edited.emit(text, lambda document, _curve: place_image(document, corner, width))
         self._render_again()
 
     def _scale_by_height(self, height: float) -> None:

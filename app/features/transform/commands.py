@@ -10,7 +10,6 @@ from ...actions.needs import Need
 from ...actions.sections import ARRANGE_BOX, ARRANGE_TRANSFORM
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
-from ...document.readings import readings_of
 from ...document.several_curves import mapped
 from ...document.transforms import Affine, flipping, rotation
 from ...document.words import number
@@ -153,8 +152,7 @@ class SelectionCommands:
     )
     @also_for_each(lambda each: (TRANSFORM_BUTTONS(each.place),))
     def _turn(self, each: _Turn) -> None:
-        told = readings_of(self._session.document).turn(each.degrees)
-        self._map(f"Rotate {{}} by {number(told)}°", rotation, each.degrees)
+        self._map(f"Rotate {{}} by {number(each.degrees)}°", rotation, each.degrees)
 
     def _map(self, text: str, make: Callable[[_Amount, Vector], Affine], amount: _Amount) -> None:
         """Map what is meant about the pivot."""

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document.model import Vector
-from ...document.readings import PLAIN, Readings
 from ...document.transforms import Reference
 from ...qt.labels import Label
 from ...view_model.boxes.bounds import Bounds
@@ -26,15 +25,8 @@ from ...widgets.length_text import read_length
 from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .pivot_chooser import PivotChooser
 
-_CORNER = (
-    "{} of the chosen place; in drawings first of the corner from which x and y grow, and sizes with them"
-)
-_EACH_TIME = "Degrees, {}; Enter turns each time"
-_SKEWS = {
-    False: "Degrees: the top goes right, or the right side up; Enter: the top",
-    True: "Degrees: the bottom goes right, or the right side down; Enter: the bottom",
-}
-"""What a skew does, by whether y is told downwards."""
+_EACH_TIME = "Degrees, counterclockwise; Enter turns each time"
+_SKEW = "Degrees: the top goes right, or the right side up; Enter: the top"
 
 _CERTAIN = 12
 """Digits of the largest number of the box that are no rounding."""
@@ -51,8 +43,6 @@ class Situated(msgspec.Struct, frozen=True):
         Its bounds; None of nothing.
     told
         The place that X and Y are of, in the plane.
-    readings
-        How that and angles are told.
     place
         Which of the nine places is chosen; None for none of them.
     angle
@@ -70,7 +60,6 @@ class Situated(msgspec.Struct, frozen=True):
     angle: float
     unit: str
     problem: str
-    readings: Readings
 
 
 class PanelActions(msgspec.Struct, frozen=True):
@@ -88,7 +77,6 @@ class TransformPanel(FieldForm):
     -------
     placed, sized
         What X and Y are of shall lie there, the box shall be so large: along which axis, and the number.
-        Numbers and angles are as they are told.
     turned_to, turned_by
         It shall stand at this angle; it shall be turned by one.
     skewed
@@ -113,16 +101,16 @@ class TransformPanel(FieldForm):
         self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
-        self.x_edit = self._length("X", _CORNER.format("x"), 0)
-        self.y_edit = self._length("Y", _CORNER.format("y"), 1)
+        self.x_edit = self._length("X", "x of the chosen place, from which sizes grow", 0)
+        self.y_edit = self._length("Y", "y of the chosen place, from which sizes grow", 1)
         self.width_edit = self._length("Width", "Width", 2)
         self.height_edit = self._length("Height", "Height", 3)
         self.angle_edit = _angle("transformAngle", "Angle", "Degrees that it is turned since it was selected")
-        self.turn_edit = _angle("transformTurn", "Rotate by", _EACH_TIME.format(PLAIN.sense))
+        self.turn_edit = _angle("transformTurn", "Rotate by", _EACH_TIME)
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
-        self.skew_edit = _angle("transformSkew", "Skew by", _SKEWS[PLAIN.is_down])
+        self.skew_edit = _angle("transformSkew", "Skew by", _SKEW)
         self.skew_buttons = (
             _skew_button("Across", "horizontally"),
             _skew_button("Up", "vertically"),
@@ -213,19 +201,15 @@ class TransformPanel(FieldForm):
         shown = self._shown
         if shown is None or shown.bounds is None:
             return (0.0, 0.0, 0.0, 0.0)
-        told = shown.readings.shown(shown.told)
-        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *told, 1e-300)))
+        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *shown.told, 1e-300)))
         decimals = _CERTAIN - 1 - math.floor(math.log10(largest))
-        x, y, width, height = (round(value, decimals) + 0.0 for value in (*told, *shown.bounds.size))
+        x, y, width, height = (round(value, decimals) + 0.0 for value in (*shown.told, *shown.bounds.size))
         return (x, y, width, height)
 
     def render_situation(self, shown: Situated) -> None:
         """Show what transforms act on."""
         if self._shown is None or shown.what != self._shown.what:
             self.clear_refusal()
-        if self._shown is None or shown.readings.is_down != self._shown.readings.is_down:
-            self.turn_edit.setToolTip(_EACH_TIME.format(shown.readings.sense))
-            self.skew_edit.setToolTip(_SKEWS[shown.readings.is_down])
         self._shown = shown
         bounds, is_there = shown.bounds, shown.bounds is not None and not shown.problem
         self.what.setText(shown.what)
@@ -240,7 +224,7 @@ class TransformPanel(FieldForm):
         grows = [length > 0.0 for length in bounds.size] if bounds is not None else [False, False]
         for edit, can_be in zip(edits, (True, True, *grows), strict=True):
             edit.setEnabled(is_there and can_be)
-        self.angle_edit.show_angle(shown.readings.turn(shown.angle))
+        self.angle_edit.show_angle(shown.angle)
         self.turn_edit.show_angle(self._turn_by)
         self.skew_edit.show_angle(self._skew_by)
         turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons

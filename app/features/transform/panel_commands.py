@@ -12,7 +12,6 @@ from ...actions.declaration import action
 from ...actions.sections import ARRANGE_PANEL
 from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
-from ...document.readings import Readings, readings_of
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
 from ...document.words import number
@@ -112,9 +111,7 @@ class TransformPanelCommands(QObject):
     def _situation(self) -> Situated:
         target, session = self._target, self._session
         if target.is_nothing:
-            return transform.panel.Situated(
-                "Nothing chosen", None, (0.0, 0.0), None, 0.0, "", "", self._readings
-            )
+            return transform.panel.Situated("Nothing chosen", None, (0.0, 0.0), None, 0.0, "", "")
         bounds = target.bounds
         words, group = target.words, target.for_keys
         # A name is shown as it is; all else is a sentence's beginning.
@@ -122,12 +119,8 @@ class TransformPanelCommands(QObject):
         return transform.panel.Situated(
             what, bounds, self._target.centre,
             self._chosen_place, self._angle(),
-            session.document.unit, target.refusal_of_keys, self._readings,
+            session.document.unit, target.refusal_of_keys
         )  # fmt: skip
-
-    @property
-    def _readings(self) -> Readings:
-        return readings_of(self._session.committed)
 
     @property
     def _chosen_place(self) -> tuple[int, int] | None:
@@ -169,7 +162,7 @@ class TransformPanelCommands(QObject):
 
     def _place(self, axis: int, value: float) -> None:
         group = self._target.for_keys
-        way = self._readings.meant_at(axis, value) - self._target.centre[axis]
+        way = value - self._target.centre[axis]
         by = (way, 0.0) if axis == 0 else (0.0, way)
         text = f"Move {self._target.words} to {'xy'[axis]} {self._length(value)}"
         self._change(text, lambda document: moved(document, group, by))
@@ -185,7 +178,7 @@ class TransformPanelCommands(QObject):
 
     def _turn_to(self, degrees: float) -> None:
         centre = self._target.pivot or self._first_middle()
-        self._turn(self._readings.turn(degrees) - self._angle(), centre, f"to {number(degrees, 6)}°")
+        self._turn(degrees - self._angle(), centre, f"to {number(degrees, 6)}°")
 
     def _first_middle(self) -> Vector:
         """Return where the middle that it had at angle 0 is now: back at 0 nothing has moved."""
@@ -197,10 +190,10 @@ class TransformPanelCommands(QObject):
         return by.point(before.bounds.centre)
 
     def _turn_by(self, degrees: float) -> None:
-        self._turn(self._readings.turn(degrees), self._target.centre, f"by {number(degrees, 6)}°")
+        self._turn(degrees, self._target.centre, f"by {number(degrees, 6)}°")
 
     def _skew(self, axis: int, degrees: float) -> None:
-        group, about, by = self._target.for_keys, self._target.centre, self._readings.turn(degrees)
+        group, about, by = self._target.for_keys, self._target.centre, degrees
         self._change(
             f"Skew {self._target.words} by {number(degrees, 6)}° along {'xy'[axis]}",
             lambda document: mapped(document, group, skewing(axis, by, about)),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from ...document import words
-from ...document.readings import readings_of
 from ..drag import minus
 from ..drags import stepped_from
 from ..marks import GestureMarks, Ruler
@@ -28,7 +27,6 @@ class Measuring(Gesture):
 
     def __init__(self, context: ToolContext) -> None:
         self._snapper, self._unit = context.snappers.for_new(-1), context.settings.unit
-        self._readings = readings_of(context.host.document)
         start = self._snapper.at(context.pointer)
         self.ruler = Ruler(start, start, "")
 
@@ -37,9 +35,9 @@ class Measuring(Gesture):
         start = self.ruler.start
         end = stepped_from(start, context.pointer, self._snapper)
         way = minus(end, start)
-        dx, dy = self._readings.way(way)
+        dx, dy = way
         unit = f" {self._unit}" if self._unit else ""
-        direction = self._readings.direction_words(way)
+        direction = words.direction(way)
         length = f"{words.number(math.hypot(dx, dy))}{unit}"
         text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
         self.ruler = Ruler(start, end, text)

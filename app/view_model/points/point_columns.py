@@ -21,7 +21,6 @@ from ...document.derivatives import DERIVATIVES, Derivative
 from ...document.edits import EditError
 from ...document.limits import not_after
 from ...document.model import Curve, Document, Vector
-from ...document.readings import Readings
 from ...document.ties import with_derivative
 from ..curve.curve_view import CurveView
 
@@ -44,7 +43,6 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Its content, in words.
     get
         Returns its numbers (n,), one for each point, in the plane of the document; NaN where there is none.
-        A table shows what `told` makes of them, and `meant` is of what is typed there.
     set
         Returns the document (document, curve, view, index, value) with another number for one point, where
         `view` shows the curve as it was; None if the numbers are computed. Raises `EditError` with the reason
@@ -97,18 +95,6 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     def is_of_the_place(self) -> bool:
         """Whether it says where the point is, in the plane or along the curve."""
         return self.order is not None and self.order <= POSITION
-
-    def told(self, numbers: FloatArray, readings: Readings) -> FloatArray:
-        """Return what a table shows of its numbers (n,): in a drawing y down from the top of the page."""
-        if self.order == POSITION:
-            return readings.all_shown_at(self.component, numbers)
-        return readings.sign(self.component) * numbers if self.is_derivative else numbers
-
-    def meant(self, told: FloatArray, readings: Readings) -> FloatArray:
-        """Return the numbers (n,) that a table shows so."""
-        if self.order == POSITION:
-            return readings.all_meant_at(self.component, told)
-        return readings.sign(self.component) * told if self.is_derivative else told
 
     def at(self, index: int) -> str:
         """Return what it holds of a point, as "x of point 3"."""
