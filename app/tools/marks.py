@@ -64,8 +64,6 @@ class GestureMarks(msgspec.Struct, frozen=True):
         Lines of which curves are being made.
     guide
         The guide under the pointer, or that is dragged: its place in the document.
-    kept
-        The lines of the text, or the picture, of another program that is chosen.
     """
 
     band: tuple[Vector, Vector] | None = None

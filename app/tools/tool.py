@@ -248,9 +248,6 @@ class Tool:
     def pick_up(self) -> None:
         """Begin to be used, in place of another tool."""
 
-    def put_down(self, context: ToolContext) -> None:
-        """End to be used: another tool is chosen."""
-
     def takes_up(self, context: ToolContext) -> bool:
         """Whether it works on the active curve where none is edited."""
         return not self.finds_other_curves

@@ -108,7 +108,6 @@ class Toolbox:
         """Use another tool from now on."""
         self.cancel()
         self._chosen.dismiss(self.context)
-        self._chosen.put_down(self.context)
         self.record = record
         self._chosen = self._of(record)
         self._chosen.pick_up()

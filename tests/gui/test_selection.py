@@ -484,19 +484,10 @@ def test_arrows_nudge_by_a_round_number_of_some_pixels_at_any_zoom(arch):
         assert arch.point(0) == (0.1, 0.2)
 
 
-def test_ctrl_nudges_by_a_tenth_and_alt_by_a_pixel(arch):
+def test_ctrl_nudges_by_a_tenth(arch):
     arch.select([0])
     arch.key(Key.Key_Right)
     step = arch.point(0)[0]
     arch.key(Key.Key_Left)
     arch.key(Key.Key_Right, CTRL)
     assert arch.point(0)[0] == float(Decimal(repr(step)) / 10)
-    arch.trigger("undo")
-    arch.key(Key.Key_Up, ALT)
-    assert arch.point(0) == (0.0, float(f"{arch.pixel:.2g}"))
-    arch.key(Key.Key_Up, ALT | SHIFT)
-    assert arch.point(0)[1] == float(11 * Decimal(f"{arch.pixel:.2g}"))
-    # A pixel also where the grid catches.
-    arch.trigger("toggleSnap")
-    arch.key(Key.Key_Right, ALT)
-    assert arch.point(0)[0] == float(f"{arch.pixel:.2g}")
