@@ -5,8 +5,8 @@
 - ``action_switch``: buttons that show an action.  ``choice_style``: style of those that switch something.
   ``toolbar_widget``: what shrinks with a toolbar.  ``choices_menu``: switches that stay open.
 - ``field_edit``, ``ranged_spin``: numbers and words to type.  ``number_text``: numbers as they are written.
-- ``length_text``: lengths with their units.  ``percent_field``: shares.  ``choice_row``: one of a few.
-- ``paint_field``, ``colour_popup``: colours: clicked, typed, or looked at and chosen.
+- ``length_text``: lengths with their units.  ``choice_row``: one of a few.
+- ``colour_popup``: colours, looked at and chosen.
 - ``preference_fields``: one for each kind of setting.
 - ``field_form``: fields that ask for changes of the document.
 - ``live_slider``, ``setting_slider``: sliders.  ``elided_label``: words that change while a hand moves.

@@ -46,8 +46,8 @@ def test_an_icon_is_recoloured_aligned_and_pasted_into_another_svg(editor, tmp_p
     editor.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
     steps = ["Return", "Ctrl+A"]
     assert session.selected.curves == frozenset(range(4))
-    swatch = editor.window.findChild(QToolButton, "fillPaint_Vermillion")
-    QTest.mouseClick(swatch, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier)
+    swatch = editor.window.findChild(QToolButton, "strokePaint_Vermillion")
+    QTest.mouseClick(swatch, Qt.MouseButton.LeftButton)
     editor.settle()
     assert {curve.style.stroke for curve in session.document.curves} == {"#d55e00"}
     assert {curve.style.width for curve in session.document.curves} == {2.0}

@@ -65,8 +65,8 @@ def child(panel, kind, name):
     return found
 
 
-def click(panel, name, keys=Qt.KeyboardModifier.NoModifier):
-    QTest.mouseClick(child(panel, QToolButton, name), Qt.MouseButton.LeftButton, keys)
+def click(panel, name):
+    QTest.mouseClick(child(panel, QToolButton, name), Qt.MouseButton.LeftButton)
 
 
 def enter(editor, panel, name, text):
@@ -98,11 +98,11 @@ def seen(editor, x, y):
 # One step, for all that are chosen
 
 
-def test_one_click_fills_and_one_with_shift_strokes(editor, panel):
+def test_one_click_paints(editor, panel):
     click(panel, "fillPaint_Blue")
     assert styles(editor)[1] == Style(fill=BLUE)
     assert editor.session.undo_stack.undoText() == "Fill of Stem"
-    click(panel, "fillPaint_Vermillion", Qt.KeyboardModifier.ShiftModifier)
+    click(panel, "strokePaint_Vermillion")
     assert styles(editor)[1] == Style(stroke=RED, fill=BLUE)
     assert editor.session.undo_stack.undoText() == "Stroke colour of Stem"
     click(panel, "strokePaint_None")

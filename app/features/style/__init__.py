@@ -3,7 +3,8 @@
 - ``commands``: the panel in the window, and Swap Fill and Stroke.
 - ``clipboard_commands``: Copy Style and Paste Style.
 - ``used_colours``: those that one may want again.
-- ``panel``: the form.  ``dash_field``: presets of dashes, and a list of one's own.
+- ``panel``: the form.  ``paint_field``: a colour, clicked, typed or chosen.  ``percent_field``: a share.
+  ``dash_field``: presets of dashes, and a list of one's own.
 """
 
 import lazy_loader as lazy

@@ -22,12 +22,12 @@ from ...session.change import why_not_kept
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.look.palette import adjustment_of
-from ...widgets.percent_field import STEPS
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.slider_gesture import SliderGesture
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
+from .percent_field import STEPS
 from .used_colours import UsedColours
 
 if TYPE_CHECKING:

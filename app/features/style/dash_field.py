@@ -14,7 +14,7 @@ from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.number_text import decimal_mark, typed_text
-from ...widgets.percent_field import MIXED
+from .percent_field import MIXED
 
 _PRESETS: dict[str, tuple[float, ...]] = {
     "Solid": (),

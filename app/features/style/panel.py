@@ -20,10 +20,10 @@ from ...widgets.choice_row import ChoiceRow
 from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.field_form import FieldForm
 from ...widgets.length_text import read_length
-from ...widgets.paint_field import PaintField
-from ...widgets.percent_field import MIXED, PercentField
 from ...widgets.tool_buttons import action_button
 from .dash_field import DashField
+from .paint_field import PaintField
+from .percent_field import MIXED, PercentField
 
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""
@@ -75,8 +75,8 @@ class StylePanel(FieldForm):
         self._subject = Label(name="styleSubject")
         self._note = Label(name="styleNote", wordWrap=True)
         self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
-        self.fill = PaintField("fillPaint", "Fill", "stroke")
-        self.stroke = PaintField("strokePaint", "Stroke", "fill")
+        self.fill = PaintField("fillPaint", "Fill")
+        self.stroke = PaintField("strokePaint", "Stroke")
         self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
@@ -146,8 +146,7 @@ class StylePanel(FieldForm):
         shares = [field.edit for field in self.opacities.values()]
         self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
         for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
-            other = "stroke" if name == "fill" else "fill"
-            self._connect_paint(paint, name, other)
+            self._connect_paint(paint, name)
         parts = (
             (self._rule, "fill_rule"),
             (self._cap, "cap"),
@@ -164,9 +163,8 @@ class StylePanel(FieldForm):
             edit.entered.connect(lambda value, name=name: self.wanted.emit({name: value}))
             edit.stepped.connect(lambda value, name=name: self.stepped.emit({name: value}))
 
-    def _connect_paint(self, paint: PaintField, name: str, other: str) -> None:
+    def _connect_paint(self, paint: PaintField, name: str) -> None:
         paint.chosen.connect(lambda value: self.wanted.emit({name: value}))
-        paint.chosen_for_other.connect(lambda value: self.wanted.emit({other: value}))
         paint.previewed.connect(lambda value: self.looked_at.emit({name: value}))
         paint.cancelled.connect(self.given_up)
 

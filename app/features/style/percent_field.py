@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from ..document.decimals import decimal_sum
-from ..document.expression import ExpressionError
-from ..document.words import number
-from .boxes import row_of
-from .controls import named
-from .field_edit import NumberEdit, read_number
-from .live_slider import LiveSlider
+from ...document.decimals import decimal_sum
+from ...document.expression import ExpressionError
+from ...document.words import number
+from ...widgets.boxes import row_of
+from ...widgets.controls import named
+from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.live_slider import LiveSlider
 
 STEPS = 100
 """Positions of the slider from nothing to all."""

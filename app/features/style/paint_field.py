@@ -8,17 +8,17 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon
 from PySide6.QtWidgets import QApplication, QBoxLayout, QToolButton, QWidget
 
-from ..appearance.colours import CURVE_COLOURS, fill_colour
-from ..appearance.swatches import paint_picture
-from ..appearance.theme import Theme, theme_of
-from ..appearance.themed import FollowsTheme
-from ..document.expression import ExpressionError
-from ..document.style import INK, NO_PAINT
-from .boxes import column_of, row_of
-from .colour_popup import ColourPopup
-from .field_edit import NumberEdit
+from ...appearance.colours import CURVE_COLOURS, fill_colour
+from ...appearance.swatches import paint_picture
+from ...appearance.theme import Theme, theme_of
+from ...appearance.themed import FollowsTheme
+from ...document.expression import ExpressionError
+from ...document.style import INK, NO_PAINT
+from ...widgets.boxes import column_of, row_of
+from ...widgets.colour_popup import ColourPopup
+from ...widgets.field_edit import NumberEdit
+from ...widgets.tool_buttons import tool_button
 from .percent_field import MIXED
-from .tool_buttons import tool_button
 
 MOST_RECENT = 5
 """Colours that are remembered beside those that are always there."""
@@ -54,8 +54,6 @@ class PaintField(FollowsTheme, QWidget):
     -------
     chosen
         Another paint was chosen.
-    chosen_for_other
-        A swatch was clicked with Shift: the paint is meant for what stands beside this one.
     previewed
         A colour is looked at in the popup.
     cancelled
@@ -68,14 +66,13 @@ class PaintField(FollowsTheme, QWidget):
     """
 
     chosen = Signal(str)
-    chosen_for_other = Signal(str)
     previewed = Signal(str)
     cancelled = Signal()
 
-    def __init__(self, name: str, label: str, other: str) -> None:
+    def __init__(self, name: str, label: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        self._label, self._other = label, other
+        self._label = label
         self._value: object = None
         self._recent: tuple[str, ...] = ()
         self._swatches: dict[str, QToolButton] = {}
@@ -100,23 +97,16 @@ class PaintField(FollowsTheme, QWidget):
         self.follow_theme()
 
     def _add_swatch(self, row: QBoxLayout, word: str, paint: str) -> None:
-        tip = f"{self._label}: {word.lower()} (Shift+click: {self._other})"
+        tip = f"{self._label}: {word.lower()}"
         button = tool_button(f"{self.objectName()}_{word}", tip, tip, flat=True)
         button.setFixedSize(_SIDE, _SIDE)
         button.setIconSize(QSize(_PICTURE, _PICTURE))
         # The field takes colours from the keyboard; so many stops would only be in the way.
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         button.setIcon(QIcon(paint_picture(paint, self.theme)))
-        button.clicked.connect(lambda: self._choose_swatch(paint))
+        button.clicked.connect(lambda: self._choose(paint))
         self._swatches[paint] = button
         row.insertWidget(row.count() - 1, button)
-
-    def _choose_swatch(self, paint: str) -> None:
-        is_for_other = QApplication.keyboardModifiers() & Qt.KeyboardModifier.ShiftModifier
-        if is_for_other:
-            self.chosen_for_other.emit(paint)
-        else:
-            self._choose(paint)
 
     def _choose(self, paint: str) -> None:
         """Ask for a paint; what was typed is no longer wanted, though the field keeps the cursor."""
