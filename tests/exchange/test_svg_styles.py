@@ -286,6 +286,8 @@ def test_what_does_not_come_in_is_told_element_by_element(body, sentence):
     [
         CLIP.format('rect width="20" height="20"'),
         CLIP.format('path d="M-1-1h20v20h-20z"'),
+        f'<svg viewBox="0 0 4 4" width="4" height="4" overflow="visible"><path d="{LINE}"/></svg>',
+        f'<svg viewBox="0 0 99 99" width="9" height="9"><path d="{LINE}"/></svg>',
         f'<path d="{LINE}"/><g display="none"><text>hidden</text></g>',
         f'<switch><foreignObject requiredExtensions="x"/><path d="{LINE}"/></switch>',
         f'<path d="{LINE}ZM5 5Z" marker-end="none" filter="none" clip-path="none" mask="none"/>',

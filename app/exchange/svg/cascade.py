@@ -19,7 +19,6 @@ from ..missed import LEFT_OUT, Missed
 from .xml_tree import tag_of
 
 INHERITED = {
-    "clip-rule": "nonzero",
     "color": "#000000",
     "fill": "#000000",
     "fill-opacity": "1",

@@ -266,7 +266,9 @@ class _Reader:
         if width is None or height is None or width <= 0 or height <= 0:
             return replace(state, matrix=combined(state.matrix, shifting(*corner)))
         place: Box = (*corner, width, height)
-        windows = (*state.windows, Window(place, state.matrix, sized, _CUT))
+        windows = state.windows
+        if self._cascade.of(element).get("overflow") != "visible":
+            windows = (*windows, Window(place, state.matrix, sized, _CUT))
         if box is None:
             matrix = combined(state.matrix, shifting(*corner))
             return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
