@@ -281,8 +281,8 @@ def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
     wanted += ["groupCurves", "copyStyle", "curveVisible", "curveLocked"]
     assert [name for name in found if name in wanted] == wanted
     menus = {plain(each.text()): each.menu() for each in three.menu().actions() if each.menu()}
-    assert list(menus) == ["Order", "Paths"]
-    assert {"combineCurves", "simplify"} <= entries(menus["Paths"]).keys()
+    assert list(menus) == ["Order", "Shape"]
+    assert {"combineCurves", "simplify"} <= entries(menus["Shape"]).keys()
     assert list(entries(menus["Order"])) == ["raiseCurve", "lowerCurve", "raiseToTop", "lowerToBottom"]
     three.choose("groupCurves")
     # Something that is not chosen is chosen first, with the group that it is in.

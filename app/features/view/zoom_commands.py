@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 
 from ...actions.declaration import action, also
 from ...actions.needs import Need
-from ...actions.sections import VIEW_PAST, VIEW_ZOOM, VIEW_ZOOM_STEPS, VIEW_ZOOM_TO
+from ...actions.sections import VIEW_ZOOM, VIEW_ZOOM_STEPS
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...document.selection import NONE_CHOSEN
 from ...plotting.scrolling import ZOOM_STEP
@@ -119,7 +119,7 @@ class ZoomCommands:
     @action(
         "zoom100",
         "100 %",
-        VIEW_ZOOM_TO,
+        VIEW_ZOOM_STEPS,
         "Ctrl+0, Ctrl+1",
         "actual-size",
         full_name="Zoom to 100 %",
@@ -130,7 +130,9 @@ class ZoomCommands:
         """Show the drawing at true size."""
         self._zoom_to(1.0)
 
-    @action("previousView", "Previous View", VIEW_PAST, "`", "previous-view", keywords="zoom back undo view")
+    @action(
+        "previousView", "Previous View", VIEW_ZOOM_STEPS, "`", "previous-view", keywords="zoom back undo view"
+    )
     @also(ZOOM_MENU(30))
     def _go_back(self) -> None:
         """Show again what was seen before the last zoom or pan."""
