@@ -29,7 +29,6 @@ class Strip(msgspec.Struct, frozen=True):
 
 
 TOOLBAR = Strip("toolbar")
-FAMILY_BAR = Strip("families and parameters in the toolbar")
 SHAPES_MENU = Strip("menu of further tools in the toolbar")
 SNAP_MENU = Strip("menu of the magnet in the toolbar")
 FAMILIES_MENU = Strip("menu of further families in the toolbar")

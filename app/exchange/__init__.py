@@ -12,7 +12,7 @@
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
 - ``units``: how large a length of one is on paper.  ``lengths``: lengths as they are typed.
-  ``rescaled``: documents in another unit.  ``corner``: with their pages elsewhere.
+  ``rescaled``: documents in another unit.  ``corner``: moved as a whole.
 - ``naming``: names made different from each other.  ``errors``: what is raised.
 - ``facts``: what ``curvebench info`` prints.
 """

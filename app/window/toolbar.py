@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from itertools import pairwise
 from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt
@@ -11,7 +10,7 @@ from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget, QWidgetAction
 
 from ..actions.qactions import Actions
-from ..actions.strips import FAMILY_BAR, TOOLBAR, Place, Strip
+from ..actions.strips import TOOLBAR, Place
 from ..qt.overrides import Guarded
 from ..widgets.choices_menu import ChoicesMenu
 from ..widgets.controls import named
@@ -53,21 +52,16 @@ class Toolbar(Guarded, QToolBar):
         self._actions = actions
         self._in_words: list[QAction] = []
         self._widgets: list[ToolbarWidget] = []
-        self._families: list[QAction] = []
         self._has_style = False
         self._widths: list[int] = []
         actions.redeclared.connect(self._follow_actions)
         actions.switched.connect(self._fit)
 
     def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
-        """Add the actions of the strips, and `widgets` at their places."""
+        """Add the actions of the strip, and `widgets` at their places."""
         self._widgets = list(widgets.values())
-        families = self._groups(FAMILY_BAR, widgets)
-        for ten, group in sorted({**self._groups(TOOLBAR, widgets), **families}.items()):
-            entries = [_separator(self), *group] if self.actions() else group
-            if ten in families:
-                self._families += entries
-            self.addActions(entries)
+        for _, group in sorted(self._groups(widgets).items()):
+            self.addActions([_separator(self), *group] if self.actions() else group)
             self._follow(group)
         self._add_choices()
         self._show_step(_STEPS[0])
@@ -84,14 +78,13 @@ class Toolbar(Guarded, QToolBar):
                 button.setMenu(menu)
                 button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
 
-    def _groups(self, strip: Strip, widgets: Mapping[Place, ToolbarWidget]) -> dict[int, list[QAction]]:
-        """Return what stands in a strip by the tens of its places; of each ten, the widget comes last."""
-        groups = self._actions.in_strip(strip)
+    def _groups(self, widgets: Mapping[Place, ToolbarWidget]) -> dict[int, list[QAction]]:
+        """Return what stands in the strip by the tens of its places; of each ten, the widgets come last."""
+        groups = self._actions.in_strip(TOOLBAR)
         for place, widget in widgets.items():
-            if place.strip is strip:
-                holder = QWidgetAction(self)
-                holder.setDefaultWidget(widget)
-                groups.setdefault(place.number // 10, []).append(holder)
+            holder = QWidgetAction(self)
+            holder.setDefaultWidget(widget)
+            groups.setdefault(place.number // 10, []).append(holder)
         return groups
 
     def _follow(self, actions: Iterable[QAction]) -> None:
@@ -102,13 +95,10 @@ class Toolbar(Guarded, QToolBar):
     def _follow_actions(self) -> None:
         """Put in what has come, and leave out what is gone."""
         self._in_words = [each for each in self._in_words if each.objectName()]
-        self._families = [each for each in self._families if each.objectName() or not _is_declared(each)]
-        for entries in self._actions.in_strip(FAMILY_BAR).values():
-            for before, action in pairwise(entries):
-                if action not in self._families:
-                    self._families.insert(self._families.index(before) + 1, action)
-                    self._follow([action])
+        known = set(self.actions())
+        for entries in self._actions.in_strip(TOOLBAR).values():
             put_in(self, entries)
+            self._follow(each for each in entries if each not in known)
         self._widths.clear()
         self._fit()
 
@@ -154,7 +144,3 @@ def _separator(parent: QToolBar) -> QAction:
     separator = QAction(parent)
     separator.setSeparator(True)
     return separator
-
-
-def _is_declared(action: QAction) -> bool:
-    return not action.isSeparator() and not isinstance(action, QWidgetAction)

@@ -19,7 +19,7 @@ from ...actions.sections import (
     Section,
 )
 from ...actions.state import ActionState
-from ...actions.strips import CURVE_MENU, FAMILIES_MENU, FAMILY_BAR, RAIL_MENU, Place
+from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Place
 from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
@@ -63,7 +63,7 @@ def _section_of(family: Family) -> Section:
 
 def _place_of(family: Family) -> Place:
     """Return where a family stands in the toolbar."""
-    return FAMILY_BAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
+    return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
 
 
 def _edited(family: Family) -> Need:
@@ -88,12 +88,12 @@ class RuleCommands:
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
 
-    @widget_at(FAMILY_BAR(50))
+    @widget_at(TOOLBAR(50))
     def build_bar(self) -> ToolbarWidget:
         """Return the bar of the toolbar."""
         return self._bar
 
-    @widget_at(FAMILY_BAR(45))
+    @widget_at(TOOLBAR(45))
     def build_families(self) -> ToolbarWidget:
         """Return the button of the toolbar for further families."""
         self._families.offer(self._further())
