@@ -32,11 +32,11 @@ _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySi
 PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
     *("_asked", "_costed", "_cost", "_discs_asked", "_drawn", "_extents", "_ghost"),
-    *("_axes", "_ghost_drawn", "_ground", "Curve.has_derivatives", "Rulers._band", "is_due"),
+    *("_axes", "_ground", "Curve.has_derivatives", "Rulers._band", "is_due"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_in_sight", "_seconds", "_stamps", "_stroke", "_strokes"),
-    *("_styled", "_watcher", "__dict__"),
+    *("_watcher", "__dict__"),
     *(
         "Cardinals._key",
         "Cardinal.growth",
@@ -46,7 +46,6 @@ PASSING = {
         "PixelMap._known_rows",
         "ShownHandles._counted",
         "PointLayer._kinds_of",
-        "Actions._seen_of",
     ),
     *("CrestNames._crests_of", "CurveLayer.error", "FunctionLines._basis"),
     *(
@@ -86,7 +85,6 @@ PASSING = {
     ),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("_autoRangeNeedsUpdate", "_painterPathCache", "ScrubLayer.scrub"),
-    *("TransformPanelCommands._angle_then", "TransformPanelCommands._forms_then"),
     *("TickEdit._knot", "Toolbar._widths", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
     *("_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
