@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QFileDialog
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox
 
 from app.cli.lifecycle import Lifecycle
 from app.session import Session
 from app.storage.files import load
 from app.testing import Editor
+from app.window.main_window import MainWindow
 from app.workbench.document_files import DocumentFiles
 
-CTRL = Qt.KeyboardModifier.ControlModifier
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
 WHOLE = '<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm"><path id="a" d="M0 0L4 0"/></svg>'
 
 
@@ -132,3 +134,55 @@ def test_a_drawing_of_another_program_gets_its_own_window(new_editor, windows, t
         assert len(windows()) == count
     assert windows()[-1].windowTitle() == "lossy[*] – Curvebench"
     assert editor.session.document is before
+
+
+def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(editor, qapp):
+    lifecycle, before = Lifecycle(qapp, [editor.window]), set(qapp.topLevelWidgets())
+    lifecycle.start()
+    try:
+        editor.key(Qt.Key.Key_N, ALT | SHIFT)
+        (other,) = (
+            each for each in qapp.topLevelWidgets() if isinstance(each, MainWindow) and each not in before
+        )
+        assert other.isVisible()
+        assert other.session is not editor.session
+        assert other.session.active_curve.points == ()
+        assert other in lifecycle._autosaves
+        assert other.pos() != editor.window.pos()
+        assert len(editor.curve.points) > 1
+        other.close()
+        other.deleteLater()
+    finally:
+        lifecycle.stop()
+
+
+def test_close_closes_its_window_and_quit_all_of_them_unless_one_is_kept(qtbot, qapp, monkeypatch):
+    first, second = Editor(qtbot), Editor(qtbot)
+    answers, asked = [QMessageBox.StandardButton.Cancel], []
+
+    def ask(files):
+        asked.append(files._window)
+        return answers[0]
+
+    monkeypatch.setattr(DocumentFiles, "_ask_about_changes", ask)
+    second.drag_point(1, to=(0.5, 0.2))
+    second.key(Qt.Key.Key_W, CTRL)
+    assert asked == [second.window]
+    assert first.window.isVisible()
+    assert second.window.isVisible()
+    first.window.activateWindow()
+    first.settle()
+    first.drag_point(1, to=(0.5, 0.2))
+    answers[0] = QMessageBox.StandardButton.Discard
+    first.key(Qt.Key.Key_W, CTRL)
+    assert asked == [second.window, first.window]
+    assert not first.window.isVisible()
+    assert second.window.isVisible()
+    third = Editor(qtbot)
+    answers[0] = QMessageBox.StandardButton.Cancel
+    third.key(Qt.Key.Key_Q, CTRL)
+    assert (third.window.isVisible(), second.window.isVisible()) == (False, True)
+    answers[0] = QMessageBox.StandardButton.Discard
+    fourth = Editor(qtbot)
+    fourth.key(Qt.Key.Key_Q, CTRL)
+    assert (fourth.window.isVisible(), second.window.isVisible()) == (False, False)
