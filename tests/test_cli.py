@@ -299,16 +299,7 @@ def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
     assert json.loads(output.out) == {
         "output": str(tmp_path / "a.curve.json"),
         "deviation": 0.0,
-        "missed": [
-            {
-                "element": "<flowRoot>",
-                "name": "t",
-                "number": 2,
-                "why": "texts are not read",
-                "instead": "left out",
-            }
-        ],
-        "remarks": [],
+        "remarks": ["1 text left out: t."],
     }
 
 
@@ -453,7 +444,7 @@ def test_convert_says_what_it_leaves_out(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text('<svg><text/><path d="M0 0L1 1"/></svg>', encoding="utf-8")
     assert main(["convert", str(path), str(tmp_path / "a.py")]) == 0
-    assert capsys.readouterr().err == "curvebench: <text> (element 2): texts are not read; left out.\n"
+    assert capsys.readouterr().err == "curvebench: 1 text left out.\n"
 
 
 def test_convert_refuses_in_one_line(tmp_path, capsys):

@@ -12,11 +12,11 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from msgspec.structs import asdict, replace
+from msgspec.structs import replace
 
 from .. import cli, exchange
 from ..document.limits import EditError
-from ..document.words import count_of, enumerated
+from ..document.words import enumerated
 from ..exchange.drawing.animation import FILMS, first_round, write_film
 from ..exchange.drawing.film import Film
 from ..exchange.errors import ExchangeError
@@ -129,7 +129,6 @@ def _document_of(options: argparse.Namespace) -> Decoded:
         return found
     with _told_on_terminals() as report:
         source = import_file(options.file, ImportOptions(), report=report)
-    _tell_of(source, options.file)
     _tell(source.remarks)
     return Decoded(source.document)
 
@@ -163,14 +162,6 @@ def _tell(remarks: Iterable[str]) -> None:
     """Print what was left out or is otherwise, line by line, beside the output."""
     for remark in remarks:
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
-
-
-def _tell_of(source: Imported, path: str) -> None:
-    """Print, before anything is written, how many elements of a file are drawn otherwise, and of each how."""
-    if len(source.missed) > 1:
-        them, name = count_of(len(source.missed), "element"), Path(path).name
-        _tell([f"{them} of {name} come in otherwise than they are drawn:"])
-    _tell(each.sentence for each in source.missed)
 
 
 def _picture_endings() -> tuple[str, ...]:
@@ -222,8 +213,6 @@ def _convert(options: argparse.Namespace) -> int:
 
     with _told_on_terminals() as report:
         source = import_file(options.file, _import_options(options, read), report=part(report, 0.0, 0.4))
-    if not options.json:
-        _tell_of(source, options.file)
     with _told_on_terminals() as report:
         document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
         wanted = replace(
@@ -233,15 +222,13 @@ def _convert(options: argparse.Namespace) -> int:
         )
         written = export(document, options.output, wanted)
     fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
-    said = [*_on_groups(source, options.only), *fitted, *written.remarks]
+    remarks = [*source.remarks, *_on_groups(source, options.only), *fitted, *written.remarks]
     off = max((fit.deviation for fit in fits), default=0.0)
     total = exchange.parts.rounded_up(source.deviation + off + written.deviation)
     if options.json:
-        missed, remarks = [asdict(each) for each in source.missed], [*source.remarks, *said]
-        found = {"output": options.output, "deviation": total, "missed": missed, "remarks": remarks}
-        _say_json(found)
+        _say_json({"output": options.output, "deviation": total, "remarks": remarks})
     else:
-        _tell([*source.remarks, *said])
+        _tell(remarks)
         say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
 

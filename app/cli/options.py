@@ -155,7 +155,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     add(
         "--json",
         action="store_true",
-        help="print what was done as JSON, with every element that comes in otherwise than it is drawn",
+        help="print what was done as JSON, with what was left out or is otherwise than drawn",
     )
     _add_table_options(convert)
     _add_fit_options(convert)

@@ -8,7 +8,7 @@
 - ``code_runtime``: what exported Python brings along.
 - ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
   ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
-  ``missed``: what of a drawing does not come in.
+  ``missed``: what of a drawing does not come in, by kind and count.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
 - ``units``: how large a length of one is on paper.  ``lengths``: lengths as they are typed.

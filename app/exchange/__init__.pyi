@@ -6,7 +6,6 @@ from . import cubics_in as cubics_in
 from . import drawing as drawing
 from . import dxf_library as dxf_library
 from . import facts as facts
-from . import missed as missed
 from . import options as options
 from . import parts as parts
 from . import reading as reading

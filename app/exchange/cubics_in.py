@@ -29,13 +29,15 @@ from ..families import HERMITE
 from ..view_model.fitting.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.fitting.cubics import points_of_cubics
 from .errors import ExchangeError
-from .missed import Missed
+from .missed import Flaw, Missed
 
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
 
 FAMILY = HERMITE
 """The family of what comes in."""
+
+SINGLE_POINT = Flaw("single point")
 
 _OUTER = 3
 _MOST_NAMES = 24
@@ -53,20 +55,12 @@ class Imported:
     deviation
         Largest distance of its curves from what the file describes, but for rounding.
     remarks
-        One sentence for everything that was left out.
-    missed
-        The elements of a drawing that come in otherwise than they are drawn.
+        One sentence for each kind of content that was left out or comes in otherwise.
     """
 
     document: Document
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
-    missed: tuple[Missed, ...] = ()
-
-    @property
-    def sentences(self) -> tuple[str, ...]:
-        """All that is to be said of what did not come in as it is."""
-        return (*(each.sentence for each in self.missed), *self.remarks)
 
     @property
     def has_groups(self) -> bool:
@@ -161,12 +155,8 @@ class PointsAlone:
     closed: bool
 
 
-def imported(
-    paths: Sequence[ImportedPath | PointsAlone],
-    remarks: tuple[str, ...] = (),
-    missed: tuple[Missed, ...] = (),
-) -> Imported:
-    """Return the curves of paths as a document.
+def imported(paths: Sequence[ImportedPath | PointsAlone], missed: Missed) -> Imported:
+    """Return the curves of paths as a document, with what is missed; single points are, besides.
 
     Raises
     ------
@@ -174,7 +164,7 @@ def imported(
         If there is none, or if its numbers are beyond what a document may hold.
     """
     curves, deviation = list[Curve](), 0.0
-    for path in paths:
+    for number, path in enumerate(paths):
         if isinstance(path, PointsAlone):
             curves.append(_through(path))
             continue
@@ -182,15 +172,14 @@ def imported(
         # Without those that are no more than a point.
         pieces = path.pieces[(path.pieces != path.pieces[:, :1]).any(axis=(1, 2))]
         if len(pieces) == 0:
-            remarks = (*remarks, f"“{path.name}” is a single point.")
+            missed.note(SINGLE_POINT, number, path.name)
             continue
         curve, moved = _curve(path, pieces)
         curves.append(curve)
         deviation = max(deviation, path.deviation + moved)
     if not curves:
-        sentences = (*(each.sentence for each in missed), *remarks)
-        raise ExchangeError(" ".join(["There is no curve in the file.", *sentences]))
-    return Imported(tidy_shapes(Document(tuple(curves))), deviation, remarks, missed)
+        raise ExchangeError(" ".join(["There is no curve in the file.", *missed.sentences]))
+    return Imported(tidy_shapes(Document(tuple(curves))), deviation, missed.sentences)
 
 
 def lines(points: FloatArray) -> FloatArray:

@@ -6,7 +6,6 @@ import dataclasses
 import io
 import math
 import re
-from collections import Counter
 from types import ModuleType
 from typing import TYPE_CHECKING
 
@@ -22,6 +21,7 @@ from ..view_model.fitting.cubics import RELATIVE_TOLERANCE
 from .arcs import error_of_arc, pieces_of_arc
 from .cubics_in import Imported, ImportedPath, Look, PointsAlone, imported, lines
 from .errors import ExchangeError
+from .missed import LEFT_OUT, Flaw, Missed
 from .parts import bezier_values, one_line
 from .units import unit_of_dxf
 
@@ -82,7 +82,7 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
-    found = imported(reader.paths, reader.remarks)
+    found = imported(reader.paths, reader.missed)
     unit = unit_of_dxf(int(drawing.units))
     return dataclasses.replace(found, document=replace(found.document, unit=unit))
 
@@ -119,18 +119,7 @@ class _Reader:
         self._drawing = drawing
         self._tolerance = tolerance
         self.paths: list[ImportedPath | PointsAlone] = []
-        self._through = 0
-        self._lost: Counter[str] = Counter()
-
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        """Sentences on what was left out."""
-        lost = [f"{what} is not read ({count})." for what, count in sorted(self._lost.items())]
-        if self._through:
-            lost.append(
-                f"SPLINE given by fit points alone: the natural spline through them ({self._through})."
-            )
-        return tuple(lost)
+        self.missed = Missed()
 
     def take(self, entity: DXFGraphic, number: int) -> None:
         """Add the paths of an entity, counted from 1."""
@@ -141,12 +130,15 @@ class _Reader:
             elif kind in _WITH_ARCS:
                 self._take_path(entity, number)
             else:
-                self._lost[kind] += 1
+                self._miss(entity)
         except (ExchangeError, MemoryError):
             raise
         except Exception as problem:
             # As above: a foreign parser.
             raise _damaged(f"Entity {number} ({kind})", problem) from problem
+
+    def _miss(self, entity: DXFGraphic, outcome: str = LEFT_OUT) -> None:
+        self.missed.note(Flaw(entity.dxftype(), outcome), entity)
 
     def _take_spline(self, spline: Spline) -> None:
         points = np.array([tuple(point)[:2] for point in spline.control_points], dtype=float)
@@ -156,11 +148,11 @@ class _Reader:
         if len(points) == 0:
             self._take_fit_points(spline)
         elif weights and max(weights) != min(weights):
-            self._lost["rational SPLINE"] += 1
+            self._miss(spline, "with weights left out")
         elif not 1 <= degree <= HIGHEST_DEGREE_READ:
-            self._lost[f"SPLINE of degree {degree}"] += 1
+            self._miss(spline, f"of degree {degree} left out")
         elif not _is_clamped(knots, degree, len(points)):
-            self._lost["SPLINE with knots that are periodic or broken"] += 1
+            self._miss(spline, "with knots that are periodic or broken left out")
         else:
             self._add(spline, _beziers(points, knots, degree), bool(spline.dxf.flags & CLOSED))
 
@@ -172,11 +164,11 @@ class _Reader:
             points.pop()
         distinct = [here for here, before in zip(points, [None, *points[:-1]], strict=True) if here != before]
         if len(distinct) < 2:
-            self._lost["SPLINE with less than two points"] += 1
+            self._miss(spline, "with less than two points left out")
             return
         if not np.isfinite(distinct).all():
             raise ExchangeError(f"The SPLINE on layer “{spline.dxf.layer}” is not finite.")
-        self._through += 1
+        self._miss(spline, "with fit points alone came as the natural spline through them")
         self.paths.append(PointsAlone(self._name(spline), self._look(spline), tuple(distinct), closed))
 
     def _name(self, entity: DXFGraphic) -> str:

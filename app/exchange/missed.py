@@ -1,62 +1,47 @@
-"""Something in a file that does not come in as it stands there."""
+"""Content of a file that does not come in as it is: counted by kind, told in one sentence for each."""
 
 from __future__ import annotations
 
-import msgspec
+from collections.abc import Hashable
+from typing import NamedTuple
+
+from ..document.words import count_of, names_of
 
 LEFT_OUT = "left out"
-"""What was done of which nothing came in."""
 
 
-def named_by_place(tag: str, number: int) -> str:
-    """Return what a shape without a name is called, by its place in the file."""
-    return f"{tag.capitalize()} {number}"
-
-
-class Flaw(msgspec.Struct, frozen=True):
-    """What is not taken over as it is.
+class Flaw(NamedTuple):
+    """Kind of content that is not taken over as it is.
 
     Attributes
     ----------
-    why
-        What stands in the way, as the end of a sentence.
-    instead
-        What is done, likewise.
+    noun
+        One of them.
+    outcome
+        What became of it, after the noun of one or of several: "left out", "came as one colour".
     """
 
-    why: str
-    instead: str
+    noun: str
+    outcome: str = LEFT_OUT
 
 
-class Missed(msgspec.Struct, frozen=True):
-    """An element of a drawing that comes in otherwise than it is drawn, or not at all.
+class Missed:
+    """Record of what did not come in as it is, each kind in the order in which it was first met."""
 
-    Attributes
-    ----------
-    element
-        What it is, as the file calls it: "<text>".
-    name
-        What its program or its author calls it; empty without.
-    number
-        The how manieth element of the file it is, from 1.
-    why
-        What stands in the way, as the end of a sentence.
-    instead
-        What was done, as the end of a sentence.
-    """
+    def __init__(self) -> None:
+        self._names: dict[Flaw, dict[Hashable, str]] = {}
 
-    element: str
-    name: str
-    number: int
-    why: str
-    instead: str
+    def note(self, flaw: Flaw, key: Hashable, name: str = "") -> None:
+        """Count something, known by a key, once for each flaw; its name is empty where it has none."""
+        self._names.setdefault(flaw, {})[key] = name
 
     @property
-    def sentence(self) -> str:
-        """All of it in a line."""
-        return f"{self.element} {self.called}: {self.why}; {self.instead}."
+    def sentences(self) -> tuple[str, ...]:
+        """One sentence for each kind: how many there were, what became of them, and their first names."""
+        return tuple(_sentence(flaw, list(names.values())) for flaw, names in self._names.items())
 
-    @property
-    def called(self) -> str:
-        """Words to find it by: its name, or its place."""
-        return f"“{self.name}”" if self.name else f"(element {self.number})"
+
+def _sentence(flaw: Flaw, names: list[str]) -> str:
+    named = [name for name in names if name]
+    which = f": {names_of(named)}" if named else ""
+    return f"{count_of(len(names), flaw.noun)} {flaw.outcome}{which}."

@@ -159,7 +159,7 @@ def test_lines_polylines_and_arcs():
     assert np.abs(np.hypot(*(points_of(circle) - [1, 2]).T) - 5).max() <= result.deviation <= 1e-4
     assert np.abs(np.hypot(*points_of(arc).T) - 2).max() < 1e-4
     assert np.abs(np.hypot(*(points_of(ellipse) / [3, 1.5]).T) - 1).max() < 1e-4
-    assert result.remarks == ("TEXT is not read (1).",)
+    assert result.remarks == ("1 TEXT left out.",)
 
 
 def test_what_is_not_exact_is_left_out_with_a_word():
@@ -168,7 +168,7 @@ def test_what_is_not_exact_is_left_out_with_a_word():
 
     with pytest.raises(ExchangeError) as refusal:
         read_dxf(file_with(draw))
-    assert str(refusal.value) == ("There is no curve in the file. rational SPLINE is not read (1).")
+    assert str(refusal.value) == ("There is no curve in the file. 1 SPLINE with weights left out.")
 
 
 def test_fit_points_alone_are_points_to_interpolate():
@@ -187,8 +187,8 @@ def test_fit_points_alone_are_points_to_interpolate():
         assert [point.position for point in curve.points] == [(0, 0), (1, 1), (2, 0)]
         assert [point.velocity for point in curve.points] == [None] * 3
     assert result.remarks == (
-        "SPLINE with less than two points is not read (1).",
-        "SPLINE given by fit points alone: the natural spline through them (2).",
+        "2 SPLINEs with fit points alone came as the natural spline through them.",
+        "1 SPLINE with less than two points left out.",
     )
 
 
@@ -202,7 +202,7 @@ def test_truncated_and_foreign_files_are_refused(sketch):
         (b"AutoCAD Binary DXF\r\n\x1a\0", "binary DXF"),
         (b"0\nSECTION\0\n0\nEOF\n", "zero bytes"),
         (b"hello\n0\nEOF\n", "The DXF file is damaged"),
-        (data.replace(b"SPLINE", b"SPLUNK"), "SPLUNK is not read"),
+        (data.replace(b"SPLINE", b"SPLUNK"), "SPLUNK left out"),
     ]:
         with pytest.raises(ExchangeError, match=sentence):
             read_dxf(wrong)

@@ -316,7 +316,7 @@ PATH = "Element 2 (<path>): "
         ("", "There is no curve in the file."),
         (
             "<text/>",
-            "There is no curve in the file. <text> (element 2): texts are not read; left out.",
+            "There is no curve in the file. 1 text left out.",
         ),
         (P.format("M5 5Z"), "There is no curve in the file."),
         ("<path", "The file is not XML: line 1, column 90."),

@@ -66,7 +66,7 @@ def blank(editor):
 def test_the_dialog_shows_the_drawing_with_its_colours_and_its_size(editor):
     dialog = opened(editor, SVG / "inkscape_logo.svg")
     assert {"#2e7d32", "#c62828", "#0277bd"} <= colours_in(dialog)
-    assert dialog.missed is None
+    assert not dialog.remarks.isVisible()
     tree = dialog.groups
     names = [tree.topLevelItem(row).text(0) for row in range(tree.topLevelItemCount())]
     assert names == ["Leaves", "Ring", "Sketch"]
@@ -89,13 +89,8 @@ def test_a_drawing_for_dark_paper_is_shown_on_dark_paper(editor):
 
 def test_what_comes_in_otherwise_is_listed_before(editor):
     dialog = opened(editor, SVG / "tabler_home.svg")
-    assert dialog.missed.topLevelItemCount() == 1
-    row = dialog.missed.topLevelItem(0)
-    assert [row.text(column) for column in range(3)] == [
-        "<path> (element 2)", "it has neither a stroke nor a fill", "left out",
-    ]  # fmt: skip
-    assert dialog.missed.isVisible()
-    assert dialog.missed.height() >= dialog.missed.sizeHint().height()
+    assert dialog.remarks.text() == "1 shape without stroke and fill left out."
+    assert dialog.remarks.isVisible()
     dialog.close()
 
 
@@ -242,7 +237,7 @@ def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor,
     first.trigger()
     editor.wait_for_work()
     assert editor.window.findChild(QDialog, "importDrawingDialog") is None
-    assert editor.status == "Opened badge.svg: 1 curve, 3 points, exact. 1 element otherwise than drawn."
+    assert editor.status == "Opened badge.svg: 1 curve, 3 points, exact. 1 foreign object left out."
     assert editor.session.files.beginning is not beginning
     assert (title_of(editor.session), editor.session.files.is_modified) == ("badge", False)
 

@@ -181,14 +181,12 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     planted.window.commands[ImportCommands].import_files([drawing])
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importDrawingDialog")
-    rows = [dialog.missed.topLevelItem(row) for row in range(dialog.missed.topLevelItemCount())]
-    assert [row.text(0) for row in rows] == ["<style> “@media”", "<text> (element 3)", "<path> “<b>x</b>”"]
-    assert [tip_shows(row.toolTip(1)) for row in rows] == [
-        "<style> “@media”: such rules are not followed; left out.",
-        "<text> (element 3): texts are not read; left out.",
-        "<path> “<b>x</b>”: a filter changes it; it comes in without.",
+    assert dialog.remarks.text().splitlines() == [
+        "1 style rule not followed: @media.",
+        "1 text left out.",
+        "1 filter not applied: <b>x</b>.",
     ]
-    check("item of MissedList importMissed")
+    check("Label importRemarks")
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     table = tmp_path / "a.csv"
     table.write_text(f"x;y\n1;2\n3;{SHORT} is too long for its cell\n", encoding="utf-8")

@@ -15,7 +15,7 @@ import cssselect2
 import tinycss2
 
 from ..errors import ExchangeError
-from ..missed import LEFT_OUT, Missed
+from ..missed import Flaw, Missed
 from .xml_tree import tag_of
 
 INHERITED = {
@@ -59,6 +59,7 @@ MAX_MATCHES = 5_000_000
 
 _KNOWN = frozenset((*INHERITED, *OWN))
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
+_RULE = Flaw("style rule", "not followed")
 _HARMLESS = ("font-face", "charset", "namespace", "keyframes")
 
 _Declared = tuple[str, str, bool]
@@ -68,19 +69,19 @@ _Declared = tuple[str, str, bool]
 class Cascade:
     """The declarations that are in force for each element of a file.
 
-    Attributes
+    Parameters
     ----------
     missed
-        The rules that are not followed.
+        Takes note of the rules that are not followed.
     """
 
-    def __init__(self, root: ET.Element) -> None:
-        self.missed: list[Missed] = []
+    def __init__(self, root: ET.Element, missed: Missed) -> None:
+        self._missed = missed
         self._matcher = cssselect2.Matcher()
         self._selectors = 0
-        for number, element in enumerate(root.iter(), start=1):
+        for element in root.iter():
             if tag_of(element) == "style" and element.text:
-                self._add_sheet(element.text, number)
+                self._add_sheet(element.text)
         # Only selectors need to know where an element stands.
         self._wrapped: dict[ET.Element, Any] = {}
         if self._selectors:
@@ -108,29 +109,26 @@ class Cascade:
         matches = self._matcher.match(wrapped)
         return [each for _, _, pseudo, payload in matches if pseudo is None for each in payload]
 
-    def _add_sheet(self, text: str, number: int) -> None:
+    def _add_sheet(self, text: str) -> None:
         for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):
             if rule.type == "at-rule":
                 if rule.lower_at_keyword not in _HARMLESS:
-                    self._miss(f"@{rule.at_keyword}", number, "such rules are not followed")
+                    self._missed.note(_RULE, rule, f"@{rule.at_keyword}")
             elif rule.type == "qualified-rule":
-                self._add_rule(rule, number)
+                self._add_rule(rule)
 
-    def _add_rule(self, rule: tinycss2.ast.QualifiedRule, number: int) -> None:
+    def _add_rule(self, rule: tinycss2.ast.QualifiedRule) -> None:
         declared = list(_named(tinycss2.parse_blocks_contents(rule.content)))
         if not declared:
             return
         try:
             selectors = cssselect2.compile_selector_list(rule.prelude)
         except cssselect2.SelectorError:
-            self._miss(tinycss2.serialize(rule.prelude).strip()[:60], number, "this selector is not known")
+            self._missed.note(_RULE, rule, tinycss2.serialize(rule.prelude).strip()[:60])
             return
         for selector in selectors:
             self._matcher.add_selector(selector, declared)
             self._selectors += 1
-
-    def _miss(self, name: str, number: int, why: str) -> None:
-        self.missed.append(Missed("<style>", name, number, why, LEFT_OUT))
 
 
 def _declarations(text: str) -> list[_Declared]:

@@ -9,13 +9,13 @@ from collections.abc import Iterator, Sequence
 from ...document.guide import Axis, Guide
 from ...document.model import MAX_MAGNITUDE
 from ..drawing.frames import Frame
-from ..missed import LEFT_OUT, Flaw
+from ..missed import Flaw
 from .names import SODIPODI
 from .numbers import number
 from .sheet import Sheet
 
-_ODD = Flaw("it does not say where it lies", LEFT_OUT)
-_LEANING = Flaw("guides are level or upright", LEFT_OUT)
+_ODD = Flaw("guide", "without a position left out")
+_LEANING = Flaw("leaning guide")
 
 _LEVEL = 1e-5
 """Share of its normal by which a level or upright guide leans: it is written with few digits."""

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from tinycss2.color4 import parse_color
 
-from ..missed import Flaw
+from ..missed import LEFT_OUT, Flaw
 from .elements import Elements
 from .gradients import GRADIENTS, Stop, mean_of, mixed, stops_of
 from .xml_tree import tag_of
@@ -37,7 +37,7 @@ class Paint:
 
 
 NONE = Paint("none")
-_CONTEXT = Paint("none", flaw=Flaw("it takes its colour from where it is used", "it has none"))
+_CONTEXT = Paint("none", flaw=Flaw("context paint"))
 
 
 @lru_cache(maxsize=4096)
@@ -88,10 +88,10 @@ class Paints:
         if server is not None and tag_of(server) in GRADIENTS:
             return self._gradient(server, current)
         plain = self.paint(fallback, current) if fallback and "url(" not in fallback else NONE
-        kind = "a pattern" if server is not None else f"“{name}”, which is not in the file,"
+        noun = "pattern" if server is not None else "missing paint"
         if server is not None and (colours := self._colours_of(server)):
             plain = Paint(mixed(colours))
-        return _instead(plain, kind)
+        return _instead(plain, noun)
 
     def _colours_of(self, pattern: ET.Element) -> list[str]:
         """Return the colours that the elements of a pattern say they are painted with."""
@@ -106,7 +106,7 @@ class Paints:
         mean = mean_of(stops)
         if all((stop.colour, stop.opacity) == (stops[0].colour, stops[0].opacity) for stop in stops):
             return Paint(stops[0].colour, stops[0].opacity)
-        return _instead(Paint(mean.colour, mean.opacity), "a gradient")
+        return _instead(Paint(mean.colour, mean.opacity), "gradient")
 
     def _stop(self, stop: ET.Element, current: str) -> Stop:
         declared = self._elements.declared(stop)
@@ -126,7 +126,7 @@ def share_of(text: str, default: float = 1.0) -> float:
     return min(max(value, 0.0), 1.0) if value == value else default  # noqa: PLR0124 - not a number
 
 
-def _instead(paint: Paint, kind: str) -> Paint:
-    """Return a paint that stands for what is of another kind."""
-    instead = f"{paint.colour} does" if paint.colour != "none" else "nothing does"
-    return replace(paint, flaw=Flaw(f"{kind} paints it", instead))
+def _instead(paint: Paint, noun: str) -> Paint:
+    """Return a paint that stands for one of another kind."""
+    outcome = "came as one colour" if paint.colour != "none" else LEFT_OUT
+    return replace(paint, flaw=Flaw(noun, outcome))

@@ -21,9 +21,9 @@ from .paint import Paint, Paints, colour_of, is_paint, share_of
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
-_COVERED = Flaw("its fill covers its line", "its line covers its fill")
-_TRANSPARENT = Flaw("its fill and line are transparent as a whole", "each of them is")
-_MARKED = Flaw("it has markers", "it comes in without them")
+_COVERED = Flaw("paint order", "not applied")
+_TRANSPARENT = Flaw("shape", "came with the opacity on fill and stroke separately")
+_MARKED = Flaw("shape", "came without markers")
 _Kind = TypeVar("_Kind", bound=Enum)
 
 

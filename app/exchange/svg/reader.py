@@ -1,7 +1,7 @@
 """SVG in: paths and basic shapes become cubic Hermite curves, with their styles, groups and names.
 
 Coordinates are those of the file in the unit of its size, with y turned up. Nothing outside the file is ever
-read, and no DTD or entity inside it. What does not come in as it is drawn is told, element by element.
+read, and no DTD or entity inside it. What does not come in as it is drawn is told, by kind and count.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from ...document.style import Style
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
 from ..corner import shifted
-from ..cubics_in import Imported, ImportedPath, Look, imported
+from ..cubics_in import SINGLE_POINT, Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError
-from ..missed import LEFT_OUT, Flaw, Missed, named_by_place
+from ..missed import Flaw
 from ..node_types import parted
 from .cascade import Cascade
 from .clips import Window, clip_box
@@ -43,7 +43,7 @@ from .matrices import (
     shifting,
     transform_of,
 )
-from .missing import NOT_READ, Missing, effects_on
+from .missing import NOT_APPLIED, NOT_READ, Missing, effects_on
 from .names import INSENSITIVE, NODE_TYPES, name_of
 from .our_own import OurOwn
 from .paint import Paints, share_of
@@ -57,14 +57,13 @@ MAX_PATHS = 10_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
-_CLIPPED = Flaw("a clip path cuts some of it off", "it comes in whole")
-_CUT = Flaw("some of it lies beyond its view box", "it comes in whole")
-_TRANSPARENT = Flaw("it is transparent as a whole", "each of its shapes is")
-_UNEVEN = Flaw("its transform makes the stroke uneven", "it has the mean width all along")
-_NO_LENGTHS = Flaw("its lengths hang on a font or on a size that nobody says", LEFT_OUT)
-_ONE_POINT = Flaw("it is a single point", LEFT_OUT)
+_CLIPPED = Flaw("clip path", NOT_APPLIED)
+_CUT = Flaw("element", "came whole, beyond the view box")
+_TRANSPARENT = Flaw("group", "came with the opacity on each shape separately")
+_UNEVEN = Flaw("stroke", "of uneven width came with the mean width")
+_NO_LENGTHS = Flaw("shape", "with lengths in units of unknown size left out")
+_UNUSABLE = Flaw("reference", "to elements outside the file left out")
 _NOTHING: Iterable[Drawn] = ()
-_UNPAINTED = "it has neither a stroke nor a fill"
 
 
 def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
@@ -104,7 +103,7 @@ def _read(data: bytes, tolerance: float | None) -> tuple[Imported, _Reader]:
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
     paths, guides = reader.all_paths(), reader.guides()
-    found = imported(paths, missed=reader.missed)
+    found = imported(paths, reader.missed)
     document = msgspec.structs.replace(found.document, unit=reader.sheet.unit, guides=guides)
     return replace(found, document=tidy_shapes(document)), reader
 
@@ -148,14 +147,16 @@ class _Reader:
     ----------
     sheet
         Its size.
+    missed
+        What does not come in as it is.
     """
 
     def __init__(self, root: ET.Element, tolerance: float | None = None) -> None:
         self._root, self._tolerance = root, tolerance
         self._ours = OurOwn(root)
         self.sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
-        self._cascade = Cascade(root)
-        self._missing = Missing(root, self._cascade.missed)
+        self.missed = Missing(root)
+        self._cascade = Cascade(root, self.missed)
         self._elements = elements = Elements.within(root, self._cascade.of)
         self._paints = Paints(elements)
         self._visited = self._found = 0
@@ -170,23 +171,20 @@ class _Reader:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
         drawn = list(self._drawn(self._root, State(self.sheet.matrix, self.sheet.viewport), depth=0))
         seen = [each for each in drawn if is_seen(each)]
-        instead = LEFT_OUT if seen else "it comes in as a line"
+        flaw = Flaw(
+            "shape", "without stroke and fill " + ("left out" if seen else "came with a plain stroke")
+        )
         unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
         for number in dict.fromkeys(each.element for each in unseen):
-            self._missing.note(self._shapes[number - 1], Flaw(_UNPAINTED, instead))
+            self.missed.note_of(self._shapes[number - 1], flaw)
         return settled(seen or [with_line(each) for each in drawn])
-
-    @property
-    def missed(self) -> tuple[Missed, ...]:
-        """What does not come in as it is."""
-        return tuple(self._missing.found)
 
     def guides(self) -> tuple[Guide, ...]:
         """Return the guides of the file, each once."""
         found: dict[Guide, None] = {}
         for element, guide in guides_of(self._root, self.sheet):
             if isinstance(guide, Flaw):
-                self._missing.note(element, guide)
+                self.missed.note_of(element, guide)
             else:
                 found[guide] = None
         return tuple(found)
@@ -203,7 +201,7 @@ class _Reader:
         state = self._entered(element, declared, state)
         first, found = len(self._shapes), _NOTHING
         if tag in NOT_READ and state.properties.is_visible:
-            self._missing.note(element, NOT_READ[tag])
+            self.missed.note_of(element, NOT_READ[tag])
         elif tag in SHAPES:
             found = self._shape(element, tag, declared, state)
         elif tag == "use":
@@ -224,9 +222,9 @@ class _Reader:
             try:
                 matrix = combined(matrix, transform_of(transform))
             except ExchangeError as problem:
-                raise self._missing.broken(element, str(problem)) from None
+                raise self.missed.broken(element, str(problem)) from None
             if not np.isfinite(matrix).all():
-                raise self._missing.broken(element, "its transform is beyond all numbers.")
+                raise self.missed.broken(element, "its transform is beyond all numbers.")
         if tag_of(element) == "use":
             x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             matrix = combined(matrix, shifting(x, y))
@@ -280,10 +278,10 @@ class _Reader:
         reference = reference_of(element)
         target = self._elements.used(element)
         if target is None:
-            self._missing.note(element, Flaw("what it uses is not in the file", LEFT_OUT))
+            self.missed.note_of(element, _UNUSABLE)
             return
         if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):
-            raise self._missing.broken(element, f"it uses itself by way of “{reference[:40]}”.")
+            raise self.missed.broken(element, f"it uses itself by way of “{reference[:40]}”.")
         # Of several within each other the outermost is what a person sees as the copy.
         name = state.copied or name_of(element) or f"{name_of(target)} copy"
         state = replace(state, inside=(*state.inside, element), copied=name)
@@ -303,18 +301,18 @@ class _Reader:
             with np.errstate(all="ignore"):
                 subpaths = subpaths_of(element, state.viewport, tolerance)
         except UnknownLengthError:
-            self._missing.note(element, _NO_LENGTHS)
+            self.missed.note_of(element, _NO_LENGTHS)
             return
         except ExchangeError as problem:
-            raise self._missing.broken(element, str(problem)) from None
+            raise self.missed.broken(element, str(problem)) from None
         drawn = [each for each in subpaths if each.has_length]
         # A point without a round or square cap is not seen.
         if len(drawn) < len(subpaths) and state.properties.shows_points:
-            self._missing.note(element, _ONE_POINT)
+            self.missed.note_of(element, SINGLE_POINT)
         if not drawn:
             return
         self._shapes.append(element)
-        name = state.copied or name_of(element) or named_by_place(tag, self._missing.number_of(element))
+        name = state.copied or name_of(element) or f"{tag.capitalize()} {self.missed.number_of(element)}"
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         look = self._look(element, state, scale, keeps_width=keeps_width)
@@ -342,7 +340,7 @@ class _Reader:
             reach = half_width(style)
             for window in state.windows:
                 if not window.holds(extent, reach):
-                    self._missing.note(window.element, window.flaw)
+                    self.missed.note_of(window.element, window.flaw)
 
     def _count(self) -> None:
         self._found += 1
@@ -354,7 +352,7 @@ class _Reader:
         if style.has_stroke and not keeps_width and is_uneven(state.matrix):
             flaws = (*flaws, _UNEVEN)
         if state.properties.is_visible:
-            self._missing.note(element, *flaws)
+            self.missed.note_of(element, *flaws)
         visible = state.properties.is_visible
         return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
 
@@ -362,7 +360,7 @@ class _Reader:
         try:
             return length_of(element, name, state.viewport)
         except ExchangeError as problem:
-            raise self._missing.broken(element, str(problem)) from None
+            raise self.missed.broken(element, str(problem)) from None
 
     def _note_effects(
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
@@ -374,4 +372,4 @@ class _Reader:
             found.append(_CLIPPED)
         if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
-        self._missing.note(element, *found)
+        self.missed.note_of(element, *found)

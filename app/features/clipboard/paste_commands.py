@@ -132,11 +132,11 @@ class PasteCommands:
             if self._session.files.beginning is not beginning:
                 self._session.refuse("Not pasted, for another document was opened meanwhile.")
             else:
-                self._add(arrival if now == target else _filled(now, found), found.sentences)
+                self._add(arrival if now == target else _filled(now, found), found.remarks)
 
         if points < _MANY_POINTS:
             found = read(silent)
-            self._add(_filled(target, found), found.sentences)
+            self._add(_filled(target, found), found.remarks)
         else:
             self._context.work.start("Reading the drawing", work, done, Path("The drawing"), "pasted")
 

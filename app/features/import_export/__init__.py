@@ -5,7 +5,7 @@
 - ``export_commands``: what goes out.  ``copy_commands``: pictures on the clipboard.
 - ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,
-  ``import_foot``, ``import_picture``, ``missed_list``: what a file holds, before it comes in.
+  ``import_foot``, ``import_picture``: what a file holds, before it comes in.
 - ``work_dialog``, ``form_parts``: what the dialogs share.
 """
 

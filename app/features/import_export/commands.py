@@ -178,7 +178,7 @@ class ImportCommands:
 
     def _is_told(self, path: Path, found: Imported) -> bool:
         """Whether there is nothing to be told of a file before it is seen."""
-        return not found.sentences or self._knows(path)
+        return not found.remarks or self._knows(path)
 
     def _knows(self, path: Path) -> bool:
         """Whether a file was opened or saved here lately: nobody needs to be shown what it is."""
@@ -228,11 +228,9 @@ class ImportCommands:
         return other is not None
 
     def _words_about_missed(self, path: Path, taken: Imported | PreparedTable) -> str:
-        """Return what to say of elements drawn otherwise, of a file that is opened without a dialog."""
-        missed = len(getattr(taken, "missed", ()))
-        if not missed or path != self._opened or not self._knows(path):
-            return ""
-        return f"{count_of(missed, 'element')} otherwise than drawn. "
+        """Return what did not come of a file that is opened without a dialog."""
+        is_asked = path != self._opened or not self._knows(path)
+        return "" if is_asked else "".join(f"{remark} " for remark in taken.remarks)
 
     def _take_opened(self, path: Path, taken: Imported | PreparedTable) -> None:
         """Begin with what another window has read and was asked about."""

@@ -16,10 +16,9 @@ from .form_parts import A_NEW_DOCUMENT, Verb, into_box
 from .group_tree import GroupTree
 from .import_foot import ImportFoot
 from .import_picture import ImportPicture
-from .missed_list import MissedList
 from .work_dialog import WorkDialog
 
-_MOST_REMARKS = 8
+_MOST_REMARKS = 12
 
 
 class ImportDrawingDialog(WorkDialog):
@@ -54,7 +53,6 @@ class ImportDrawingDialog(WorkDialog):
         self.groups = GroupTree(found.document) if count > 1 else None
         self.picture = ImportPicture(self.jobs)
         self.summary = Label(_summary(found, found), name="importSummary", wordWrap=True)
-        self.missed = MissedList(found.missed) if found.missed else None
         self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))
         self.rest = Label(name="importRest", wordWrap=True)
@@ -76,11 +74,6 @@ class ImportDrawingDialog(WorkDialog):
             self.groups.chosen.connect(self._show_taken)
         above = row_of((self.picture, Qt.AlignmentFlag.AlignTop), (side, 1), margins=0, spacing=18)
         layout = column_of((above, 1), margins=(16, 14, 16, 0), spacing=10, parent=self.body)
-        if self.missed is not None:
-            count = count_of(len(self._found.missed), "element")
-            verb = "comes" if len(self._found.missed) == 1 else "come"
-            layout.addWidget(Label(f"{count} {verb} in otherwise than drawn:", name="importMissedTitle"))
-            layout.addWidget(self.missed)
         layout.addWidget(self.remarks)
         layout.addLayout(row_of("Into", self.into, 1))
         layout.addWidget(self.rest)
