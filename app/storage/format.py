@@ -7,10 +7,12 @@ place in the file and the requirement. `validate` states the requirements that g
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from functools import cache
 from itertools import count
-from typing import Literal, TypeVar
+from typing import Any, Literal, TypeVar
 
 import msgspec
 from msgspec.structs import replace
@@ -35,6 +37,7 @@ VERSION = 3
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _POINTS_AT_ONCE = 10_000
 _LAST_CONCEIVABLE_VERSION = 10**6
+_LONG_INTEGER = 20
 
 
 class _Header(msgspec.Struct):
@@ -213,7 +216,7 @@ def version_of(data: bytes) -> int | None:
 
 def _raised(data: bytes, version: int) -> tuple[_File, LeftOut]:
     """Return the content of a file of an older version as one of this, and what is left out of it."""
-    values = msgspec.json.decode(data)
+    values = _values_in(data)
     try:
         found = migrated(values, version, VERSION)
     except (LookupError, TypeError, ValueError, AttributeError) as problem:
@@ -222,6 +225,21 @@ def _raised(data: bytes, version: int) -> tuple[_File, LeftOut]:
             f"it claims version {version}, but does not hold what that version has"
         ) from problem
     return msgspec.convert(found.values, _File, dec_hook=from_plain), found.left_out
+
+
+def _values_in(data: bytes) -> dict[str, Any]:
+    """Return the values of a file; numbers beyond all bounds are infinite, for `validate` to refuse them."""
+    try:
+        return msgspec.json.decode(data, type=dict[str, Any])
+    except msgspec.ValidationError:
+        # Without types msgspec has no names for the place of such a number.
+        with suppress(ValueError):
+            return dict(json.loads(data, parse_int=_bounded))
+        raise
+
+
+def _bounded(text: str) -> int | float:
+    return int(text) if len(text) < _LONG_INTEGER else float(text)
 
 
 def _refuse_other_text(data: bytes) -> None:

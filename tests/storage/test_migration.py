@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 
@@ -110,6 +111,16 @@ def test_a_rectangle_stays_as_its_points_say_and_nothing_is_lost():
     found = decode_counting(older(curve(form=form)))
     assert not found.left_out
     assert found.document == decode_counting(older(curve())).document
+
+
+@pytest.mark.parametrize("version", [1, 2])
+@pytest.mark.parametrize("number", ["1" * 5000, "-1e999"])
+def test_a_number_beyond_all_bounds_is_refused_by_its_place(version, number):
+    """It was “[...][0][...][0][...]”: msgspec has no names where it reads without types."""
+    data = older().replace(b'"version": 2', b'"version": %d' % version)
+    data = re.sub(rb'"x": [^,}]+', b'"x": ' + number.encode(), data, count=1)
+    with pytest.raises(FormatError, match=r"^curves\[0\]\.points\[0\]\.x must lie between -1e12 and 1e12"):
+        decode(data)
 
 
 def test_a_file_of_this_version_cannot_hold_more():
