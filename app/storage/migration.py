@@ -49,9 +49,13 @@ class LeftOut(msgspec.Struct, frozen=True):
         return sum(self.counts.values()) == 1
 
     def sentence(self, name: str) -> str:
-        """Return what to say of a file that holds more than the document."""
+        """Return what to say of a file of this name that holds more than the document."""
+        return self.said_of(f"“{name}”")
+
+    def said_of(self, subject: str) -> str:
+        """Return the same of anything that holds more."""
         verb = "was" if self.is_one else "were"
-        return f"“{name}” was made with a version that had more: {enumerated(self.words)} {verb} left out."
+        return f"{subject} was made with a version that had more: {enumerated(self.words)} {verb} left out."
 
 
 NOTHING: Final = LeftOut()

@@ -18,6 +18,7 @@ from app.families import QUINTIC_HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.commands import ImportCommands
+from app.storage.format import encode
 from app.tools.snapping import SnapKind, Snapping
 from app.workbench.clipboard import CURVES
 from tests.effort import calls_of
@@ -723,6 +724,17 @@ def test_what_is_no_curve_on_the_clipboard_is_told(five):
     five.key(Qt.Key.Key_V, CTRL)
     assert five.status.startswith("The curves on the clipboard cannot be read")
     assert five.session.document is document
+
+
+def test_what_an_older_program_copied_besides_is_told(five):
+    data = QMimeData()
+    content = encode(Document((make_curve([(0.0, 0.0), (1.0, 1.0)], name="Old"),)))
+    more = b'"version": 2, "kept_texts": [{}, {}],'
+    data.setData(CURVES, content.replace(b'"version": 3,', more))
+    QApplication.clipboard().setMimeData(data)
+    five.key(Qt.Key.Key_V, CTRL)
+    assert "Old" in [curve.name for curve in five.session.document.curves]
+    assert five.message == "What was copied was made with a version that had more: 2 texts were left out."
 
 
 @pytest.mark.usefixtures("drawings_read_here")

@@ -6,9 +6,9 @@ import msgspec
 from PySide6.QtCore import QMimeData
 
 from ...document.edits import EditError
-from ...document.model import Curve, Document, Point
+from ...document.model import Curve, Point
 from ...exchange.table.clipboard import Block, read_titled_block
-from ...storage.format import decode
+from ...storage.format import Decoded, decode_counting
 from ...storage.format_error import FormatError
 from ...view_model.pieces.pasting import points_of_rows
 from ...view_model.points.point_columns import known_titles
@@ -31,8 +31,8 @@ class PointsContent(msgspec.Struct, frozen=True):
     note: str = ""
 
 
-def curves_in(data: QMimeData) -> Document | None:
-    """Return the curves that were copied in this program, with the unit they are in.
+def curves_in(data: QMimeData) -> Decoded | None:
+    """Return the curves that were copied in this program, with the unit they are in, and what is left out.
 
     Raises
     ------
@@ -52,9 +52,9 @@ def points_in(data: QMimeData) -> PointsContent:
     TableTextError
         If the text holds no numbers, with the row and the column.
     """
-    document = _document(data, POINTS, "points")
-    if document is not None and document.curves[0].points:
-        return PointsContent(document.curves[0].points, document.curves[0], document.unit)
+    found = _document(data, POINTS, "points")
+    if found is not None and (curve := found.document.curves[0]).points:
+        return PointsContent(curve.points, curve, found.document.unit)
     text = data.text() if data.hasText() else ""
     block = read_titled_block(text, decimal_mark(), known_titles())
     # A row of titles was skipped.
@@ -63,13 +63,13 @@ def points_in(data: QMimeData) -> PointsContent:
     return PointsContent(tuple(points_of_rows(_in_order(block))), first_row=first_row, note=note)
 
 
-def _document(data: QMimeData, kind: str, what: str) -> Document | None:
+def _document(data: QMimeData, kind: str, what: str) -> Decoded | None:
     if not data.hasFormat(kind):
         return None
     if isinstance(data, Offer) and (document := data.document_of(kind)) is not None:
-        return document
+        return Decoded(document)
     try:
-        return decode(bytes(data.data(kind).data()))
+        return decode_counting(bytes(data.data(kind).data()))
     except FormatError as reason:
         raise EditError(f"The {what} on the clipboard cannot be read: {reason}.") from None
 

@@ -17,10 +17,11 @@ from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
 from ...document.edits import EditError
-from ...document.model import Document, Vector
+from ...document.model import Vector
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
+from ...storage.format import Decoded
 from ...tasks.progress import Report, part, silent
 from ...view_model.pieces.arrivals import Arrival, Target
 from ...view_model.pieces.pasting import (
@@ -106,8 +107,9 @@ class PasteCommands:
         EditError
             If curves cannot be read.
         """
-        if curves := curves_in(data):
-            self._bring(partial(_known, curves), place, sum(len(curve.points) for curve in curves.curves))
+        if found := curves_in(data):
+            count = sum(len(curve.points) for curve in found.document.curves)
+            self._bring(partial(_known, found), place, count)
             return True
         if (fragment := drawing_in(data)) is None:
             return False
@@ -204,8 +206,9 @@ class PasteCommands:
             self._context.actions["fitView"].trigger()
 
 
-def _known(curves: Document, _report: Report) -> Imported:
-    return exchange.cubics_in.Imported(curves)
+def _known(found: Decoded, _report: Report) -> Imported:
+    remarks = (found.left_out.said_of("What was copied"),) if found.left_out else ()
+    return exchange.cubics_in.Imported(found.document, remarks=remarks)
 
 
 def _filled(target: Target, found: Imported, told: Callable[[float], object] | None = None) -> Arrival:

@@ -103,7 +103,7 @@ class RecoveryCommands:
             snapshot.leave()  # rather offered twice than lost
         told = recovery.offers.told_after(origin, is_unchanged=path is not None)
         if snapshot.left_out:
-            told = f"{told} {snapshot.left_out.sentence('It')}"
+            told = f"{told} {snapshot.left_out.said_of('It')}"
         session.say(told)
 
     def _discard(self, index: int) -> None:
