@@ -11,7 +11,7 @@ from app.document.model import Document, make_curve
 from app.document.style import LineCap, LineJoin, Style
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.frames import Frame
-from app.exchange.drawing.image import paint_drawing
+from app.exchange.drawing.painting import Painting
 from app.exchange.drawing.styles import INK
 from app.families import HERMITE
 
@@ -35,7 +35,7 @@ def painted(*curves):
     image.fill(0)
     with QPainter(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_drawing(drawing, painter, INK, points=False)
+        Painting(drawing, painter, INK).paint(points=False)
     image = image.convertToFormat(QImage.Format.Format_ARGB32)
     return np.frombuffer(image.constBits(), np.uint8).reshape(100, 100, 4).copy()
 

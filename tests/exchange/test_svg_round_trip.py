@@ -16,7 +16,7 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
 from app.exchange.drawing.drawing import drawing_of
-from app.exchange.drawing.image import paint_drawing
+from app.exchange.drawing.painting import Painting
 from app.exchange.drawing.styles import INK
 from app.exchange.options import Options
 from app.exchange.svg.our_own import OurOwn
@@ -144,7 +144,8 @@ def test_what_is_painted_looks_as_the_file_does(path, tmp_path):
     image.fill(0)
     with QPainter(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_drawing(replace(drawing, frame=frame).fitted(WIDTH, height), painter, INK, points=False)
+        fitted = replace(drawing, frame=frame).fitted(WIDTH, height)
+        Painting(fitted, painter, INK).paint(points=False)
     # Another renderer smooths its edges otherwise, by a level or two of a pixel's coverage.
     assert beyond_a_pixel(pixels(image), theirs[:height]) <= 16
 

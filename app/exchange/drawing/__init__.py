@@ -5,7 +5,7 @@
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
 - ``trim``: the frame at true size, without a margin.
 - ``image``: it as PNG and PDF.  ``painting``: how it is painted; ``annotation_painting``: what goes with it.
-  All three need Qt.  ``preview``: a small picture of a picture.
+  All three need Qt.
 - ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs
   Qt.  ``pillow``: what writes some of them.
 """

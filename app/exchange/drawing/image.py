@@ -24,7 +24,7 @@ from PySide6.QtGui import (
 
 from ... import __version__
 from ...document.model import Document
-from ...tasks.progress import Report, part, silent
+from ...tasks.progress import part
 from ..errors import ExchangeError
 from ..formats import Written
 from ..options import Options
@@ -33,7 +33,6 @@ from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_word
 from .drawing import Drawing
 from .frames import Frame
 from .painting import Painting
-from .preview import PicturePreview
 from .styles import PictureStyle
 
 DEFAULT_WIDTH = 1600
@@ -54,6 +53,22 @@ _MOST_DOTS = 2**31 - 1
 
 _DRAWN = 0.6
 """Share of a picture that is its drawing; painting follows."""
+
+
+class PicturePreview(msgspec.Struct, frozen=True):
+    """A picture as the dialog shows it before it is written.
+
+    Attributes
+    ----------
+    size
+        Its size in words.
+    moved
+        The sentence about colours that could not be seen on the paper; empty for none.
+    """
+
+    image: QImage
+    size: str
+    moved: str = ""
 
 
 def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
@@ -163,7 +178,7 @@ def _painted(drawing: Drawing, size: tuple[int, int], style: PictureStyle, optio
 
 def _paint(fitted: Drawing, painter: QPainter, style: PictureStyle, options: Options) -> None:
     report = part(options.report, _DRAWN, 1.0)
-    paint_drawing(fitted, painter, style, points=options.points, report=report)
+    Painting(fitted, painter, style).paint(points=options.points, report=report)
 
 
 def png_file(document: Document, options: Options) -> Written:
@@ -280,18 +295,6 @@ def _drawing(document: Document, options: Options, style: PictureStyle) -> Drawi
 def _png_drawing(document: Document, options: Options, style: PictureStyle) -> Drawing:
     # With a unit it has true size whatever its width: that says how dense its pixels are.
     return _drawing(document, msgspec.structs.replace(options, width=None), style)
-
-
-def paint_drawing(
-    fitted: Drawing,
-    painter: QPainter,
-    style: PictureStyle,
-    *,
-    points: bool,
-    report: Report = silent,
-) -> None:
-    """Paint a drawing whose frame is the painter's whole device."""
-    Painting(fitted, painter, style).paint(points=points, report=report)
 
 
 @contextmanager

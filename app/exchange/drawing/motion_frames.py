@@ -28,7 +28,7 @@ from ...view_model.look.palette import ACCENT, PAPER, colour_on
 from .drawing import Drawing, drawing_of
 from .film import Film
 from .frames import Frame
-from .image import paint_drawing
+from .painting import Painting
 
 _NOMINAL = 640.0
 """Longer side of a picture in which dots and lines have their nominal sizes."""
@@ -79,7 +79,7 @@ class FrameMaker:
         with QPainter(image) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             fitted = drawing.fitted(self.width, self.height)
-            paint_drawing(fitted, painter, self._film.style, points=self._film.points)
+            Painting(fitted, painter, self._film.style).paint(points=self._film.points)
         return image
 
     def frames(self) -> Iterator[bytes]:

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from ...document.style import Style
 from ...qt.strokes import FILL_RULES, pen_of, with_opacity
-from ...tasks.progress import Report, told
+from ...tasks.progress import Report, silent, told
 from .annotation_painting import paint_annotations, paint_points
 from .drawing import Drawing
 from .outlines import Outline, length_within
@@ -36,7 +36,7 @@ class Painting:
         self._drawing, self._painter, self._style = drawing, painter, style
         self._height = drawing.frame.height
 
-    def paint(self, *, points: bool, report: Report) -> None:
+    def paint(self, *, points: bool, report: Report = silent) -> None:
         """Paint all of it, from the back to the front."""
         if self._style.paper:
             frame = QRectF(0, 0, self._drawing.frame.width, self._height)

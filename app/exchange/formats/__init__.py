@@ -23,7 +23,7 @@ from ..errors import ExchangeError
 
 if TYPE_CHECKING:
     from ...document.model import Document
-    from ..drawing.preview import PicturePreview
+    from ..drawing.image import PicturePreview
     from ..options import Option, Options
 
 DOCUMENT_ENDING = ".curve.json"
@@ -120,7 +120,7 @@ class Format(FileKind):
     write
         Returns what to write; None if it is not written. Long work reports to `Options.report`.
     preview
-        Of pictures: shows what they will look like, in so many pixels at most; see `preview.PicturePreview`.
+        Of pictures: shows what they will look like, in so many pixels at most; see `image.PicturePreview`.
     kind
         What is read from such files; None if they are not read.
     plural

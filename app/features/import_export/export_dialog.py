@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
@@ -10,7 +12,6 @@ from ...appearance.theme import DARK, LIGHT, mix
 from ...document.expression import ExpressionError
 from ...document.model import Document
 from ...exchange.choice import ExportChoice
-from ...exchange.drawing.preview import PicturePreview
 from ...exchange.errors import ExchangeError
 from ...exchange.options import DARK_PAPER
 from ...qt.labels import Label
@@ -19,6 +20,9 @@ from ...widgets.boxes import column_of, row_of
 from .export_form import ExportForm
 from .form_parts import buttons
 from .work_dialog import WorkDialog
+
+if TYPE_CHECKING:
+    from ...exchange.drawing.image import PicturePreview
 
 _SOON_MS = 120
 _WIDTH, _HEIGHT = 300, 260

@@ -15,9 +15,6 @@ INK: Final = {"light": "#1f2328", "dark": "#e6e8ea"}
 ACCENT: Final = {"light": "#2563d9", "dark": "#6ea8fe"}
 """Paper, ink and accent of each theme."""
 
-WHITE: Final = "#ffffff"
-"""Paper of a page that is shown as it prints."""
-
 LEAST_CONTRAST: Final = 3.0
 """Of every curve against its paper: WCAG 2.1, success criterion 1.4.11, for graphics."""
 
