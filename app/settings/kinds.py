@@ -8,8 +8,8 @@ A setting is an attribute of a class that has a `SettingsFile`::
 Reading it never raises because of what is in the file: a value that cannot be used is complained about, and
 the default counts.
 
-`Switch`, `Choice`, `Several`, `Distance` and `Text` have a label: they stand in the dialog of preferences, in
-the order of the class. The other kinds remember what a person does elsewhere.
+`Choice`, `Several`, `Distance` and `Text` have a label: they stand in the dialog of preferences, in the order
+of the class. The other kinds remember what a person does elsewhere.
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ class Choice(TextSetting[Member]):
         return value.value
 
 
-class SwitchOfAction(TextSetting[bool]):
+class Switch(TextSetting[bool]):
     """On or off, as an action switches it."""
 
     def __init__(self, key: str, *, default: bool) -> None:
@@ -142,14 +142,6 @@ class SwitchOfAction(TextSetting[bool]):
 
     def _stored(self, value: bool) -> object:
         return _SWITCHES[value]
-
-
-class Switch(SwitchOfAction):
-    """On or off."""
-
-    def __init__(self, key: str, label: str, tip: str, *, default: bool, widget: str = "") -> None:
-        super().__init__(key, default=default)
-        self.label, self.tip, self.widget = label, tip, widget
 
 
 class Height(TextSetting[int]):
@@ -211,9 +203,12 @@ class SavedStyle(TextSetting[Style]):
 
     def _parse(self, text: str) -> Style:
         try:
-            style = msgspec.json.decode(text, type=Style)
+            held = msgspec.json.decode(text, type=dict[str, Any])
+            # Older versions had more fields.
+            known = {name: value for name, value in held.items() if name in Style.__struct_fields__}
+            style = msgspec.convert(known, Style)
             check_fields(style, "style")
-        except (msgspec.DecodeError, FormatError):
+        except (msgspec.MsgspecError, FormatError):
             raise _UnusableError("it is no style") from None
         return style
 
@@ -293,31 +288,26 @@ class Keys(Setting[dict[str, str]]):
 
 
 class Several(Setting[frozenset[Member]]):
-    """Some members of an enumeration whose values are words; all, or `usual`, when nothing is remembered."""
+    """Some members of an enumeration whose values are words; all when nothing is remembered.
 
-    def __init__(
-        self,
-        key: str,
-        kind: type[Member],
-        label: str,
-        tip: str,
-        widget: str = "",
-        *,
-        usual: Collection[Member] | None = None,
-    ) -> None:
+    Words beside known ones are skipped: older versions had more members.
+    """
+
+    def __init__(self, key: str, kind: type[Member], label: str, tip: str, widget: str = "") -> None:
         super().__init__(key, label, tip, widget)
-        self.kind, self.usual = kind, frozenset(kind if usual is None else usual)
+        self.kind = kind
 
     def _read(self, file: SettingsFile) -> frozenset[Member]:
         stored = file.value(self.key)
         if stored is None:
-            return self.usual
-        try:
-            return frozenset(self.kind(word) for word in str(stored).split())
-        except ValueError:
-            words = ", ".join(member.value for member in self.kind)
-            file.complain(self.key, f"“{stored}” names something else than {words}")
-            return self.usual
+            return frozenset(self.kind)
+        words = str(stored).split()
+        found = frozenset(member for member in self.kind if member.value in words)
+        if found or not words:
+            return found
+        known = ", ".join(member.value for member in self.kind)
+        file.complain(self.key, f"“{stored}” names nothing of {known}")
+        return frozenset(self.kind)
 
     def __set__(self, owner: Remembering, value: Collection[Member]) -> None:
         super().__set__(owner, frozenset(value))

@@ -24,7 +24,7 @@ from .kinds import (
     SavedStyle,
     SavedText,
     Several,
-    SwitchOfAction,
+    Switch,
     Text,
 )
 
@@ -106,22 +106,22 @@ class Preferences:
     splitter_state = SavedLayout("window/splitter")
     """The result of ``QSplitter.saveState``."""
 
-    basis = SwitchOfAction("window/basis", default=True)
+    basis = Switch("window/basis", default=True)
     """Whether the basis functions are shown."""
 
-    numbered = SwitchOfAction("window/numbered", default=True)
+    numbered = Switch("window/numbered", default=True)
     """Whether points have numbers, and colours that say which is which."""
 
     plot_height = Height("window/plots")
     """Height of the plots below the basis functions."""
 
-    snap_on = SwitchOfAction("snap/on", default=False)
+    snap_on = Switch("snap/on", default=False)
     """Whether dragged and added points snap."""
 
-    transform_box = SwitchOfAction("view/transform_box", default=True)
+    transform_box = Switch("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
 
-    rulers = SwitchOfAction("view/rulers", default=True)
+    rulers = Switch("view/rulers", default=True)
     """Whether the axes of the canvas are rulers."""
 
     recent_colours = SavedText("style/recent_colours")
@@ -133,10 +133,10 @@ class Preferences:
     new_curve = SavedCurve("document/new_curve")
     """The family and the rules of the curve that a new document begins with: those worked with last."""
 
-    keep_proportions = SwitchOfAction("transform/keep_proportions", default=False)
+    keep_proportions = Switch("transform/keep_proportions", default=False)
     """Whether the height follows where a width is typed, and the width a height."""
 
-    with_estimates = SwitchOfAction("basis/with_estimates", default=False)
+    with_estimates = Switch("basis/with_estimates", default=False)
     """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
 
     shortcuts = Keys("shortcuts")

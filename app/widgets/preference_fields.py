@@ -16,7 +16,7 @@ from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
 from ..qt.labels import Label
 from ..qt.overrides import Guarded
-from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
+from ..settings.kinds import Choice, Distance, Setting, Several, Text, Value
 from .controls import check_box, choice_box
 from .field_edit import NumberEdit, read_number
 from .number_text import typed_text
@@ -45,21 +45,6 @@ class PreferenceField(ABC, Generic[Value]):
 def field_of(setting: Setting[Any], _change: Change) -> PreferenceField[Any]:
     """Return a field for a setting."""
     raise NotImplementedError(f"{type(setting).__name__} has no field")
-
-
-@field_of.register(Switch)
-class SwitchPreference(PreferenceField[bool]):
-    """A check box."""
-
-    def __init__(self, setting: Switch, change: Change) -> None:
-        self._check = check_box(setting.widget, setting.label, setting.tip)
-        # Not `change` itself: of a partial PySide6 counts the arguments wrongly.
-        self._check.clicked.connect(lambda is_on: change(is_on))  # noqa: PLW0108
-        self.rows = [("", self._check)]
-
-    def show(self, value: bool) -> None:
-        """Show a value."""
-        self._check.setChecked(value)
 
 
 @field_of.register(Choice)

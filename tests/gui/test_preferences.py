@@ -7,9 +7,11 @@ from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings
 from PySide6.QtWidgets import QWidget
 
 from app.appearance.theme import ThemeMode
+from app.document.style import Style
 from app.settings.kinds import Choice, Setting, Switch
 from app.settings.preferences import Preferences
 from app.testing import Editor
+from app.tools.snapping import SnapKind
 
 
 @pytest.fixture
@@ -148,6 +150,35 @@ def test_foreign_values_give_the_default_and_a_sentence(store, key, value, name,
     assert getattr(preferences, name) == default
     assert key in preferences.complaint
     assert preferences.complaint.endswith(".")
+
+
+OF_OLDER_VERSIONS = r"""
+[General]
+shortcuts="{\"traceImage\": \"Ctrl+9\", \"reverseCurve\": \"Ctrl+8\"}"
+[view]
+thin_lines=off
+[text]
+font=Serif
+[snap]
+kinds=grid boxes curves
+[document]
+new_kind=drawing
+new_style="{\"stroke\":\"#ff0000\",\"opacity\":0.5,\"marker_end\":{\"name\":\"Arrow\"}}"
+[export]
+choice="{\"ending\":\".jpg\",\"values\":{\"quality\":90}}"
+"""
+
+
+def test_what_older_versions_had_more_is_skipped_without_a_word(qtbot, store):
+    store.write_text(OF_OLDER_VERSIONS, encoding="utf-8")
+    preferences = Preferences(store)
+    editor = Editor(qtbot, preferences=preferences)
+    assert preferences.snap_kinds == {SnapKind.GRID, SnapKind.CURVES}
+    assert preferences.new_style == Style(stroke="#ff0000")
+    assert editor.action("reverseCurve").shortcut().toString() == "Ctrl+8"
+    assert preferences.complaint == ""
+    editor.trigger("exportPicture")
+    assert preferences.complaint == ""
 
 
 RUBBISH = {
@@ -297,7 +328,7 @@ def test_a_place_that_cannot_be_read_is_said(tmp_path):
 class _WithOneMore(Preferences):
     """What it takes to add a setting: one line, and its docstring."""
 
-    beeps = Switch("tests/beeps", "Beep", "Beep in tests", default=True)
+    beeps = Switch("tests/beeps", default=True)
     """Whether the tests beep."""
 
     corner = Choice("tests/corner", ThemeMode.DARK, "Corner", "The corner of the beeps")

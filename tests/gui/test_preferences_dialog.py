@@ -9,9 +9,10 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QLineEd
 
 from app.appearance.theme import ThemeMode, theme_of
 from app.canvas.grid_layer import grid_steps
+from app.document.transforms import Reference
 from app.document.words import NamedEnum
 from app.plotting.ticks import tick_labels
-from app.settings.kinds import Choice, Distance, Several, Switch, Text, settings_with_labels
+from app.settings.kinds import Choice, Distance, Several, Text, settings_with_labels
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.tools.snapping import SnapKind
@@ -167,12 +168,11 @@ class Shape(NamedEnum):
 class _WithMore(Preferences):
     """What it takes to add a setting of each kind: its line."""
 
-    beeps = Switch("tests/beeps", "Beep", "Whether the tests beep", default=False)
     shape = Choice("tests/shape", Shape.ROUND, "Shape", "The shape of the sound")
     shapes = Several("tests/shapes", Shape, "Shapes", "Take this one: {}", "shape_{}")
     reach = Distance("tests/reach", "Reach", "How far it goes", none="far", refusal="It needs a reach.")
     call = Text("tests/call", "Call", "What is called", longest=5, usual=("nothing", "hey"))
-    grid = Switch("tests/grid", "Grid", "Whether there is a grid: a state of the window", default=True)
+    align_to = Choice("tests/align", Reference.EACH_OTHER, "Align to", "A state of the window")
 
 
 def test_a_setting_that_is_one_line_is_seen_changed_at_once_and_remembered(qtbot, store):
@@ -185,21 +185,18 @@ def test_a_setting_that_is_one_line_is_seen_changed_at_once_and_remembered(qtbot
     assert [each for each in labels if each in {"Shape", "Shapes", "Reach", "Call"}] == [
         *("Shape", "Shapes", "Reach", "Call")
     ]
-    assert "Beep" not in labels  # it stands beside its box
-    beep = dialog.findChild(QCheckBox, "preference_beeps")
-    assert (beep.text(), beep.toolTip(), beep.isChecked()) == ("Beep", "Whether the tests beep", False)
-    beep.click()
     QTest.keyClick(dialog.findChild(QComboBox, "preference_shape"), Qt.Key.Key_End)
     dialog.findChild(QCheckBox, "shape_round").click()
     retype(dialog.findChild(QLineEdit, "preference_reach"), "1/4")
     retype(dialog.findChild(QComboBox, "preference_call").lineEdit(), "hello, you")
-    chosen = (True, Shape.FLAT, {Shape.FLAT}, 0.25, "hello")
+    chosen = (Shape.FLAT, {Shape.FLAT}, 0.25, "hello")
     for each in (preferences, _WithMore(store)):
-        assert (each.beeps, each.shape, each.shapes, each.reach, each.call) == chosen
+        assert (each.shape, each.shapes, each.reach, each.call) == chosen
     # What is also a state of the window changes that.
-    assert editor.action("toggleGrid").isChecked()
-    dialog.findChild(QCheckBox, "preference_grid").click()
-    assert not editor.action("toggleGrid").isChecked()
+    state = editor.window.context.store
+    assert state.state.align_to is Reference.EACH_OTHER
+    QTest.keyClick(dialog.findChild(QComboBox, "preference_align_to"), Qt.Key.Key_Down)
+    assert state.state.align_to is list(Reference)[1]
 
 
 def test_what_is_remembered_of_the_window_is_not_there():
@@ -281,7 +278,7 @@ def test_they_are_remembered(store):
         ("[grid]\nspacing=wide", "grid/spacing"),
         ("[grid]\nspacing=-1", "grid/spacing"),
         ("[grid]\nspacing=nan", "grid/spacing"),
-        ("[snap]\nkinds=grid unicorns", "snap/kinds"),
+        ("[snap]\nkinds=unicorns", "snap/kinds"),
         ("[General]\nshortcuts=[1]", "shortcuts"),
         ("[General]\nshortcuts={", "shortcuts"),
     ],
