@@ -61,8 +61,7 @@ def first_sketch(app: QApplication, editor: Editor) -> None:
     editor.choose_family(HERMITE)
     editor.select_point(4)
     editor.scrub(0.52)
-    for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
-        take(app, editor, "editor", mode)
+    take(app, editor, "editor", ThemeMode.LIGHT)
 
 
 def analysis(app: QApplication, editor: Editor) -> None:
