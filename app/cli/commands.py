@@ -20,10 +20,9 @@ from ..document.words import enumerated
 from ..exchange.drawing.animation import FILMS, first_round, write_film
 from ..exchange.drawing.film import Film
 from ..exchange.errors import ExchangeError
+from ..exchange.files import ImportOptions, export, import_file
 from ..exchange.formats import FORMATS, can_import, endings_of
-from ..exchange.reading import ImportOptions, import_file
 from ..exchange.table.family_word import FamilyWord, read_family_word
-from ..exchange.writing import export
 from ..families import FAMILIES, HERMITE
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from ..storage.format import Decoded

@@ -1,19 +1,18 @@
 """Files in and out.
 
 - ``formats``: one record for each format, found by listing; what writes text beside them.
-- ``writing``, ``reading``: the name of a file decides which.  ``options``, ``choice``: what a person chose.
+- ``files``: the name of a file decides which.  ``options``, ``choice``: what a person chose.
 - ``drawing``: a document as a picture: SVG's source, PNG, PDF, films.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
-- ``tikz_style``: strokes and fills for TeX.
 - ``code_runtime``: what exported Python brings along.
 - ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
   ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
-  ``missed``: what of a drawing does not come in, by kind and count.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
 - ``units``: how large a length of one is on paper.  ``lengths``: lengths as they are typed.
-  ``rescaled``: documents in another unit.  ``corner``: moved as a whole.
-- ``naming``: names made different from each other.  ``errors``: what is raised.
+  ``rescaled``: documents in another unit, or elsewhere.
+- ``naming``: names made different from each other.
+- ``errors``: what is raised, and what does not come in, by kind and count.
 - ``facts``: what ``curvebench info`` prints.
 """
 

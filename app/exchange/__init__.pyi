@@ -1,20 +1,19 @@
 # Modules that are imported when they are first used.
 from . import child as child
 from . import choice as choice
-from . import corner as corner
 from . import cubics_in as cubics_in
 from . import drawing as drawing
 from . import dxf_library as dxf_library
 from . import facts as facts
+from . import files as files
 from . import options as options
 from . import parts as parts
-from . import reading as reading
 from . import rescaled as rescaled
 from . import svg as svg
 from . import units as units
-from . import writing as writing
 from .drawing.image import png_file as png_file
 from .formats.formulas import svg_path_data as svg_path_data
+from .svg.writer import svg_for_clipboard as svg_for_clipboard
 from .svg.writer import svg_of as svg_of
 
 READER_PROCESS: str

@@ -28,8 +28,7 @@ from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
 from ..view_model.fitting.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.fitting.cubics import points_of_cubics
-from .errors import ExchangeError
-from .missed import Flaw, Missed
+from .errors import ExchangeError, Flaw, Missed
 
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""

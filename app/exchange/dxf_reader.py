@@ -20,8 +20,7 @@ from ..document.style import Style
 from ..view_model.fitting.cubics import RELATIVE_TOLERANCE
 from .arcs import error_of_arc, pieces_of_arc
 from .cubics_in import Imported, ImportedPath, Look, PointsAlone, imported, lines
-from .errors import ExchangeError
-from .missed import LEFT_OUT, Flaw, Missed
+from .errors import LEFT_OUT, ExchangeError, Flaw, Missed
 from .parts import bezier_values, one_line
 from .units import unit_of_dxf
 

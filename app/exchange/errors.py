@@ -1,5 +1,51 @@
-"""The error of import and export."""
+"""The error of import and export, and the record of what does not come in as it is."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import NamedTuple
+
+from ..document.words import count_of, names_of
+
+LEFT_OUT = "left out"
 
 
 class ExchangeError(ValueError):
     """A document cannot be exported, or a file not be imported, as asked; the message says why."""
+
+
+class Flaw(NamedTuple):
+    """Kind of content that is not taken over as it is.
+
+    Attributes
+    ----------
+    noun
+        One of them.
+    outcome
+        What became of it, after the noun of one or of several: "left out", "came as one colour".
+    """
+
+    noun: str
+    outcome: str = LEFT_OUT
+
+
+class Missed:
+    """Record of what did not come in as it is, each kind in the order in which it was first met."""
+
+    def __init__(self) -> None:
+        self._names: dict[Flaw, dict[Hashable, str]] = {}
+
+    def note(self, flaw: Flaw, key: Hashable, name: str = "") -> None:
+        """Count something, known by a key, once for each flaw; its name is empty where it has none."""
+        self._names.setdefault(flaw, {})[key] = name
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """One sentence for each kind: how many there were, what became of them, and their first names."""
+        return tuple(_sentence(flaw, list(names.values())) for flaw, names in self._names.items())
+
+
+def _sentence(flaw: Flaw, names: list[str]) -> str:
+    named = [name for name in names if name]
+    which = f": {names_of(named)}" if named else ""
+    return f"{count_of(len(names), flaw.noun)} {flaw.outcome}{which}."

@@ -1,4 +1,4 @@
-"""Documents in another unit of length, of the same size on paper."""
+"""Documents in another unit of length, of the same size on paper, and documents moved as a whole."""
 
 from __future__ import annotations
 
@@ -7,8 +7,11 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
+from ..document.decimals import decimal_sum
+from ..document.edits import EditError
 from ..document.fields import Field, fields_of
-from ..document.model import Document
+from ..document.model import Document, Guide, Vector
+from ..document.several_curves import stepped, whole_curves
 from ..document.value import Value
 from .units import MILLIMETRES, known_unit
 
@@ -48,3 +51,25 @@ def _times(value: float, factor: float) -> float:
 def _sized_fields(kind: type[Value]) -> tuple[Field, ...]:
     """Return the fields that hold lengths, or values that may."""
     return tuple(each for each in fields_of(kind) if each.is_length or each.holds_values)
+
+
+def shifted(document: Document, by: Vector) -> Document:
+    """Return a document with its curves and guides elsewhere, by decimals, whether locked or not.
+
+    Where no document may hold it, it stays where it is.
+    """
+    # A lock is against what a person does.
+    free = replace(document, curves=tuple(replace(curve, locked=False) for curve in document.curves))
+    try:
+        moved = stepped(free, whole_curves(free, range(len(free.curves))), by)
+    except EditError:
+        return document
+    curves = tuple(
+        replace(new, locked=old.locked) for new, old in zip(moved.curves, document.curves, strict=True)
+    )
+    guides = tuple(_moved(guide, by) for guide in document.guides)
+    return replace(document, curves=curves, guides=guides)
+
+
+def _moved(guide: Guide, by: Vector) -> Guide:
+    return replace(guide, position=decimal_sum(guide.position, by[guide.axis.coordinate]))

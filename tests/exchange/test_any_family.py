@@ -15,10 +15,9 @@ from app.document.model import Document, ParametrizationKind
 from app.exchange.drawing.animation import write_film
 from app.exchange.drawing.film import Film
 from app.exchange.facts import facts_of
+from app.exchange.files import ImportOptions, export, import_file
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
-from app.exchange.reading import ImportOptions, import_file
-from app.exchange.writing import export
 from app.families import FAMILIES
 from app.storage.files import load
 from app.view_model.curve.curve_view import view_of

@@ -8,8 +8,8 @@ import pytest
 from PySide6.QtGui import QImage
 
 from app.exchange.drawing.styles import LIGHT
+from app.exchange.files import export
 from app.exchange.options import Options
-from app.exchange.writing import export
 
 WIDTH = 500
 

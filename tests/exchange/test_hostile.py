@@ -18,7 +18,7 @@ import pytest
 
 from app.document.expression import ExpressionError, parse_number
 from app.exchange.errors import ExchangeError
-from app.exchange.reading import import_file
+from app.exchange.files import import_file
 from app.exchange.table.clipboard import TableTextError, read_titled_block
 from app.storage.files import StorageError
 

@@ -11,9 +11,9 @@ from app.document.style import USUAL_WIDTH
 from app.exchange.drawing.drawing import POINT_RADIUS, drawing_of
 from app.exchange.drawing.styles import DARK, INK
 from app.exchange.errors import ExchangeError
+from app.exchange.files import export
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
-from app.exchange.writing import export
 from app.families import HERMITE
 from app.storage import files
 from app.storage.files import StorageError

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from app.document.model import Document
+from app.exchange.files import export
 from app.exchange.options import Options
-from app.exchange.writing import export
 from app.families import FAMILIES, Family
 from app.view_model.curve.curve_view import view_of
 from curvecore import Interpolant

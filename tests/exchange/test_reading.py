@@ -10,10 +10,9 @@ import pytest
 from app.document.model import Document, make_curve
 from app.exchange.child import limited, seconds_for
 from app.exchange.errors import ExchangeError
+from app.exchange.files import ImportOptions, export, import_file
 from app.exchange.formats import FORMATS, ContentKind, endings_of, format_of
-from app.exchange.reading import ImportOptions, import_file
 from app.exchange.svg.reader import read_svg
-from app.exchange.writing import export
 from app.families import LAGRANGE
 from app.tasks.progress import Cancelled
 from app.view_model.curve.curve_view import view_of

@@ -14,15 +14,14 @@ from app.document.style import Style
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
+from app.exchange.files import export, import_file
 from app.exchange.formats.points import points_table
 from app.exchange.formats.samples import sampled_table
 from app.exchange.options import Options
-from app.exchange.reading import import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.thinning import Thinning, thinned
-from app.exchange.writing import export
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
 from tests.tables import document_of_table, read_table

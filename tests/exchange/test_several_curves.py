@@ -17,11 +17,11 @@ from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.styles import INK
 from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
+from app.exchange.files import export
 from app.exchange.naming import Names
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.exchange.writing import export
 from app.families import FAMILIES
 from app.storage.files import save
 from app.view_model.curve.curve_view import view_of

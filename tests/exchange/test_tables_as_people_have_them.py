@@ -10,8 +10,8 @@ import pytest
 
 from app.cli import main
 from app.exchange.errors import ExchangeError
+from app.exchange.files import ImportOptions, import_file
 from app.exchange.formats import FORMATS, ContentKind
-from app.exchange.reading import ImportOptions, import_file
 from app.exchange.table.columns import guess, role_of, words_on
 
 

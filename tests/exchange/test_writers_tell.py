@@ -7,9 +7,9 @@ from itertools import pairwise
 import pytest
 
 from app.document.model import Document, make_curve
+from app.exchange.files import export
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
-from app.exchange.writing import export
 from app.families import FAMILIES
 from app.tasks.progress import FINAL, Cancelled
 

@@ -20,8 +20,8 @@ from app.document.export import NEVER_EXPORTED, Export
 from app.document.model import Document, make_curve
 from app.document.shape_edits import grouped
 from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
+from app.exchange.files import import_file
 from app.exchange.formats import FORMATS, format_of, with_ending
-from app.exchange.reading import import_file
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.storage.files import load

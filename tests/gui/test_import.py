@@ -27,10 +27,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.model import Document, make_curve
+from app.exchange.files import export
 from app.exchange.options import Options
 from app.exchange.table import text, thinning
 from app.exchange.table.source import TableSource
-from app.exchange.writing import export
 from app.families import HERMITE
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.export_commands import ExportCommands

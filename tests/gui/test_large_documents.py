@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QDialog
 from app.cli.windows import open_windows
 from app.document.model import Curve, Document, make_curve
 from app.families import HERMITE
-from app.features.import_export import group_tree
+from app.features.import_export import import_drawing_dialog
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.storage import files, validation
@@ -291,8 +291,8 @@ def test_the_groups_of_a_drawing_are_counted_once_each(qtbot, monkeypatch):
         )
         for k in sorted(range(60), key=lambda k: k % 3)
     ]
-    counted = noted_calls(monkeypatch, group_tree, "counted_shapes")
-    tree = group_tree.GroupTree(Document(tuple(curves)))
+    counted = noted_calls(monkeypatch, import_drawing_dialog, "counted_shapes")
+    tree = import_drawing_dialog.GroupTree(Document(tuple(curves)))
     qtbot.addWidget(tree)
     assert tree.topLevelItem(0).text(1) == "60 curves"
     assert tree.topLevelItem(0).child(2).text(1) == "20 curves"

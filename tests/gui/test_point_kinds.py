@@ -14,8 +14,7 @@ from PySide6.QtWidgets import QToolButton
 from app.document.lines import is_line
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.ties import angle_between, holds
-from app.exchange.reading import import_file
-from app.exchange.writing import export
+from app.exchange.files import export, import_file
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.view_model.analysis.joints import certificate_of

@@ -23,9 +23,9 @@ from app.exchange.formats import FORMATS
 from app.exchange.table.prepared import TableSource
 from app.exchange.table.text import preview_table
 from app.features.import_export.export_dialog import ExportDialog
-from app.features.import_export.form_parts import Verb
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.features.import_export.import_table_dialog import ImportTableDialog
+from app.features.import_export.work_dialog import Verb
 from app.features.lessons.commands import LessonCommands
 from app.features.motion.dialog import MotionDialog
 from app.session import Session

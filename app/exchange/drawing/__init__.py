@@ -3,9 +3,8 @@
 - ``drawing``: a document as cubic Bézier curves in a frame, the source of every picture.
   ``outlines``: one curve as such.  ``frames``: what a picture shows.
 - ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
-- ``trim``: the frame at true size, without a margin.
-- ``image``: it as PNG and PDF.  ``painting``: how it is painted; ``annotation_painting``: what goes with it.
-  All three need Qt.
+- ``image``: it as PNG and PDF.  ``painting``: how it is painted.
+  Both need Qt.
 - ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs
   Qt.  ``pillow``: what writes some of them.
 """

@@ -3,4 +3,3 @@ from . import annotations as annotations
 from . import image as image
 from . import motion_frames as motion_frames
 from . import pillow as pillow
-from . import trim as trim

@@ -22,7 +22,7 @@ from ...view_model.fitting.cubics import RELATIVE_TOLERANCE
 from ..errors import ExchangeError
 from ..node_types import letters_of
 from .frames import LARGEST, Frame, frame_around, frame_with
-from .outlines import Outline, by_shape
+from .outlines import Outline, by_shape, painted_extent
 
 POINT_RADIUS = 0.006
 """Of the discs at the points, against the larger side of the drawing."""
@@ -31,6 +31,9 @@ MOST_POINTS = 10_000
 """Points of the largest Lagrange curve that is computed; the work grows with the square."""
 
 _SAMPLES = 513
+
+_SLIMMEST = 0.02
+"""Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""
 
 
 class Annotation(msgspec.Struct, frozen=True):
@@ -275,3 +278,23 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.locked,
         letters_of(curve, path.control_points),
     )
+
+
+def trimmed(drawing: Drawing) -> Drawing:
+    """Return a drawing whose frame is the box around its curves with their strokes."""
+    low, high = _painted(drawing)
+    middle, size = low + (high - low) / 2, high - low
+    width, height = np.maximum(size, _SLIMMEST * size.max()).tolist()
+    x, y = middle.tolist()
+    return replace(drawing, frame=Frame(x - width / 2, y - height / 2, width, height))
+
+
+def _painted(drawing: Drawing) -> tuple[FloatArray, FloatArray]:
+    """Return the corners of the box around the curves of a drawing with their strokes."""
+    boxes = np.array([painted_extent(each) for each in drawing.outlines])
+    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+    if any(each.style.has_stroke and each.style.width is None for each in drawing.outlines):
+        # Of the longer side with these lines.
+        reach = float((high - low).max()) * USUAL_WIDTH / (1 - USUAL_WIDTH) / 2
+        low, high = low - reach, high + reach
+    return low, high

@@ -12,15 +12,7 @@ from contextlib import contextmanager
 
 import msgspec
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
-from PySide6.QtGui import (
-    QColor,
-    QGuiApplication,
-    QImage,
-    QPageLayout,
-    QPageSize,
-    QPainter,
-    QPdfWriter,
-)
+from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 
 from ... import __version__
 from ...document.model import Document
@@ -36,6 +28,7 @@ from .painting import Painting
 from .styles import PictureStyle
 
 DEFAULT_WIDTH = 1600
+
 LARGEST_SIDE = 16384
 """Longer side of the largest picture, in pixels; Qt's painter ends at 32767."""
 

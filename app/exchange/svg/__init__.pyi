@@ -1,5 +1,4 @@
 # Modules that are imported when they are first used.
-from . import for_clipboard as for_clipboard
 from . import fragments as fragments
 from . import our_own as our_own
 from . import reader as reader

@@ -14,8 +14,7 @@ from typing import Any
 import cssselect2
 import tinycss2
 
-from ..errors import ExchangeError
-from ..missed import Flaw, Missed
+from ..errors import ExchangeError, Flaw, Missed
 from .xml_tree import tag_of
 
 INHERITED = {

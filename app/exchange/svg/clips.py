@@ -10,14 +10,12 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..errors import ExchangeError
-from ..missed import Flaw
-from .elements import Elements
+from ..errors import ExchangeError, Flaw
 from .lengths import Viewport
 from .matrices import Box, moved
 from .path_data import Subpath
 from .shapes import SHAPES, subpaths_of
-from .xml_tree import tag_of
+from .xml_tree import Elements, tag_of
 
 _ROUNDING = 1e-9
 _DRAWS = (*SHAPES, "use", "g", "text", "image")

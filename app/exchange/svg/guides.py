@@ -9,10 +9,10 @@ from collections.abc import Iterator, Sequence
 from ...document.guide import Axis, Guide
 from ...document.model import MAX_MAGNITUDE
 from ..drawing.frames import Frame
-from ..missed import Flaw
-from .names import SODIPODI
+from ..errors import Flaw
 from .numbers import number
 from .sheet import Sheet
+from .xml_tree import SODIPODI
 
 _ODD = Flaw("guide", "without a position left out")
 _LEANING = Flaw("leaning guide")

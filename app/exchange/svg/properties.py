@@ -12,8 +12,7 @@ from msgspec.structs import replace
 
 from ...document.model import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
-from ..errors import ExchangeError
-from ..missed import Flaw
+from ..errors import ExchangeError, Flaw
 from .cascade import INHERITED
 from .lengths import Viewport, length
 from .paint import Paint, Paints, colour_of, is_paint, share_of

@@ -20,14 +20,12 @@ from ...document.shapes import tidy_shapes
 from ...document.style import Style
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
-from ..corner import shifted
 from ..cubics_in import SINGLE_POINT, Imported, ImportedPath, Look, imported
-from ..errors import ExchangeError
-from ..missed import Flaw
+from ..errors import ExchangeError, Flaw, Missed
 from ..node_types import parted
+from ..rescaled import shifted
 from .cascade import Cascade
 from .clips import Window, clip_box
-from .elements import Elements
 from .groups import Drawn, Group, is_seen, settled, with_line
 from .guides import guides_of
 from .lengths import Viewport
@@ -43,27 +41,58 @@ from .matrices import (
     shifting,
     transform_of,
 )
-from .missing import NOT_APPLIED, NOT_READ, Missing, effects_on
-from .names import INSENSITIVE, NODE_TYPES, name_of
 from .our_own import OurOwn
 from .paint import Paints, share_of
 from .path_data import Subpath
 from .properties import Properties, style_of
 from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
 from .sheet import sheet_of
-from .xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, reference_of, speaks_to_us, tag_of
+from .xml_tree import (
+    INSENSITIVE,
+    MAX_DEPTH,
+    MAX_ELEMENTS,
+    NODE_TYPES,
+    Elements,
+    name_of,
+    parsed,
+    reference_of,
+    shown_name,
+    speaks_to_us,
+    tag_of,
+)
 
 MAX_PATHS = 10_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
-_CLIPPED = Flaw("clip path", NOT_APPLIED)
+_NOT_APPLIED = "not applied"
+_CLIPPED = Flaw("clip path", _NOT_APPLIED)
 _CUT = Flaw("element", "came whole, beyond the view box")
 _TRANSPARENT = Flaw("group", "came with the opacity on each shape separately")
 _UNEVEN = Flaw("stroke", "of uneven width came with the mean width")
 _NO_LENGTHS = Flaw("shape", "with lengths in units of unknown size left out")
 _UNUSABLE = Flaw("reference", "to elements outside the file left out")
 _NOTHING: Iterable[Drawn] = ()
+
+_MOTION = Flaw("animation", "not played")
+_TEXT = Flaw("text")
+
+_NOT_READ = {
+    "text": _TEXT,
+    "flowRoot": _TEXT,
+    "image": Flaw("picture"),
+    "foreignObject": Flaw("foreign object"),
+    "script": Flaw("script", "not run"),
+    **dict.fromkeys(("animate", "set", "animateMotion", "animateTransform"), _MOTION),
+}
+"""Elements that show something else than curves, and what becomes of them."""
+
+_EFFECTS = {
+    "filter": Flaw("filter", _NOT_APPLIED),
+    "mask": Flaw("mask", _NOT_APPLIED),
+    "mix-blend-mode": Flaw("blend mode", _NOT_APPLIED),
+}
+_NO_EFFECT = ("none", "normal")
 
 
 def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
@@ -155,7 +184,7 @@ class _Reader:
         self._root, self._tolerance = root, tolerance
         self._ours = OurOwn(root)
         self.sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
-        self.missed = Missing(root)
+        self.missed = _Missing(root)
         self._cascade = Cascade(root, self.missed)
         self._elements = elements = Elements.within(root, self._cascade.of)
         self._paints = Paints(elements)
@@ -200,8 +229,8 @@ class _Reader:
         declared = self._cascade.of(element)
         state = self._entered(element, declared, state)
         first, found = len(self._shapes), _NOTHING
-        if tag in NOT_READ and state.properties.is_visible:
-            self.missed.note_of(element, NOT_READ[tag])
+        if tag in _NOT_READ and state.properties.is_visible:
+            self.missed.note_of(element, _NOT_READ[tag])
         elif tag in SHAPES:
             found = self._shape(element, tag, declared, state)
         elif tag == "use":
@@ -366,10 +395,38 @@ class _Reader:
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
-        found = effects_on(declared)
+        found = _effects_on(declared)
         is_clipped = declared.get("clip-path", "none") != "none"
         if is_clipped and clip_box(self._elements, declared, state.viewport) is None:
             found.append(_CLIPPED)
         if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
         self.missed.note_of(element, *found)
+
+
+def _effects_on(declared: Mapping[str, str]) -> list[Flaw]:
+    """Return what properties of an element do to it that no style here does."""
+    return [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
+
+
+class _Missing(Missed):
+    """What is missed of the elements of one file."""
+
+    def __init__(self, root: ET.Element) -> None:
+        super().__init__()
+        self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
+
+    def number_of(self, element: ET.Element) -> int:
+        """Return the number of an element in its file, from 1."""
+        return self._number[element]
+
+    def note_of(self, element: ET.Element, *flaws: Flaw) -> None:
+        """Take note of what is missed of an element, once, however often that is used."""
+        for flaw in flaws:
+            self.note(flaw, element, shown_name(element))
+
+    def broken(self, element: ET.Element, why: str) -> ExchangeError:
+        """Return the error that an element cannot be read."""
+        if why.startswith("Element "):
+            return ExchangeError(why)
+        return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")

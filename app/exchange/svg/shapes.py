@@ -2,13 +2,26 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
+from math import tau
 
+import numpy as np
+
+from ..arcs import arc
+from ..cubics_in import lines
 from ..errors import ExchangeError
-from .basic_shapes import LENGTHS, polyline, shape_of_lengths
 from .lengths import Viewport, length
 from .path_data import Subpath, read_path_data
 from .xml_tree import tag_of
+
+LENGTHS = {
+    "rect": ("x", "y", "width", "height", "rx", "ry"),
+    "circle": ("cx", "cy", "r"),
+    "ellipse": ("cx", "cy", "rx", "ry"),
+    "line": ("x1", "y1", "x2", "y2"),
+}
+"""The lengths of each shape that has some; those that are not said are None."""
 
 SHAPES = ("path", "polyline", "polygon", *LENGTHS)
 """The elements that draw."""
@@ -49,3 +62,78 @@ def length_of(element: ET.Element, name: str, viewport: Viewport) -> float | Non
         return length(text, viewport.side(name))
     except ExchangeError as problem:
         raise ExchangeError(f"its {name} {problem}") from None
+
+
+def shape_of_lengths(tag: str, lengths: list[float | None], tolerance: float | None) -> list[Subpath]:
+    """Return a shape of `LENGTHS`, its lengths in their order.
+
+    Raises
+    ------
+    ExchangeError
+        For a negative size.
+    """
+    values = [0.0 if value is None else value for value in lengths]
+    if tag == "line":
+        points = np.array(values).reshape(2, 2)
+        return [Subpath(points[0], [lines(points)])]
+    if tag == "rect":
+        x, y, width, height = values[:4]
+        return _rectangle((x, y), (width, height), (lengths[4], lengths[5]), tolerance)
+    rx, ry = lengths[2], lengths[-1]
+    # An ellipse with one radius is a circle.
+    return _ellipse(values[0], values[1], _either(rx, ry), _either(ry, rx), tolerance)
+
+
+def polyline(text: str, *, closed: bool) -> list[Subpath]:
+    """Return the shape through the points of a polyline or polygon."""
+    words = [word for word in re.split(r"[\s,]+", text.strip()) if word]
+    if not words:
+        return []
+    if len(words) % 2:
+        raise ExchangeError("its points have an odd number of coordinates.")
+    letter = "Z" if closed else ""
+    return read_path_data(f"M{' '.join(words)}{letter}")
+
+
+def _either(first: float | None, second: float | None) -> float:
+    return first if first is not None else second or 0.0
+
+
+def _rectangle(
+    corner: tuple[float, float],
+    size: tuple[float, float],
+    radii: tuple[float | None, float | None],
+    tolerance: float | None,
+) -> list[Subpath]:
+    (x, y), (width, height), (rx, ry) = corner, size, radii
+    if width < 0 or height < 0 or (rx or 0) < 0 or (ry or 0) < 0:
+        raise ExchangeError("it has a negative size.")
+    if width == 0 or height == 0:
+        return []
+    across = min(_either(rx, ry), width / 2)
+    up = min(_either(ry, rx), height / 2)
+    right, bottom = x + width, y + height
+    if across == 0 or up == 0:
+        return read_path_data(f"M{x!r} {y!r}H{right!r}V{bottom!r}H{x!r}Z")
+    bend = f"A{across!r} {up!r} 0 0 1"
+    # Where two bends meet there is no line between them, not even one of no length.
+    top = f"H{right - across!r}" if 2 * across < width else ""
+    bottom_line = f"H{x + across!r}" if 2 * across < width else ""
+    side = f"V{bottom - up!r}" if 2 * up < height else ""
+    other_side = f"V{y + up!r}" if 2 * up < height else ""
+    return read_path_data(
+        f"M{x + across!r} {y!r}{top}{bend} {right!r} {y + up!r}{side}"
+        f"{bend} {right - across!r} {bottom!r}{bottom_line}{bend} {x!r} {bottom - up!r}{other_side}"
+        f"{bend} {x + across!r} {y!r}Z",
+        tolerance,
+    )
+
+
+def _ellipse(x: float, y: float, rx: float, ry: float, tolerance: float | None) -> list[Subpath]:
+    if rx < 0 or ry < 0:
+        raise ExchangeError("it has a negative radius.")
+    if rx == 0 or ry == 0:
+        return []
+    whole = arc(np.array([x, y]), np.diag([rx, ry]), 0.0, tau, tolerance)
+    whole.pieces[-1, 3] = whole.pieces[0, 0]
+    return [Subpath(whole.pieces[0, 0], [whole.pieces], closed=True, deviation=whole.deviation)]

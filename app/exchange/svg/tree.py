@@ -14,8 +14,7 @@ from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..naming import Names
 from ..node_types import guessed, joined
-from .escapes import quoted
-from .numbers import number
+from .numbers import number, quoted
 from .our_own import NO_CURVES
 
 _ROUNDING = 4 * np.finfo(float).eps

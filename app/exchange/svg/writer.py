@@ -10,22 +10,20 @@ from ... import __version__
 from ...document.model import Document
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
-from ..corner import shifted
-from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of
+from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed
 from ..drawing.frames import Frame
 from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
-from ..drawing.trim import trimmed
 from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
+from ..rescaled import in_unit, shifted
 from ..units import css_length, known_unit
-from .escapes import escaped
 from .guides import view_elements
-from .names import INKSCAPE_SPACE, SODIPODI_SPACE
-from .numbers import number
+from .numbers import escaped, number
 from .our_own import MARK
 from .tree import Tree, dash_style, pair
+from .xml_tree import INKSCAPE_SPACE, SODIPODI_SPACE
 
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
@@ -174,3 +172,18 @@ def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     return (
         f'    <path d="{data}" stroke="{colour}" stroke-width="{number(annotation.width)}"{dash}{opacity}/>'
     )
+
+
+def svg_for_clipboard(document: Document, report: Report = silent) -> Written:
+    """Return a document as SVG whose coordinates are pixels; without a unit of length, one is a pixel.
+
+    Inkscape 1.2 pastes the coordinates as they are, whatever the view box.
+
+    Raises
+    ------
+    ExchangeError
+        As `svg_of`.
+    """
+    # Who pastes it has guides of his own.
+    plain = replace(document, guides=())
+    return svg_of(in_unit(plain, "px"), Options(unit="px", report=report))

@@ -1,8 +1,15 @@
-"""XML trees of SVG files: no DTD fetched, no entity declared, neither many elements nor deep ones."""
+"""XML trees of SVG files, and the names and references of their elements.
+
+No DTD is fetched, no entity declared; there are neither many elements nor deep ones. Names are those of
+the dialects of several programs.
+"""
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from xml.parsers.expat.errors import XML_ERROR_UNDEFINED_ENTITY, codes
 
 from defusedxml.ElementTree import DefusedXMLParser
@@ -17,6 +24,26 @@ _SUBSET = (
     "plain SVG; or, where no “&name;” stands in the file, delete all from “<!DOCTYPE” to “]>” in a text "
     "editor."
 )
+
+_LONGEST_NAME = 200
+
+INKSCAPE_SPACE = "http://www.inkscape.org/namespaces/inkscape"
+SODIPODI_SPACE = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
+"""Name spaces of what only Inkscape takes note of."""
+
+SODIPODI = f"{{{SODIPODI_SPACE}}}"
+INSENSITIVE = f"{SODIPODI}insensitive"
+NODE_TYPES = f"{SODIPODI}nodetypes"
+_LABELS = (
+    f"{{{INKSCAPE_SPACE}}}label",
+    "{http://www.serif.com/}id",  # Affinity
+    "data-name",  # Illustrator
+)
+
+_ESCAPED = re.compile("_x([0-9A-Fa-f]{2,5})_")
+"""A character as Illustrator writes it in an id."""
+
+_REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 
 
 def parsed(data: bytes) -> ET.Element:
@@ -134,3 +161,55 @@ class _CountingBuilder(ET.TreeBuilder):
     def end(self, tag: str, /) -> ET.Element:
         self._depth -= 1
         return super().end(tag)
+
+
+def name_of(element: ET.Element) -> str:
+    """Return what an element is called: by its label, its title or its id; empty without."""
+    label = next((element.get(each, "") for each in _LABELS if element.get(each)), "")
+    title = next((child.text for child in element if tag_of(child) == "title" and child.text), "")
+    return _in_line(label or title or _ESCAPED.sub(_unescaped, element.get("id", "")))
+
+
+def _in_line(name: str) -> str:
+    return " ".join(name.split())[:_LONGEST_NAME]
+
+
+def shown_name(element: ET.Element) -> str:
+    """Return a name to find an element by: its own, or the words in it; empty without."""
+    return name_of(element) or " ".join("".join(element.itertext()).split())[:40]
+
+
+def _unescaped(match: re.Match[str]) -> str:
+    letter = chr(int(match[1], 16))
+    return letter if letter.isprintable() else match[0]
+
+
+@dataclass(frozen=True)
+class Elements:
+    """The elements of one file.
+
+    Attributes
+    ----------
+    by_id
+        Those that are named.
+    declared
+        Returns what an element declares.
+    """
+
+    by_id: Mapping[str, ET.Element]
+    declared: Callable[[ET.Element], dict[str, str]]
+
+    @classmethod
+    def within(cls, root: ET.Element, declared: Callable[[ET.Element], dict[str, str]]) -> Elements:
+        """Return those of a tree."""
+        return cls({name: element for element in root.iter() if (name := element.get("id"))}, declared)
+
+    def used(self, element: ET.Element) -> ET.Element | None:
+        """Return the element of the file whose place in it an element gives; None without one."""
+        reference = reference_of(element)
+        return self.by_id.get(reference[1:]) if reference.startswith("#") else None
+
+    def referred(self, value: str) -> ET.Element | None:
+        """Return the element that a property such as "url(#a)" refers to; None of any other."""
+        found = _REFERENCE.fullmatch(value.strip())
+        return self.by_id.get(found[1]) if found is not None else None

@@ -1,11 +1,10 @@
 """Tables in.
 
-- ``table``, ``source``: a table in memory, and the file it comes from.
+- ``table``, ``source``: a table in memory, and the file it comes from, also as curves.
 - ``text``, ``lines``, ``layout``, ``columns``: tables of text.
 - ``numpy_array``, ``json_table``: arrays of NumPy and JSON, as tables.
 - ``curves``, ``thinning``: tables as curves, thinned out if asked.  ``prepared``: for the window.
 - ``family_word``: what a cell says of a curve's family.
-- ``read``: a whole file as curves.
 - ``clipboard``: blocks of numbers on the clipboard.
 """
 

@@ -76,7 +76,7 @@ class Offer(Guarded, QMimeData):
 
 
 def _svg(document: Document) -> Written:
-    return exchange.svg.for_clipboard.svg_for_clipboard(document)
+    return exchange.svg_for_clipboard(document)
 
 
 def _png(document: Document) -> bytes:

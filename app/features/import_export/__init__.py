@@ -4,9 +4,8 @@
   ``intake``: curves of one in the document.
 - ``export_commands``: what goes out.  ``copy_commands``: pictures on the clipboard.
 - ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
-- ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``, ``group_tree``,
-  ``import_foot``, ``import_picture``: what a file holds, before it comes in.
-- ``work_dialog``, ``form_parts``: what the dialogs share.
+- ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``: the content of a file, shown before.
+- ``work_dialog``: what the dialogs share.
 """
 
 import lazy_loader as lazy

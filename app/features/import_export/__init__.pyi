@@ -1,6 +1,6 @@
 # Modules that are imported when they are first used.
 from . import export_dialog as export_dialog
-from . import form_parts as form_parts
 from . import import_drawing_dialog as import_drawing_dialog
 from . import import_table_dialog as import_table_dialog
 from . import intake as intake
+from . import work_dialog as work_dialog

@@ -97,13 +97,13 @@ class ImportCommands:
 
     def _begin(self, path: Path) -> None:
         def work(report: Report) -> Imported | _OpenTable:
-            form = exchange.reading.format_to_read(path)
+            form = exchange.files.format_to_read(path)
             if form.kind is not ContentKind.TABLE:
-                return exchange.reading.import_file(path, report=report)
+                return exchange.files.import_file(path, report=report)
             report(0.0, "Reading")
             data = read(path)
             if is_document(data):
-                return exchange.reading.import_file(path, report=report)
+                return exchange.files.import_file(path, report=report)
             source = table.source.TableSource(data, ending_in(path, form))
             return _OpenTable(source, source.preview())
 
@@ -162,7 +162,7 @@ class ImportCommands:
             self._take_in(path, found, True)
             return
         dialogs, parent = import_export, self._context.window
-        verbs = dialogs.form_parts.Verb
+        verbs = dialogs.work_dialog.Verb
         verb = verbs.OPEN if path == self._opened else verbs.IMPORT
         dialog: ImportDrawingDialog | ImportTableDialog
         if isinstance(found, _OpenTable):

@@ -46,7 +46,7 @@ class CopyCommands:
             self._context.work.warn_of(written.remarks)
 
         def work(document: Document, report: Report) -> Written:
-            return exchange.svg.for_clipboard.svg_for_clipboard(document, report)
+            return exchange.svg_for_clipboard(document, report)
 
         self._start("Writing SVG", "The SVG", work, put)
 
@@ -66,7 +66,7 @@ class CopyCommands:
         def work(document: Document, report: Report) -> tuple[bytes, bytes]:
             options = exchange.options.Options(width=_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
             png = exchange.png_file(document, options).data
-            svg = exchange.svg.for_clipboard.svg_for_clipboard(document, part(report, 0.5, 1.0))
+            svg = exchange.svg_for_clipboard(document, part(report, 0.5, 1.0))
             return png, svg.data
 
         self._start("Drawing", "The image", work, put)

@@ -112,7 +112,7 @@ class ExportCommands:
         options = options or exchange.options.Options(unit=document.unit)
 
         def work(report: Report) -> Written:
-            return exchange.writing.export(document, path, options.reporting(report))
+            return exchange.files.export(document, path, options.reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"

@@ -18,8 +18,7 @@ from ...qt.labels import Label
 from ...tasks.progress import Report
 from ...widgets.boxes import column_of, row_of
 from .export_form import ExportForm
-from .form_parts import buttons
-from .work_dialog import WorkDialog
+from .work_dialog import WorkDialog, buttons
 
 if TYPE_CHECKING:
     from ...exchange.drawing.image import PicturePreview

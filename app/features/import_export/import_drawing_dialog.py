@@ -1,24 +1,51 @@
-"""Import dialog for drawings and documents: their content, before its curves come in."""
+"""Import dialog for drawings and documents: their content as a picture and as groups to choose from."""
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem, QWidget
 
+from ...document.model import Curve, Document
 from ...document.shapes import counted_shapes, shapes
 from ...document.words import count_of, number
 from ...exchange.cubics_in import Imported
+from ...exchange.drawing.image import png_preview
+from ...exchange.drawing.styles import DARK, LIGHT
+from ...exchange.errors import ExchangeError
+from ...exchange.options import Options
 from ...qt.labels import Label
+from ...tasks.progress import Report
+from ...tasks.single_task import SingleTask
+from ...view_model.look.palette import contrast
 from ...widgets.boxes import column_of, row_of
-from .form_parts import A_NEW_DOCUMENT, Verb, into_box
-from .group_tree import GroupTree
-from .import_foot import ImportFoot
-from .import_picture import ImportPicture
-from .work_dialog import WorkDialog
+from ...widgets.controls import named
+from .work_dialog import A_NEW_DOCUMENT, ImportFoot, Verb, WorkDialog, into_box
 
 _MOST_REMARKS = 12
+
+_DEEPEST = 6
+"""Levels that are shown; what lies deeper is taken or left with the group around it."""
+
+_OPEN = 2
+"""Levels that are unfolded at first."""
+
+_MOST_NAMED = 500
+"""Shapes beyond which only groups are shown."""
+
+_TREE_HEIGHT = 220
+
+_Chain = tuple[str | int, ...]
+"""Names of groups, the outermost first; at the end, perhaps, the number of a shape."""
+
+_PICTURE_WIDTH, _PICTURE_HEIGHT = 280, 260
+
+
+_TOO_PALE = 1.5
+"""Contrast with light paper that somebody drew for dark."""
 
 
 class ImportDrawingDialog(WorkDialog):
@@ -123,3 +150,140 @@ def _remarks(found: Imported) -> str:
     lines = list(found.remarks[:_MOST_REMARKS])
     more = len(found.remarks) - len(lines)
     return "\n".join([*lines, *([f"… and {more} more."] if more else [])])
+
+
+class GroupTree(QTreeWidget):
+    """The groups of a drawing, and the shapes in them; to check a group is to check all in it.
+
+    Signals
+    -------
+    chosen
+        Other curves are taken now.
+    """
+
+    chosen = Signal()
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        tip = "Take a shape or all of a group, or leave it out (Space)"
+        named(self, "importGroups", "Groups and shapes of the drawing", tip)
+        self.setColumnCount(2)
+        self.setHeaderLabels(["Group or shape", "Holds"])
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setMinimumHeight(_TREE_HEIGHT)
+        self._document = document
+        self._items: dict[_Chain, QTreeWidgetItem] = {}
+        self._leaves = self._fill()
+        self.expandToDepth(_OPEN - 1)
+        header = self.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        # Told of a box that is checked, and of what follows it up and down the tree.
+        self.itemChanged.connect(lambda _item, _column: self.chosen.emit())
+
+    def _fill(self) -> list[QTreeWidgetItem]:
+        """Make the items; return for each curve the one that it hangs on."""
+        curves, leaves = self._document.curves, list[QTreeWidgetItem]()
+        groups = [curve.groups[:_DEEPEST] for curve in curves]
+        found = list(shapes(self._document.curves))
+        held = defaultdict[_Chain, list[Curve]](list)
+        for curve, chain in zip(curves, groups, strict=True):
+            for depth in range(1, len(chain) + 1):
+                held[chain[:depth]].append(curve)
+        # What stands in a group beside groups can be taken without them.
+        inner = {chain[:depth] for chain in groups for depth in range(len(chain))}
+        for index, places in enumerate(found):
+            first = curves[places.start]
+            chain = groups[places.start]
+            for depth in range(1, len(chain) + 1):
+                group = chain[:depth]
+                if group not in self._items:
+                    self._item(group, group[-1], counted_shapes(held[group]))
+            if len(found) <= _MOST_NAMED:
+                points = count_of(sum(len(curves[place].points) for place in places), "point")
+                leaf = self._item((*chain, index), first.shape or first.name, points)
+            elif not chain or chain in inner:
+                leaf = self._item((*chain, -1), "in no group of its own", "")
+            else:
+                leaf = self._items[chain]
+            leaves += [leaf] * len(places)
+        return leaves
+
+    def _item(self, chain: _Chain, name: str, holds: str) -> QTreeWidgetItem:
+        """Return the item of a group or shape, made and hung up where it is new."""
+        if chain not in self._items:
+            item = QTreeWidgetItem([name, holds])
+            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsAutoTristate)
+            item.setCheckState(0, Qt.CheckState.Checked)
+            self._items[chain] = item
+            if len(chain) == 1:
+                self.addTopLevelItem(item)
+            else:
+                self._items[chain[:-1]].addChild(item)
+        return self._items[chain]
+
+    @property
+    def taken(self) -> list[bool]:
+        """Whether each curve is taken."""
+        return [leaf.checkState(0) == Qt.CheckState.Checked for leaf in self._leaves]
+
+
+class ImportPicture(QWidget):
+    """The curves that are taken, as they print.
+
+    Attributes
+    ----------
+    picture
+        What is shown.
+    """
+
+    def __init__(self, jobs: SingleTask) -> None:
+        super().__init__()
+        self._jobs = jobs
+        self.picture = Label(name="importPicture", label="Preview")
+        self.picture.setToolTip("What comes in")
+        self.picture.setFixedSize(_PICTURE_WIDTH, _PICTURE_HEIGHT)
+        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.picture.setWordWrap(True)
+        column_of(self.picture, 1, margins=0, parent=self)
+
+    def show_document(self, document: Document) -> None:
+        """Draw a document, beside the window's own thread."""
+        ratio = self.devicePixelRatioF()
+        room = (round(_PICTURE_WIDTH * ratio), round(_PICTURE_HEIGHT * ratio))
+
+        def draw(report: Report) -> QImage:
+            style = DARK if _is_for_dark_paper(document) else LIGHT
+            return png_preview(document, Options(style=style, report=report), room).image
+
+        def show(image: QImage) -> None:
+            image.setDevicePixelRatio(ratio)
+            self.picture.setPixmap(QPixmap.fromImage(image))
+
+        self._jobs.cancel()
+        self._jobs.start("Drawing", draw, show, self._refuse)
+
+    def clear(self) -> None:
+        """Show nothing."""
+        self._jobs.cancel()
+        self.picture.clear()
+
+    def _refuse(self, problem: Exception) -> None:
+        if not isinstance(problem, ExchangeError):
+            raise problem
+        self.picture.setText(str(problem))
+
+
+def _is_for_dark_paper(document: Document) -> bool:
+    """Whether nothing of a document would be seen on light paper."""
+    paints = {
+        paint
+        for curve in document.curves
+        if curve.visible
+        for paint in (curve.style.stroke, curve.style.fill)
+        if paint != "none"
+    }
+    return bool(paints) and all(
+        paint.startswith("#") and contrast(paint, LIGHT.paper or "#ffffff") < _TOO_PALE for paint in paints
+    )

@@ -25,10 +25,8 @@ from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box
 from ...widgets.field_edit import FieldEdit
 from ...widgets.number_text import decimal_mark
-from .form_parts import A_NEW_DOCUMENT, Verb, into_box
-from .import_foot import ImportFoot
 from .table_preview import TablePreview
-from .work_dialog import WorkDialog
+from .work_dialog import A_NEW_DOCUMENT, ImportFoot, Verb, WorkDialog, into_box
 
 IGNORE = "ignore"
 _SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}

@@ -1,16 +1,72 @@
-"""Dialogs that compute something beside the window while they are open."""
+"""Base of the dialogs around files, which compute something beside the window, and their parts."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from enum import Enum
+
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QLineEdit,
+    QPushButton,
+    QWidget,
+)
 
 from ...appearance.theme import theme_of
+from ...document.words import count_of
+from ...qt.keys import ENTER
 from ...qt.labels import Label
 from ...tasks.single_task import SingleTask
+from ...widgets.boxes import row_of
+from ...widgets.controls import choice_box, named, push_button
 from ...widgets.fitting import FittedDialog
-from .form_parts import enters_number
+from .import_series import Turn
+
+A_NEW_DOCUMENT = "A new document"
+INTO = ("This document", A_NEW_DOCUMENT)
+
+
+def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
+    """Whether a key is the Enter that ends typing into a field, and no order to go ahead."""
+    is_enter = event.key() in ENTER
+    return is_enter and isinstance(dialog.focusWidget(), QLineEdit | QAbstractSpinBox)
+
+
+class Verb(Enum):
+    """What is done with a file that is shown: its curves are taken in, or it is a document of its own."""
+
+    IMPORT = "Import"
+    OPEN = "Open"
+
+    def towards(self, where: str) -> Verb:
+        """Return what it is once the person has said where the curves go: into this document, an import."""
+        return self if where == A_NEW_DOCUMENT else Verb.IMPORT
+
+
+def into_box(verb: Verb) -> QComboBox:
+    """Return the box that asks where the curves go; of what is opened, to a new document."""
+    box = choice_box("importInto", "Into", "Where the curves go", INTO)
+    if verb is Verb.OPEN:
+        box.setCurrentText(A_NEW_DOCUMENT)
+    return box
+
+
+def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonBox, QPushButton]:
+    """Return the buttons at the foot of a dialog, and the one that goes ahead.
+
+    `cancel` is the object name of the other one.
+    """
+    box = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+    ahead = named(QPushButton(text), name, tip=tip)
+    ahead.setDefault(True)
+    box.addButton(ahead, QDialogButtonBox.ButtonRole.AcceptRole)
+    other = box.button(QDialogButtonBox.StandardButton.Cancel)
+    named(other, cancel, tip="Close and leave everything as it is (Esc)")
+    return box, ahead
 
 
 class WorkDialog(FittedDialog):
@@ -49,3 +105,39 @@ class WorkDialog(FittedDialog):
     def closeEvent(self, event: QCloseEvent) -> None:
         self.jobs.close()
         super().closeEvent(event)
+
+
+class ImportFoot(QWidget):
+    """Import, or Open, and Cancel; while other files wait, Skip and Skip the Rest.
+
+    Signals
+    -------
+    rest_skipped
+        The person wants neither this file nor those that wait.
+    """
+
+    rest_skipped = Signal()
+
+    def __init__(self, dialog: QDialog, name: str, tip: str, verb: Verb, into: QComboBox) -> None:
+        super().__init__()
+        self._dialog, self._title = dialog, dialog.windowTitle()
+        self.box, self.ok = buttons(verb.value, name, tip, "cancelImport")
+        into.currentTextChanged.connect(lambda where: self.ok.setText(verb.towards(where).value))
+        self.box.rejected.connect(dialog.reject)
+        self._cancel = self.box.button(QDialogButtonBox.StandardButton.Cancel)
+        self._words, self._tip = self._cancel.text(), self._cancel.toolTip()
+        self.rest = push_button("skipRest", "Skip the Rest", "")
+        self.rest.clicked.connect(self.rest_skipped)
+        self.rest.hide()
+        row_of(self.rest, (self.box, 1), margins=0, parent=self)
+
+    def show_turn(self, turn: Turn) -> None:
+        """Say which file of how many this is, and offer to leave out what waits."""
+        self._dialog.setWindowTitle(
+            f"{self._title} ({turn.place} of {turn.count})" if turn.count > 1 else self._title
+        )
+        waits = turn.waiting > 0
+        self._cancel.setText("Skip" if waits else self._words)
+        self._cancel.setToolTip("Leave out this file and go on to the next (Esc)" if waits else self._tip)
+        self.rest.setToolTip(f"Leave out this file and the {count_of(turn.waiting, 'file')} after it")
+        self.rest.setVisible(waits)

@@ -1,4 +1,4 @@
-"""Reading a file of the format that its name ends in; foreign drawings are parsed in a child process."""
+"""Files in the formats that their names end in, read and written; drawings are parsed in a child process."""
 
 from __future__ import annotations
 
@@ -8,15 +8,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from .. import exchange
+from ..document.model import Document
 from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
-from ..storage.files import document_in, read
+from ..storage.files import document_in, read, write
 from ..storage.format_error import FormatError
 from ..storage.unread import clause_about_name
-from ..tasks.progress import Report, silent
+from ..tasks.progress import FINAL, Report, silent
 from . import table
 from .errors import ExchangeError
-from .formats import FORMATS, ContentKind, Format, ending_in, format_of, is_document
+from .formats import FORMATS, ContentKind, Format, Written, ending_in, format_of, is_document
+from .options import DEFAULT, Options
 
 if TYPE_CHECKING:
     from .cubics_in import Imported
@@ -102,4 +106,26 @@ def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, rep
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
         return exchange.child.limited(form.read, data, options.tolerance, report=report)
-    return table.read.read_table(path, ending_in(path, form), data, options, report)
+    return table.source.import_table(path, ending_in(path, form), data, options, report)
+
+
+def export(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> Written:
+    """Write a document with at least one curve that can be drawn.
+
+    Raises
+    ------
+    ExchangeError
+        For an unknown ending, or if the document cannot be written in that format.
+    StorageError
+        If the file cannot be written; an old one stays as it was.
+    """
+    options = replace(options, path=os.fspath(path))
+    if options.width is not None and options.width < 1:
+        raise ExchangeError("The width must be at least 1.")
+    form = format_of(path, FORMATS.written)
+    options.report(0.0, "Writing")
+    assert form.write is not None
+    written = form.write(document, options)
+    options.report(FINAL, "Writing")
+    write(path, written.data)
+    return written
