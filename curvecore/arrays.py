@@ -235,19 +235,6 @@ def parameter_row(t: ArrayLike) -> FloatArray:
     return at.values
 
 
-def unit_values(values: ArrayLike, name: str) -> FloatArray:
-    """Check relative places of shape (k,), all in [0, 1]."""
-    array = number_array(values, name)
-    if array.ndim != 1:
-        raise CurveError(f"{name} must have the shape (k,), not {array.shape}")
-    _check_finite(array, name)
-    outside = (array < 0.0) | (array > 1.0)
-    if outside.any():
-        k = int(np.argmax(outside))
-        raise CurveError(f"{name}[{k}] is {array[k]}; it must lie between 0 and 1", (k,))
-    return array
-
-
 def integer(value: object, name: str, least: int) -> int:
     """Check an integer that is at least `least`."""
     try:

@@ -107,8 +107,6 @@ class Framing:
     def fit(self) -> None:
         """Show all visible curves and the active one; of a wild one, its points and their surroundings.
 
-        What came with them and is not edited is in sight, too.
-
         Where there are no points the picture to trace is shown.
         """
         drawing = self._drawing

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QPainter
 
 from curvecore.arrays import FloatArray
 
@@ -67,16 +67,12 @@ class GridLayer(Layer):
             self._plot.getAxis(side).set_distances(fine, fine if self._fixed else coarse)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the lines."""
-        self.paint_in(painter, shown, self.theme.grid_fine, self.theme.grid_coarse)
-
-    def paint_in(self, painter: QPainter, shown: PixelMap, fine: QColor, coarse: QColor) -> None:
-        """Draw the lines in colours; they are computed anew when another part of the plane is visible."""
+        """Draw the lines; they are computed anew when another part of the plane is visible."""
         if shown is not self._shown:
             self._compute(shown)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(Qt.PenStyle.NoPen)
-        for lines, colour in ((self._fine, fine), (self._coarse, coarse)):
+        for lines, colour in ((self._fine, self.theme.grid_fine), (self._coarse, self.theme.grid_coarse)):
             painter.setBrush(colour)
             lines.draw(painter)
 

@@ -39,6 +39,6 @@ class UnitLayer(Layer):
         """Write it."""
         painter.setFont(self.fonts.less(1.5, 1.0))
         if text := self.words(shown):
-            # In the colours of the axes, which it belongs to: white paper on a dark desk would be a blot.
+            # In the colours of the axes, which it belongs to.
             plate = QRectF(QPointF(3, 4), size_of(painter, text, 8.0, 2.0))
             write_on_plate(painter, plate, text, self.theme.surface, self.theme.muted)

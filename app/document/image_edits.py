@@ -45,7 +45,7 @@ def move_image(document: Document, by: Vector) -> Document:
 
 
 def step_image(document: Document, by: Vector) -> Document:
-    """Move the picture by a decimal step, as `step_points` does."""
+    """Move the picture by a decimal step, as `stepping` does."""
     image = _image(document)
     return place_image(document, (decimal_sum(image.x, by[0]), decimal_sum(image.y, by[1])))
 

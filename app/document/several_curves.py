@@ -70,7 +70,7 @@ def moved(document: Document, group: PointGroup, by: Vector) -> Document:
 
 
 def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
-    """Move the points of a group by decimal steps; see `step_points`."""
+    """Move the points of a group by decimal steps; see `stepping`."""
     return whole_edits.shifted(document, group, stepping(by))
 
 

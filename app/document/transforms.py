@@ -17,7 +17,7 @@ import msgspec
 from msgspec.structs import replace
 
 from .derivatives import VECTORS
-from .edits import EditError, PointsChange, with_all_changed, with_all_shifted, with_points_elsewhere
+from .edits import EditError, PointsChange, with_all_changed, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector, vectors_of
 from .placing import all_placed
@@ -159,13 +159,8 @@ def _with_vectors_mapped(point: Point, by: Affine) -> Point:
     return mapped
 
 
-def step_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
-    """Move points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
-    return with_all_shifted(document, curve, indices, stepping(by))
-
-
 def stepping(by: Vector) -> PointsChange:
-    """Return what moves points by decimal steps."""
+    """Return what moves points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
     across, up = map(_decimal_step, by)
     return lambda points: all_placed(points, across(list(map(_x, points))), up(list(map(_y, points))))
 

@@ -23,10 +23,10 @@ def letters_of(curve: Curve, pieces: FloatArray) -> str:
     return _letters(curve.points, pieces, closed=curve.is_closed)
 
 
-def guessed(pieces: FloatArray, *, closed: bool, letters: str = "") -> str:
-    """Return the letters of points that pieces come in with, by the letters of a file where these fit."""
+def guessed(pieces: FloatArray, *, closed: bool) -> str:
+    """Return the letters of points that pieces come in with where a file has no letters."""
     try:
-        found = points_of_cubics(pieces, closed=closed, most_turned=WRITTEN_BY_PROGRAMS, letters=letters)
+        found = points_of_cubics(pieces, closed=closed, most_turned=WRITTEN_BY_PROGRAMS)
     except EditError:
         return ""
     return _letters(found.points, pieces, closed=closed)

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from ..document.point_group import NO_POINTS
 from ..document.selection import Choice
-from ..document.several_curves import is_blank
 from ..document.shapes import whole_shapes
 from ..document.style import Style
 from .highlight import Highlight
@@ -82,12 +81,6 @@ class Selected:
     def marked(self) -> frozenset[int]:
         """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
         return self.curves if self.is_editing else self._chosen
-
-    @property
-    def means_curve(self) -> bool:
-        """Whether there is a curve to act on: edited or chosen, or that of a blank document."""
-        # A blank document has nothing to choose from: its curve is the one that is about to be drawn.
-        return bool(self.marked) or is_blank(self._session.document)
 
     def highlight(self, *, whole_curves: bool = False) -> Highlight:
         """Return the selected points, or else the chosen curves, or the edited one with all of its shape.

@@ -13,6 +13,7 @@ from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
 from ..document.selection import Choice
+from ..document.several_curves import is_blank
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE
 from ..families import Family
@@ -154,8 +155,12 @@ class Session(SessionSignals):
 
     @property
     def meant_view(self) -> CurveView | None:
-        """The view-model of the active curve; None while no curve is edited and none chosen."""
-        return self.active_view if self.selected.means_curve else None
+        """The view-model of the active curve; None while no curve is edited and none chosen.
+
+        A blank document has nothing to choose from: its curve is the one that is about to be drawn.
+        """
+        is_meant = self.selected.marked or is_blank(self._shown)
+        return self.active_view if is_meant else None
 
     @property
     def undo_stack(self) -> QUndoStack:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
-from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..appearance.themed import FollowsTheme
 from ..document.words import NamedEnum
@@ -19,11 +16,6 @@ from .tool_buttons import tool_button
 class ChoiceRow(FollowsTheme, QWidget):
     """One of a few, taken with one click; none is on while they differ.
 
-    Parameters
-    ----------
-    icons
-        The names of their icons, in place of their words; none for words.
-
     Signals
     -------
     chosen
@@ -32,12 +24,9 @@ class ChoiceRow(FollowsTheme, QWidget):
 
     chosen = Signal(object)
 
-    def __init__(
-        self, name: str, label: str, tip: str, kind: type[NamedEnum], icons: Sequence[str] = ()
-    ) -> None:
+    def __init__(self, name: str, label: str, tip: str, kind: type[NamedEnum]) -> None:
         super().__init__()
         self.setObjectName(name)
-        self._icons = icons
         self._buttons = {}
         for member in kind:
             text = member.label
@@ -45,7 +34,7 @@ class ChoiceRow(FollowsTheme, QWidget):
                 f"{name}_{member.value}",
                 f"{label}: {text}",
                 f"{tip}: {text.lower()}",
-                text="" if icons else text,
+                text=text,
             )
             button.setCheckable(True)
             button.clicked.connect(lambda _checked, member=member: self._choose(member))
@@ -68,5 +57,3 @@ class ChoiceRow(FollowsTheme, QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self.setStyleSheet(choice_style(theme))
-        for name, button in zip(self._icons, self._buttons.values(), strict=False):
-            button.setIcon(icon(name, theme))

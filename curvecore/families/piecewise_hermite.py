@@ -15,9 +15,8 @@ from curvecore.arrays import (
     integer,
     parameter_row,
     read_only,
-    unit_values,
 )
-from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
+from curvecore.bezier.bernstein import control_points, evaluate_inside, weighted_columns
 from curvecore.families.chain import Chain
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
@@ -178,34 +177,6 @@ class PiecewiseHermite(ParametricCurve):
         parts = smooth_stretches(cls._pieces_of(curve), cls.derivatives)
         curves = [cls.from_jets(joint_jets(part, cls.derivatives, cls.title), part.breaks) for part in parts]
         return curves[0] if len(curves) == 1 else Chain(curves)
-
-    def evaluate_segments(self, s: ArrayLike) -> FloatArray:
-        """Return the curve at the same relative places of every segment.
-
-        The fastest way to sample a long curve: no parameter has to be
-        located, and all segments are one matrix product.
-
-        Parameters
-        ----------
-        s : array_like, shape (k,)
-            Places in [0, 1], which stand for t_i + s (t_(i+1) - t_i).
-
-        Returns
-        -------
-        ndarray, shape (n - 1, k, dim)
-            At s = 0 and s = 1 exactly the points.
-
-        Raises
-        ------
-        CurveError
-            If s is not finite, has another shape or leaves [0, 1].
-        """
-        places = unit_values(s, "s")
-        columns = self._weighted_controls()
-        weights = np.stack(bernstein_weights(places, 1.0 - places, self.degree), axis=1)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            curve = weights @ columns.reshape(len(columns), -1)
-        return made_finite(curve).reshape(places.size, columns.shape[1], -1).transpose(2, 0, 1)
 
     def _weighted_controls(self) -> FloatArray:
         if self._columns is None:

@@ -179,17 +179,6 @@ def test_quintic_evaluation(compare, long_data, rng):
     assert targets.at_least("quintic, 100,000 joints: evaluation over BPoly's", ratio, 5)
 
 
-def test_cubic_at_the_same_places_of_every_segment(compare, long_data):
-    """Ten parameters a segment, a million in all."""
-    joints, points, velocities, _ = long_data
-    curve = HermiteCurve(points, velocities, joints)
-    peer = interpolate.CubicHermiteSpline(joints, points, velocities)
-    s = np.arange(10) / 10.0
-    t = (joints[:-1, None] + np.diff(joints)[:, None] * s).ravel()
-    ratio = compare(lambda: curve.evaluate_segments(s), lambda: peer(t))
-    assert targets.at_least("cubic, 10 places of every segment over CubicHermiteSpline", ratio, 1)
-
-
 @pytest.fixture
 def cubic(rng):
     """The same cubic of n uneven joints on both sides, with so many ascending parameters."""

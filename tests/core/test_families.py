@@ -275,19 +275,6 @@ def test_local_basis_is_the_dense_one(family, rng):
             assert np.count_nonzero(dense[k]) <= local.values[k].size
 
 
-@pytest.mark.parametrize("family", ["hermite", "quintic_hermite", "septic_hermite"])
-def test_segments_are_sampled_alike(family, rng):
-    curve = build(family, rng)
-    s = np.array([0.0, 0.25, 0.5, 1.0])
-    sampled = curve.evaluate_segments(s)
-    assert sampled.shape == (4, 4, 2)
-    assert (sampled[:, 0] == curve.points[:-1]).all()
-    assert (sampled[:, -1] == curve.points[1:]).all()
-    t = PARAMETERS[:-1, None] + np.diff(PARAMETERS)[:, None] * s
-    # These t are exact; values are of size 10 at most, c <= 20.
-    assert np.abs(sampled.reshape(-1, 2) - curve.evaluate(t.ravel())).max() < 40 * U * 10
-
-
 def test_scipy_agrees_on_cubics(rng):
     from scipy.interpolate import CubicHermiteSpline
 

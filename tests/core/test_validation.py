@@ -107,15 +107,6 @@ def test_where_results_have_an_axis_for_t_it_is_a_number_or_a_row():
             ask(HermiteCurve(POINTS, POINTS, T), [[0.0]])
 
 
-@pytest.mark.parametrize(
-    ("s", "message"),
-    [([0.5, 1.5], "s[1] is 1.5; it must lie between 0 and 1"), (0.5, "s must have the shape (k,), not ()")],
-)
-def test_bad_places(s, message):
-    with pytest.raises(CurveError, match=re.escape(message)):
-        HermiteCurve(POINTS, POINTS, T).evaluate_segments(s)
-
-
 def test_bad_tolerances_and_boxes():
     for value, message in ((0.0, "tolerance must be greater than 0"), (math.nan, "tolerance is nan")):
         with pytest.raises(CurveError, match=message):

@@ -71,7 +71,7 @@ class CurveListView(ClaimsKeys, QListView):
         self.curves, self.parts = model, RowParts(self, model)
         # The row that keys go on from, and where choosing row by row has come to from it.
         self._current = self._reached = 0
-        self._followed, self._undrawn = 0, -1
+        self._followed = 0
         self._drag = RowDrag(self, model, self.parts, partial(self._fold, is_open=True))
         self.setModel(model)
         tip = (

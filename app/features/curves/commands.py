@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from ...actions.declaration import PlaceAction, action, also
 from ...actions.keymap import keys_text
-from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE, Need
+from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE
 from ...actions.sections import CURVE_NEW, CURVE_SHAPE, POINTS_NUMBER
 from ...actions.strips import (
     CANVAS_MENU,
@@ -192,7 +192,7 @@ class CurveCommands:
         "Ctrl+R",
         "reverse",
         full_name="Reverse Curve",
-        needs=Need(TWO_POINTS.words, lambda state: state.point_count > 1),
+        needs=TWO_POINTS,
     )
     @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15))
     def _reverse(self) -> None:

@@ -8,7 +8,7 @@ from functools import partial
 from msgspec.structs import replace
 
 from ...actions.declaration import action
-from ...actions.needs import Need
+from ...actions.needs import SOME_CURVE
 from ...actions.sections import ARRANGE_SHAPES
 from ...document.edits import EditError
 from ...document.model import Document
@@ -46,7 +46,7 @@ class SimplifyCommands:
         "",
         "fewer-points",
         full_name="Simplify Paths",
-        needs=Need("a curve", lambda state: state.has_selected_curve and not state.is_blank),
+        needs=SOME_CURVE,
         keywords="less nodes path clean",
     )
     def _simplify(self) -> None:

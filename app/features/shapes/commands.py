@@ -6,7 +6,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from ...actions.declaration import action, also
-from ...actions.needs import Need
+from ...actions.needs import SOME_CURVE, Need
 from ...actions.sections import ARRANGE_GROUPS, ARRANGE_SHAPES
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...document.curve_edits import remove_curve
@@ -111,7 +111,7 @@ class ShapeCommands:
         "Ctrl+G",
         "group",
         full_name="Group Curves",
-        needs=Need("a curve", lambda state: state.has_selected_curve and not state.is_blank),
+        needs=SOME_CURVE,
     )
     @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53))
     def _group(self) -> None:
