@@ -4,8 +4,8 @@
   ``fitting``: what part of the plane is shown.  ``steady_view``: what stays in sight in another size.
 - ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``point_marks``,
   ``control_polygon_layer``: the curve that is edited.
-- ``drawn_curves``: all curves in the order in which they print.  ``looks``: how they look.
-  ``shape_painting``: shapes as they print, with fills, ends and dashes.
+- ``drawn_curves``: all curves from the back to the front.  ``looks``: how they look.
+  ``shape_painting``: shapes in their styles, with fills, ends and dashes.
   ``sections``: which of them are in a picture while others move.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.  ``other_points_layer``: selected points of those that are edited with the active one.

@@ -34,7 +34,7 @@ _GHOST_MS, _WIDTH, _EDIT_WIDTH = 900, 2.0, 1.0
 
 
 class EditedShapeLayer(Layer):
-    """Layer of the shape that is edited, as it prints; plain and faint lines are the `CurveLayer`'s."""
+    """Layer of the shape that is edited, in its style; plain and faint lines are the `CurveLayer`'s."""
 
     z = -0.9
 
@@ -135,7 +135,6 @@ class CurveLayer(Layer):
             self._error_of = (polyline.deviation, shown)
             self.error = polyline.reached * max(shown.sx, shown.sy)
         for pen in self._pens(view):
-            # What prints otherwise is no line of its own.
             self._line.show(polyline.points, shown, _WIDTH * self.scale)
             painter.setPen(pen)
             self._line.draw(painter)
@@ -157,7 +156,7 @@ class CurveLayer(Layer):
         self.update()
 
     def set_covered(self, covered: bool) -> None:
-        """Show where a curve runs that prints below others."""
+        """Show where a curve runs that lies below others."""
         self._is_covered = covered
         self.update()
 

@@ -1,4 +1,4 @@
-"""The curves of a document on the canvas, in the order in which they print, whichever of them is edited."""
+"""The curves of a document on the canvas, from the back to the front, whichever of them is edited."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from .other_curves_layer import OtherCurvesLayer
 from .selected_curves_layer import SelectedCurvesLayer, SiblingCurvesLayer
 
 _ABOVE = -0.8
-"""Height of what prints over the shape that is edited."""
+"""Height of what lies over the shape that is edited."""
 
 
 class DrawnCurves:
-    """Layers of all curves: what prints below the edited shape, that, what prints over it, and marks.
+    """Layers of all curves: what lies below the edited shape, that, what lies over it, and marks.
 
     A plain line that is edited is drawn over all others, as long as none of these is painted otherwise.
 
@@ -37,7 +37,7 @@ class DrawnCurves:
     siblings
         The points of the other curves of the shape that is edited.
     edited, curve
-        The shape that is edited, as it prints; the line of the active curve.
+        The shape that is edited, in its style; the line of the active curve.
     areas
         The insides of what is filled.
     """

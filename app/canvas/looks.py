@@ -1,4 +1,4 @@
-"""Looks of curves on the canvas, as they print."""
+"""Styles of curves on the canvas."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ def line_of(view: CurveView, shown: PixelMap, style: Style | None = None) -> Pol
     return view.flattened(TOLERANCE / finer / scale, box)
 
 
-def printed_width(style: Style, shown: PixelMap, usual: float) -> float:
-    """Return the width in pixels of a line as it prints; 0 of none, `usual` where it has none of its own."""
+def line_width(style: Style, shown: PixelMap, usual: float) -> float:
+    """Return the width in pixels of a line in its style; 0 of none, `usual` where it has none of its own."""
     if not style.has_stroke:
         return 0.0
     return usual if style.width is None else style.width * shown.sx

@@ -45,11 +45,11 @@ _CALM = 8
 
 
 class OtherCurvesLayer(Layer):
-    """Layer of the visible curves that are not edited, as they print; it finds which of them a pixel is on.
+    """Layer of the visible curves that are not edited, in their styles; it finds which of them a pixel is on.
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are. While some of them are dragged the
-    picture is in several sheets: what prints below these, between them, and over them.
+    picture is in several sheets: what lies below these, between them, and over them.
     """
 
     z = -1.0

@@ -59,7 +59,7 @@ class CanvasScene:
     grid, units
         The grid behind the drawing; the unit at the axes.
     curves
-        All curves, in the order in which they print.
+        All curves, from the back to the front.
     others, selected
         The curves that are not edited; those of them that are selected together with it.
     polygon, curve, points

@@ -1,4 +1,4 @@
-"""Sections of shapes that print one after the other: in sheets of a picture, or painted in every frame."""
+"""Sections of shapes that lie one over the other: in sheets of a picture, or painted in every frame."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _WORTH_A_SHEET, _MOST_SHEETS = 2, 8
 
 
 class Section(NamedTuple):
-    """Shapes that print one after the other: in a sheet of the picture, or painted in every frame."""
+    """Shapes that lie one over the other: in a sheet of the picture, or painted in every frame."""
 
     places: range
     is_still: bool

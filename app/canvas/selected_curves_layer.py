@@ -17,11 +17,11 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import FAINT_WIDTH
-from .looks import Shape, is_plain, line_of, printed_width
+from .looks import Shape, is_plain, line_of, line_width
 from .other_curves_layer import OtherCurvesLayer
 from .point_layer import opacity_of
 
-_WIDTH, _HALO, _OVER_PRINT = 2.0, 7.0, 1.0
+_WIDTH, _HALO, _ON_STYLE = 2.0, 7.0, 1.0
 
 _CASED, _WIDE = 2.5, 5.0
 """Pixels of the mark with paper on either side, and of the least line that shows its colour beside that."""
@@ -31,7 +31,7 @@ _HALOS_UP_TO = 12
 """Curves above which boxes mark them: wide lines would take half of the time of a drag of thirty."""
 
 BESIDE, _BEYOND = 2.0, 8.0
-"""Pixels from what a shape prints to its box, and from the picture to the sides of a box that leaves it."""
+"""Pixels from a painted shape to its box, and from the picture to the sides of a box that leaves it."""
 
 _RADIUS, _RIM = 3.5, 1.5
 _MOST_RINGS = 400
@@ -71,7 +71,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
                 stroke.show(line_of(view, shown).points, shown)
                 self._paint_line_of(painter, stroke, view, has_halo=not is_many)
             elif not is_many and not self._is_boxed(view, shown):
-                self._paint_over_print(painter, stroke, view, shown)
+                self._paint_on_style(painter, stroke, view, shown)
         # Over a fine line, and on the colours beside it, any other one would hide them.
         boxed = views if is_many else [view for view in views if self._is_boxed(view, shown)]
         if boxed:
@@ -80,7 +80,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             self._paint_rings(painter, shown, views)
 
     def _is_line(self, view: CurveView) -> bool:
-        """Whether a curve is drawn here as a line, and not what it prints marked."""
+        """Whether a curve is drawn here as a line, and not marked on what is painted."""
         return is_plain(view) or not view.source.visible
 
     def _paint_line_of(self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool) -> None:
@@ -95,16 +95,16 @@ class SelectedCurvesLayer(OtherCurvesLayer):
 
     def _is_boxed(self, view: CurveView, shown: PixelMap) -> bool:
         """Whether a box marks a curve: its line is too fine to be drawn on."""
-        return not self._is_line(view) and 0 < self._printed_width(view, shown) < _WIDE
+        return not self._is_line(view) and 0 < self._line_width(view, shown) < _WIDE
 
-    def _printed_width(self, view: CurveView, shown: PixelMap) -> float:
-        return printed_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
+    def _line_width(self, view: CurveView, shown: PixelMap) -> float:
+        return line_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
 
-    def _paint_over_print(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
-        """Mark what a curve prints, a wide line or an inside, by a thin line on it."""
+    def _paint_on_style(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
+        """Mark a wide line or an inside by a thin line on it."""
         stroke.show(line_of(view, shown, view.source.style).points, shown)
-        casing = [(self.theme.paper, _CASED)] if self._printed_width(view, shown) else []
-        for pen in [*casing, (self.theme.accent, _OVER_PRINT)]:
+        casing = [(self.theme.paper, _CASED)] if self._line_width(view, shown) else []
+        for pen in [*casing, (self.theme.accent, _ON_STYLE)]:
             painter.setPen(self._line(*pen))
             stroke.draw(painter)
 
@@ -117,7 +117,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         painter.setOpacity(1.0)
 
     def _paint_boxes(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
-        """Frame what each shape prints, all in one call: it costs next to nothing, and hides no colour."""
+        """Frame each painted shape, all in one call: it costs next to nothing, and hides no colour."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(self.theme.accent, max(round(self.scale), 1)))
@@ -156,9 +156,9 @@ def _ring(painter: QPainter, radius: float, _form: int) -> None:
 
 
 def _frames_of(views: Sequence[CurveView], shown: PixelMap, scale: float) -> list[QRect]:
-    """Return a box around what each shape prints, in pixels, as far as it is in or near the picture."""
+    """Return a box around each painted shape, in pixels, as far as it is in or near the picture."""
     corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
-    widths = [printed_width(view.source.style, shown, _WIDTH * scale) for view in views]
+    widths = [line_width(view.source.style, shown, _WIDTH * scale) for view in views]
     pads = BESIDE * scale + np.array(widths)[:, None] / 2
     names = [view.source.shape for view in views]
     starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]

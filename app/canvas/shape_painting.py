@@ -1,4 +1,4 @@
-"""Shapes painted as they print: one fill and one line of several polylines, with caps, joins and dashes."""
+"""Shapes painted in their styles: one fill and one line of several polylines, with caps, joins and dashes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ..plotting.rings import ring_within
 from ..plotting.wide_line import RoundLine
 from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
 from ..view_model.curve.curve_view import CurveView
-from .looks import line_of, printed_width
+from .looks import line_of, line_width
 
 _NARROW = 4.0
 """Pixels of a line up to which it is cut where others are."""
@@ -52,7 +52,7 @@ def paint_shape(
     usual: float,
     line: RoundLine,
 ) -> None:
-    """Paint the fill and the line of a shape as they print.
+    """Paint the fill and the line of a shape in its style.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def paint_shape(
         area = _area(parts, shown)
         area.setFillRule(FILL_RULES[style.fill_rule])
         painter.fillPath(area, with_opacity(fill_colour(style.fill, theme), style.fill_opacity))
-    if (width := printed_width(style, shown, usual)) > 0:
+    if (width := line_width(style, shown, usual)) > 0:
         pen = _pen(style, curve_colour(style.stroke, theme), min(width, _WIDEST))
         _stroke(painter, parts, style, pen, shown, line)
 

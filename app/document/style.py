@@ -1,4 +1,4 @@
-"""Stroke and fill of a curve, as it prints."""
+"""Stroke and fill of a curve."""
 
 from __future__ import annotations
 

@@ -3,6 +3,6 @@
 - ``overrides``: guarded overrides: an exception ends in the method that Qt called.
 - ``keys``: keys that a widget takes before its window does.
 - ``labels``: words of others as they are written, not as HTML.
-- ``strokes``: pens and fill rules of styles, for the screen and for print.
+- ``strokes``: pens and fill rules of styles, for the screen and for pictures.
 - ``sources``: imports without a search through the source of every module.
 """

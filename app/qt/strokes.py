@@ -1,4 +1,4 @@
-"""Strokes and fills of a document's styles as Qt has them: the same on the screen and in print."""
+"""Strokes and fills of a document's styles as Qt has them: the same on the screen and in pictures."""
 
 from __future__ import annotations
 

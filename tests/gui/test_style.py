@@ -1,4 +1,4 @@
-"""The Style panel, and the canvas: strokes and fills as they print."""
+"""The Style panel, and the canvas: strokes and fills."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Small pictures of unsaved work: what prints is to scale in them."""
+"""Small pictures of unsaved work: what has a width is to scale in them."""
 
 from __future__ import annotations
 

@@ -230,7 +230,7 @@ class GroupTree(QTreeWidget):
 
 
 class ImportPicture(QWidget):
-    """The curves that are taken, as they print.
+    """The curves that are taken, in their styles.
 
     Attributes
     ----------

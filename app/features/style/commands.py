@@ -204,7 +204,7 @@ class StyleCommands:
 
 
 def _note_on(styles: Iterable[Style], theme: Theme) -> str:
-    """Return how the canvas shows lines on the paper of a theme, where it is not as they print."""
+    """Return how the canvas shows lines on the paper of a theme, where that is not their own colour."""
     lines = (each.stroke for each in styles if each.has_stroke)
     moved = next(filter(None, (adjustment_of(theme.paper.name(), stroke) for stroke in lines)), "")
     return f"The line is {moved}." if moved else ""
