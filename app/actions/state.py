@@ -16,7 +16,7 @@ from ..document.derivatives import EstimateRule
 from ..document.model import Document, ParametrizationKind
 from ..document.point_group import PointGroup
 from ..document.several_curves import counted, is_blank
-from ..document.shape_edits import are_in_groups, objects
+from ..document.shape_edits import are_in_groups, nodes_of
 from ..document.shapes import shape_of, whole_shapes
 from ..families import Family
 from ..session import Session
@@ -198,7 +198,7 @@ def _highlighted(session: Session) -> str:
 
 
 def _count_of_things(document: Document, chosen: frozenset[int]) -> int:
-    return len(objects(document, chosen)) if len(chosen) > 1 else len(chosen)
+    return len(nodes_of(document, chosen)) if len(chosen) > 1 else len(chosen)
 
 
 def _has_curve_beside(document: Document, selected: frozenset[int], shape: range, step: int) -> bool:

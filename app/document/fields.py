@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable
 from functools import cache
 from types import NoneType, UnionType
-from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Final, NamedTuple, Union, get_args, get_origin, get_type_hints
 
 import msgspec
 
@@ -72,14 +72,8 @@ def matching(pattern: str, words: str) -> Requirement:
     return Requirement(lambda text: re.fullmatch(pattern, text) is not None, words)
 
 
-class Dimension(NamedTuple):
-    """Dimension of the numbers in a field."""
-
-    name: str
-
-
-LENGTH = Dimension("length")
-"""That of what is twice as much in a drawing twice as large."""
+LENGTH: Final = object()
+"""Mark of a field whose numbers are twice as large in a drawing twice as large."""
 
 
 class Field(NamedTuple):

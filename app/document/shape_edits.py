@@ -180,8 +180,8 @@ def broken_apart(document: Document, curves: Collection[int]) -> Document:
 # Groups
 
 
-def objects(document: Document, curves: Collection[int]) -> list[Node]:
-    """Return what some curves are as things of their own: whole groups, and whole shapes."""
+def nodes_of(document: Document, curves: Collection[int]) -> list[Node]:
+    """Return the whole groups and whole shapes that some curves are."""
     return whole_nodes(document.curves, whole_shapes(document, curves))
 
 

@@ -25,14 +25,13 @@ class Label(QLabel):
     def __init__(
         self,
         text: str = "",
-        parent: QWidget | None = None,
         *,
         name: str = "",
         label: str = "",
         wordWrap: bool = False,  # noqa: N803 - as Qt has it
         is_html: bool = False,
     ) -> None:
-        super().__init__(text, parent, wordWrap=wordWrap)
+        super().__init__(text, wordWrap=wordWrap)
         self.setObjectName(name)
         self.setAccessibleName(label)
         self.setTextFormat(Qt.TextFormat.RichText if is_html else Qt.TextFormat.PlainText)

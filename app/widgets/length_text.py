@@ -12,6 +12,6 @@ def read_length(text: str, unit: str, now: float | None = None) -> float:
     return typed_length(text, unit, now, decimal_mark())
 
 
-def length_text(value: float, unit: str, digits: int = 6) -> str:
+def length_text(value: float, unit: str) -> str:
     """Return a length with its unit, if it has one."""
-    return f"{number(value, digits, decimal_mark())} {unit}".rstrip()
+    return f"{number(value, 6, decimal_mark())} {unit}".rstrip()

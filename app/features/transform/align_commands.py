@@ -83,7 +83,7 @@ def _say_what_stays(session: Session, change: Change) -> None:
 
 
 def _count(state: ActionState) -> int:
-    """Return how many points are selected, or else objects chosen: a group or a shape is one."""
+    """Return how many points are selected, or else curves chosen: a group or a shape is one."""
     return state.selected_count or state.chosen_count
 
 

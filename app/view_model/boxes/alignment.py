@@ -10,7 +10,7 @@ from ...document.edits import EditError
 from ...document.model import Document
 from ...document.point_group import PointGroup
 from ...document.several_curves import changeable, moved, whole_curves
-from ...document.shape_edits import objects
+from ...document.shape_edits import nodes_of
 from ...document.transforms import Edge, Reference, Spacing
 from ..curve.curve_view import CurveView
 from .bounds import Bounds, bounds_of_each
@@ -104,7 +104,7 @@ def distribute_curves(
 
 def _items(document: Document, views: Sequence[CurveView], curves: Collection[int]) -> list[_Item]:
     """Return what moves as one of some curves: whole groups and shapes, those that have points."""
-    groups = [whole_curves(document, node.places) for node in objects(document, curves)]
+    groups = [whole_curves(document, node.places) for node in nodes_of(document, curves)]
     found = zip(groups, bounds_of_each(views, groups), strict=True)
     return [_Item(group, bounds) for group, bounds in found if bounds is not None]
 
