@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .. import drawing, svg
 from ..cubics_in import Imported
@@ -18,15 +18,6 @@ from ..options import (
 from ..svg.writer import svg_of
 from . import ContentKind, Format
 
-if TYPE_CHECKING:
-    pass
-
-
-def read(data: bytes, tolerance: float | None) -> Imported:
-    """Return the curves of a drawing, above the x axis; see `svg.reader.read_svg_above`."""
-    return svg.reader.read_svg_above(data, tolerance)
-
-
 _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
     True: (WIDTH, SCALE),
     False: (SCALE, DPI),
@@ -35,8 +26,13 @@ _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
 }
 """Options that do nothing where the resolution says how many pixels there are, and where the width does."""
 
-
 _IN_PIXELS = (BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:])
+
+
+def read(data: bytes, tolerance: float | None) -> Imported:
+    """Return the curves of a drawing, above the x axis; see `svg.reader.read_svg_above`."""
+    return svg.reader.read_svg_above(data, tolerance)
+
 
 # Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.
 # ruff: noqa: PLW0108

@@ -193,7 +193,7 @@ class ImportCommands:
             return
         new, begins = taken.document, anew or session.files.is_untouched
         target = self._target(anew)
-        rest = self._words_about_missed(path, taken) + self._words_about_rest(new, anew)
+        rest = self._words_about_lost(path, taken) + self._words_about_rest(new, anew)
 
         def work(report: Report) -> Arrival:
             return intake.intake(target, new, lambda share: report(share, "Computing curves"))
@@ -227,7 +227,7 @@ class ImportCommands:
             other.take_opened(path, taken)
         return other is not None
 
-    def _words_about_missed(self, path: Path, taken: Imported | PreparedTable) -> str:
+    def _words_about_lost(self, path: Path, taken: Imported | PreparedTable) -> str:
         """Return what did not come of a file that is opened without a dialog."""
         is_asked = path != self._opened or not self._knows(path)
         return "" if is_asked else "".join(f"{remark} " for remark in taken.remarks)
