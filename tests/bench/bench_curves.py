@@ -7,8 +7,8 @@ The bounds are ratios in one run: a hundred curves, one of them dragged, over th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from time import perf_counter, process_time
+from collections.abc import Callable
+from time import process_time
 from typing import TypeVar
 
 import numpy as np
@@ -19,11 +19,9 @@ from PySide6.QtCore import QPointF
 
 from app.document.model import Document, make_curve
 from app.document.style import PLAIN_STYLE, Style
-from app.exchange.facts import facts_of
 from app.families import HERMITE
 from app.session import Session
 from app.testing import Editor
-from app.view_model.curve.curve_view import view_of
 
 ROUNDS, MOVES = 3, 300
 """Drags of each of two that are compared, in turn, and moves of each: a frame takes about a millisecond, and
@@ -34,10 +32,6 @@ MOST = 1.7
 
 ALL_MOST = 1.2
 """The same for each of thirty curves that are moved together: every one is computed and drawn anew."""
-
-
-FACTS_MOST = 5.0
-"""What the facts of curves cost, with the curves, over what these cost alone."""
 
 
 APART = 5
@@ -65,24 +59,22 @@ def document(count: int, style: Style = PLAIN_STYLE) -> Document:
     )
 
 
-def times(
-    qtbot, count: int, shown: str, chosen: int = 1, *, style: Style = PLAIN_STYLE, active: int = 0
-) -> Times:
+def times(qtbot, count: int, shown: str, chosen: int = 1) -> Times:
     """Drag a point of one of `count` curves, with this dock in front and so many chosen."""
     session = Session()
     editor = Editor(qtbot, session, size=(1200, 900))
-    session.commit(document(count, style), "Open", active=active)
+    session.commit(document(count), "Open")
     editor.show_dock(shown)
     editor.fit()
     editor.trigger("freezeParameters")
-    session.selected.set_curves(range(active, active + chosen), active)
+    session.selected.set_curves(range(chosen), 0)
     editor.select([])
     paints = Paints()
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
     start = QPointF(canvas.to_pixel(*editor.point(APART)))
     found = drag(canvas.viewport(), start, paints, ["canvas"], moves=MOVES)
-    assert session.active_index == active
+    assert session.active_index == 0
     editor.window.hide()
     return found
 
@@ -106,28 +98,14 @@ def test_a_hundred_curves_cost_little_more_than_one(qtbot, shown):
     assert hundred.median <= MOST * one.median
 
 
-def test_a_hundred_styled_curves_cost_little_more_than_one(qtbot):
-    """Half of them print below the one that is dragged, half over it: two pictures are kept."""
-    look = Style(stroke="#d55e00", width=0.01, fill="#0072b2", fill_opacity=0.5)
-    one, hundred = calmest(
-        lambda: times(qtbot, 1, "styleDock", style=look).median,
-        lambda: times(qtbot, 100, "styleDock", style=look, active=50).median,
-    )
-    print(f"\n1 styled curve: {one:.2f} ms   100: {hundred:.2f} ms")
-    assert hundred <= one + STYLED_MORE
-
-
-def whole(qtbot, count: int, style: Style, chosen: Sequence[int] = ()) -> float:
-    """Drag the topmost of `count` curves whole, none edited: processor time of a move in milliseconds.
-
-    Those that are `chosen` go along.
-    """
+def whole(qtbot, count: int, style: Style) -> float:
+    """Drag the topmost of `count` curves whole, none edited: processor time of a move in milliseconds."""
     session = Session()
     editor = Editor(qtbot, session, size=(1200, 900))
     session.commit(document(count, style), "Open", active=count - 1)
     editor.show_dock("styleDock")
     editor.fit()
-    session.selected.choose(chosen)
+    session.selected.choose(())
     paints, places = Paints(), list[object]()
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
@@ -146,16 +124,6 @@ def test_a_whole_curve_among_a_hundred_follows_as_quickly_as_one_alone(qtbot):
     one, hundred = calmest(lambda: whole(qtbot, 1, look), lambda: whole(qtbot, 100, look))
     print(f"\n1 styled curve, moved whole: {one:.2f} ms of the processor   among 100: {hundred:.2f} ms")
     assert hundred <= one + STYLED_MORE
-
-
-def test_chosen_curves_far_apart_follow_as_quickly_as_they_do_alone(qtbot):
-    """All hundred were painted in every frame: ten times what it takes now."""
-    look = Style(stroke="#d55e00", width=0.01, fill="#0072b2", fill_opacity=0.5)
-    alone, among = calmest(lambda: whole(qtbot, 2, look, (0, 1)), lambda: whole(qtbot, 100, look, (10, 99)))
-    print(
-        f"\n2 styled curves, moved whole: {alone:.2f} ms of the processor   far apart of 100: {among:.2f} ms"
-    )
-    assert among <= alone + 2 * STYLED_MORE
 
 
 def test_curves_that_are_chosen_cost_nothing_while_a_point_is_dragged(qtbot):
@@ -185,24 +153,3 @@ def thirty_together(qtbot) -> Times:
     found = drag(canvas.viewport(), QPointF(canvas.to_pixel(float(x), float(y))), paints, ["canvas"])
     editor.window.hide()
     return found
-
-
-def test_the_facts_of_a_small_curve_cost_little_more_than_the_curve():
-    """`curvebench info` of thousands: 18 times what it takes to compute them, when each was for itself."""
-    curves = document(1000).curves
-    small = Document(tuple(replace(curve, points=curve.points[:5]) for curve in curves))
-    made = shortest(lambda: [view_of(curve) for curve in small.curves])
-    ratio = shortest(lambda: facts_of(small)) / made
-    print(f"\nfacts of 1000 curves: {ratio:.1f} times the curves")
-    assert ratio <= FACTS_MOST
-
-
-def shortest(work):
-    """Seconds that something takes where nothing else comes between."""
-
-    def once():
-        began = perf_counter()
-        work()
-        return perf_counter() - began
-
-    return min(once() for _ in range(5))

@@ -42,11 +42,6 @@ def stated(text):
     return float(re.search(r"Largest deviation from the true curves: (\S+),", text)[1])
 
 
-def farthest(pieces, curve):
-    """The largest distance of pieces, as points at S, from a curve at the parameters between its joints."""
-    return max(np.hypot(*(a - b).T).max() for a, b in zip(pieces, curve, strict=True))
-
-
 def rounding(document):
     return 1e-14 * max(1.0, np.abs(core(document).points).max())
 

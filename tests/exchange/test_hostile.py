@@ -23,13 +23,12 @@ from app.exchange.table.clipboard import TableTextError, read_titled_block
 from app.storage.files import StorageError
 
 ROOT = Path(__file__).parents[2]
-SCRIPT = ROOT / "tests" / "data" / "make_hostile.py"
-FOLDER = SCRIPT.parent / "hostile"
+SCRIPT = ROOT / "tests" / "data" / "hostile_files.py"
 
 SECONDS = 5
 MEGABYTES = 500
 
-_spec = importlib.util.spec_from_file_location("make_hostile", SCRIPT)
+_spec = importlib.util.spec_from_file_location("hostile_files", SCRIPT)
 hostile = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(hostile)
 
@@ -41,7 +40,7 @@ from app.cli import main
 from app.exchange import child
 
 script, folder = sys.argv[1:]
-spec = importlib.util.spec_from_file_location("make_hostile", script)
+spec = importlib.util.spec_from_file_location("hostile_files", script)
 hostile = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(hostile)
 
@@ -112,7 +111,7 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
         ("malformed.curve.json", "line 1, column 10"),
         ("wrong_type_y.curve.json", "curves[0].points[2].y must be a number"),
         ("version_newer.curve.json", "newer version of Curvebench"),
-        ("million_digits.curve.json", "curves[0].points[2].x must lie between"),
+        ("million_digits.curve.json", "curves[0].points[0].x must lie between"),
         ("ragged.csv", "Row 3 has 3 cells; the first has 2."),
         ("formula.csv", "Row 3, column 1: “=cmd|' /C calc'!A0” is a formula"),
         ("bad_last_row.csv", "Row 1000002 has 1 cells"),
@@ -126,10 +125,6 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
 )
 def test_the_sentence_has_the_place(name, place, reports):
     assert place in reports[name][1]
-
-
-def test_the_corpus_is_what_the_script_makes():
-    assert {path.name: path.read_bytes() for path in FOLDER.iterdir()} == hostile.kept()
 
 
 ENDINGS = (".curve.json", ".csv", ".svg", ".dxf")

@@ -13,11 +13,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from kept_window import KeptEditor
 from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QDialog
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.testing import Editor, spin
+from app.testing import Editor
 
 _kept = KeptEditor()
 
@@ -62,27 +61,6 @@ def waves(editor):
         return editor
 
     return draw
-
-
-@pytest.fixture
-def open_drawing(editor, tmp_path, drawings_read_here):
-    """Return what opens the text of an SVG as a document."""
-
-    def open_text(text):
-        path = tmp_path / "in.svg"
-        path.write_text(text)
-        editor.session.new()
-        editor.window.context.files.open(path)
-        editor.wait_for_work()
-        if dialog := editor.window.findChild(QDialog, "importDrawingDialog"):
-            # Something of it comes in otherwise.
-            while dialog.jobs.is_busy:
-                spin(5)
-            dialog.ok.click()
-        editor.settle()
-        return editor
-
-    return open_text
 
 
 @pytest.fixture

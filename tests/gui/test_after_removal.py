@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from app.document.model import Document
 from app.document.selection import NONE_CHOSEN
 from app.features.curve_list.commands import CurveListCommands
+from tests.gui.editor_facts import names
 
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 DELETE = Qt.Key.Key_Delete
@@ -22,10 +23,6 @@ def four(waves):
     editor.double_click(tuple(editor.session.views[1].curve.evaluate(0.45).tolist()))
     assert state(editor) == ("ABCD", True, "", "B")
     return editor
-
-
-def names(editor):
-    return "".join(curve.name for curve in editor.session.document.curves)
 
 
 def state(editor):

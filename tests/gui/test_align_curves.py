@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QToolButton
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
+from tests.gui.editor_facts import undo_text
 
 WAVE = ((0.0, 0.0), (1.0, 1.5), (2.5, -0.5), (3.0, 1.0))
 
@@ -48,10 +49,6 @@ ACTIONS = ("alignLeft", "alignCentre", "alignRight", "alignTop", "alignMiddle", 
 
 def whole(boxes):
     return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
-
-
-def undo_text(editor):
-    return editor.session.undo_stack.undoText()
 
 
 @pytest.mark.parametrize("action", ACTIONS)

@@ -23,6 +23,7 @@ from app.tools.snapping import SnapKind, Snapping
 from app.workbench.clipboard import CURVES
 from tests.effort import calls_of
 from tests.gui.curve_rows import heard
+from tests.gui.editor_facts import moved_by, names, undo_text
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -47,10 +48,6 @@ def five(editor):
     editor.show_dock("curvesDock")
     editor.fit()
     return editor
-
-
-def names(editor):
-    return "".join(curve.name for curve in editor.session.document.curves)
 
 
 def chosen(editor):
@@ -82,18 +79,6 @@ def positions(editor, row):
     return np.array([point.position for point in editor.session.document.curves[row].points])
 
 
-def moved_by(editor, before, row):
-    """How far a curve has been moved since `before`; it must have been moved as a whole."""
-    old = np.array([point.position for point in before.curves[row].points])
-    ways = positions(editor, row) - old
-    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
-    return tuple(ways[0].tolist())
-
-
-def step_name(editor):
-    return editor.session.undo_stack.undoText()
-
-
 # Choosing in the list
 
 
@@ -104,7 +89,7 @@ def test_control_click_adds_and_takes_out(five):
     assert chosen(five) == "BAD"
     click_row(five, 3, CTRL)
     assert chosen(five) == "BA"
-    assert step_name(five) == "Begin"
+    assert undo_text(five) == "Begin"
 
 
 def test_taking_out_the_edited_curve_hands_on_to_its_neighbour(five):
@@ -281,7 +266,7 @@ def test_the_choice_is_no_part_of_the_history(five):
     choose(five, "ADE")
     five.trigger("selectAllCurves")
     assert five.session.undo_stack.count() == count
-    assert step_name(five) == "Begin"
+    assert undo_text(five) == "Begin"
 
 
 # Commands
@@ -291,16 +276,16 @@ def test_all_chosen_are_hidden_and_shown_in_one_step(five):
     choose(five, "BDE")
     five.trigger("curveVisible")
     assert [curve.visible for curve in five.session.document.curves] == [True, False, True, False, False]
-    assert step_name(five) == "Hide 3 curves"
+    assert undo_text(five) == "Hide 3 curves"
     click_row(five, 3, spot=Spot.EYE)
     assert all(curve.visible for curve in five.session.document.curves)
-    assert step_name(five) == "Show 3 curves"
+    assert undo_text(five) == "Show 3 curves"
 
 
 def test_the_eye_of_a_curve_that_is_not_chosen_is_about_that_one(five):
     choose(five, "BDE")
     click_row(five, 2, spot=Spot.EYE)
-    assert step_name(five) == "Hide C"
+    assert undo_text(five) == "Hide C"
     assert chosen(five) == "BDE"
 
 
@@ -308,7 +293,7 @@ def test_all_chosen_are_locked_and_freed(five):
     choose(five, "BD")
     click_row(five, 3, spot=Spot.LOCK)
     assert [curve.locked for curve in five.session.document.curves] == [False, True, False, True, False]
-    assert step_name(five) == "Lock 2 curves"
+    assert undo_text(five) == "Lock 2 curves"
     five.trigger("curveLocked")
     assert not any(curve.locked for curve in five.session.document.curves)
 
@@ -319,7 +304,7 @@ def test_all_chosen_get_a_colour(five):
     five.choose("colour_Vermillion")
     colours = [curve.style.stroke for curve in five.session.document.curves]
     assert colours == ["", "#d55e00", "", "#d55e00", "#d55e00"]
-    assert step_name(five) == "Colour 3 curves"
+    assert undo_text(five) == "Colour 3 curves"
 
 
 @pytest.mark.parametrize("how", ["action", "Delete"])
@@ -328,7 +313,7 @@ def test_all_chosen_are_deleted_in_one_step(five, how):
     choose(five, "BDE")
     assert five.action("deleteCurve").text() == "Delete 3 Curves"
     five.trigger("deleteCurve") if how == "action" else five.key(Qt.Key.Key_Delete)
-    assert (names(five), chosen(five), step_name(five)) == ("AC", "C", "Delete 3 curves")
+    assert (names(five), chosen(five), undo_text(five)) == ("AC", "C", "Delete 3 curves")
     assert five.action("deleteCurve").text() == "Delete Curve"
     five.trigger("undo")
     assert five.session.document == document
@@ -353,7 +338,7 @@ def test_all_chosen_are_duplicated_and_the_copies_chosen(five):
     five.trigger("duplicateCurve")
     assert [curve.name for curve in five.session.document.curves[1:5]] == ["B", "C", "B copy", "C copy"]
     assert (five.curve.name, five.session.selected.curves) == ("C copy", {3, 4})
-    assert step_name(five) == "Duplicate 2 curves"
+    assert undo_text(five) == "Duplicate 2 curves"
     assert five.session.selection == frozenset()
 
 
@@ -393,7 +378,7 @@ def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(fiv
     assert five.window.status_line.hint == "“D” is locked; unlock it in the list of curves to change it."
     # What cannot be moved has no grips.
     assert five.window.canvas.marks.box is None
-    assert step_name(five) == "Lock 2 curves"
+    assert undo_text(five) == "Lock 2 curves"
 
 
 def test_the_right_button_on_a_chosen_curve_leaves_them_chosen(five):
@@ -424,7 +409,7 @@ def test_dragging_one_moves_all_chosen(five):
     assert by == pytest.approx((0.5, -0.25), abs=five.pixel)
     assert moved_by(five, before, 1) == pytest.approx(by)
     assert [moved_by(five, before, row) for row in (0, 2, 4)] == [(0, 0)] * 3
-    assert (step_name(five), chosen(five)) == ("Move 2 curves", "BD")
+    assert (undo_text(five), chosen(five)) == ("Move 2 curves", "BD")
     five.trigger("undo")
     assert (five.session.document, chosen(five)) == (before, "BD")
 
@@ -443,7 +428,7 @@ def test_dragging_a_curve_that_is_not_chosen_moves_that_one_alone(five):
     choose(five, "BD")
     x, y = on_curve(five, 4)
     five.drag((x, y), (x, y + 0.5))
-    assert step_name(five) == "Move E"
+    assert undo_text(five) == "Move E"
     assert chosen(five) == "BD"
     now = five.session.document
     assert [now.curves[at] is before.curves[at] for at in range(5)] == [True, True, True, True, False]
@@ -453,9 +438,9 @@ def test_bending_and_points_of_the_edited_curve_work_as_ever(five):
     before = five.session.document
     choose(five, "BD")
     five.bend(0.42, (1.4, 3.3))
-    assert step_name(five).startswith("Bend")
+    assert undo_text(five).startswith("Bend")
     five.drag_point(1, to=(1.2, 3.4))
-    assert step_name(five) == "Move point 1"
+    assert undo_text(five) == "Move point 1"
     assert five.session.document.curves[3] is before.curves[3]
     assert chosen(five) == "BD"
 
@@ -492,7 +477,7 @@ def test_keys_transform_all_chosen_by_a_typed_amount(five, key, typed, name):
     assert (point.velocity, point.acceleration) == expected
     plain = five.session.document.curves[1].points[1]
     assert plain == Point(plain.x, plain.y)
-    assert step_name(five) == name
+    assert undo_text(five) == name
 
 
 @pytest.mark.parametrize("key", ["G", "S", "R"])
@@ -549,7 +534,7 @@ def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
     point = five.session.document.curves[2].points[1]
     assert point.velocity == pytest.approx((4 * factors[0], 2 * factors[1]))
     assert point.acceleration == pytest.approx((-8 * factors[0], 16 * factors[1]))
-    assert step_name(five) == "Scale 2 curves"
+    assert undo_text(five) == "Scale 2 curves"
 
 
 def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
@@ -580,7 +565,7 @@ def test_arrows_nudge_all_chosen_and_are_one_step(five):
     five.key(Qt.Key.Key_Up, SHIFT)
     assert moved_by(five, before, 1) == pytest.approx((-3 * step, 10 * step))
     assert moved_by(five, before, 3) == pytest.approx((-3 * step, 10 * step))
-    assert step_name(five) == "Nudge 2 curves"
+    assert undo_text(five) == "Nudge 2 curves"
     five.trigger("undo")
     assert five.session.document == before
 
@@ -593,7 +578,7 @@ def test_selected_points_go_before_chosen_curves(five):
     five.key(Qt.Key.Key_G)
     five.type_amount("1")
     five.key(Qt.Key.Key_Return)
-    assert step_name(five) == "Move point 1"
+    assert undo_text(five) == "Move point 1"
     assert five.session.document.curves[3] is before.curves[3]
 
 
@@ -698,13 +683,13 @@ def test_all_chosen_are_copied_and_pasted(five):
         curve.points for curve in originals[1:3]
     ]
     assert (five.session.active_index, five.session.selected.curves) == (5, {5, 6})
-    assert step_name(five) == "Paste 2 curves"
+    assert undo_text(five) == "Paste 2 curves"
 
 
 def test_all_chosen_are_cut(five):
     choose(five, "BD")
     five.key(Qt.Key.Key_X, CTRL)
-    assert (names(five), chosen(five), step_name(five)) == ("ACE", "C", "Cut 2 curves")
+    assert (names(five), chosen(five), undo_text(five)) == ("ACE", "C", "Cut 2 curves")
     five.key(Qt.Key.Key_V, CTRL)
     assert (names(five), chosen(five)) == ("ACEBD", "BD")
 
@@ -757,7 +742,7 @@ def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
     five.trigger(name)
     verb = "Raise" if name == "raiseCurve" else "Lower"
     assert (names(five), chosen(five)) == (order, "BD")
-    assert step_name(five) == f"{verb} 2 curves"
+    assert undo_text(five) == f"{verb} 2 curves"
     assert five.status.startswith("2 curves: one step to the ")
     assert five.curve.name == "B"
     five.trigger("undo")
@@ -776,7 +761,7 @@ def test_chosen_curves_go_to_the_top_and_the_bottom_together(five, key, order, n
     both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     five.key(key, both)
     assert (names(five), chosen(five), five.curve.name) == (order, "BD", "B")
-    assert step_name(five) == name
+    assert undo_text(five) == name
     steps = five.session.undo_stack.count()
     five.key(key, both)
     assert five.session.undo_stack.count() == steps, "they are there already"
@@ -793,7 +778,7 @@ def test_chosen_rows_are_dragged_together(five):
         QTest.mouseMove(view.viewport(), QPoint(start.x(), y))
     assert chosen(five) == "BC"
     QTest.mouseRelease(view.viewport(), LEFT, pos=QPoint(start.x(), end - 1))
-    assert (names(five), chosen(five), step_name(five)) == ("ADEBC", "BC", "Reorder 2 curves")
+    assert (names(five), chosen(five), undo_text(five)) == ("ADEBC", "BC", "Reorder 2 curves")
     # A click without a drag chooses the one alone, as before.
     QTest.mouseClick(view.viewport(), LEFT, pos=view.parts.row_rect(4).center())
     assert chosen(five) == "C"

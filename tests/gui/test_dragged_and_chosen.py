@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import Qt
 
+from tests.gui.editor_facts import on_curve
+
 CTRL = Qt.KeyboardModifier.ControlModifier
 
 
@@ -14,11 +16,6 @@ def whole(waves):
     three = waves("ABC")
     three.escape()
     return three
-
-
-def on_curve(editor, row):
-    x, y = editor.session.views[row].curve.evaluate(0.45)
-    return float(x), float(y)
 
 
 def chosen(editor):

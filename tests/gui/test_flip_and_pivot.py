@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QLineEdit
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.tools.snapping import SnapKind, Snapping
+from tests.gui.editor_facts import undo_text
 
 Key = Qt.Key
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -38,10 +39,6 @@ def points(editor, place=None):
     curves = editor.session.document.curves
     curve = editor.curve if place is None else curves[place]
     return np.array([point.position for point in curve.points])
-
-
-def undo_text(editor):
-    return editor.session.undo_stack.undoText()
 
 
 def pivot(editor):

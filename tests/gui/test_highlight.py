@@ -14,6 +14,7 @@ from app.document.selection import NONE_CHOSEN
 from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.workbench.clipboard import CURVES, POINTS
+from tests.gui.editor_facts import names, undo_text
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -27,14 +28,6 @@ def three(waves):
     editor.session.undo_stack.clear()
     editor.window.canvas.setFocus()
     return editor
-
-
-def names(editor):
-    return "".join(curve.name for curve in editor.session.document.curves)
-
-
-def step(editor):
-    return editor.session.undo_stack.undoText()
 
 
 def held():
@@ -92,7 +85,7 @@ def test_a_copy_is_pasted_from_the_list_too(three):
 def test_with_nothing_selected_the_edited_curve_goes(three, how):
     three.key(*KEYS[how])
     assert names(three) == "AC"
-    assert step(three) == f"{how.capitalize()} B"
+    assert undo_text(three) == f"{how.capitalize()} B"
     assert three.status == {"cut": "Cut “B”.", "delete": "Deleted “B”."}[how]
     three.trigger("undo")
     assert names(three) == "ABC"
@@ -103,7 +96,7 @@ def test_some_points_go_and_the_curve_stays(three, how):
     three.select([0, 3])
     three.key(*KEYS[how])
     assert [point.position for point in three.curve.points] == [(1, 4), (2, 3)]
-    assert step(three) == f"{how.capitalize()} 2 points"
+    assert undo_text(three) == f"{how.capitalize()} 2 points"
 
 
 @pytest.mark.parametrize("how", ["cut", "delete"])
@@ -169,7 +162,7 @@ def test_a_locked_curve_is_copied(three):
 def test_with_nothing_selected_the_edited_curve_is_doubled(three):
     three.key(Qt.Key.Key_D, CTRL)
     assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
-    assert step(three) == "Duplicate B"
+    assert undo_text(three) == "Duplicate B"
 
 
 def test_selected_points_are_doubled_as_a_curve_of_their_own(three):
@@ -178,7 +171,7 @@ def test_selected_points_are_doubled_as_a_curve_of_their_own(three):
     assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
     assert [point.position for point in three.curve.points] == [(1, 4), (2, 3), (3, 4)]
     assert three.session.selection == {0, 1, 2}
-    assert step(three) == "Duplicate 3 points"
+    assert undo_text(three) == "Duplicate 3 points"
     three.trigger("undo")
     assert names(three) == "ABC"
 
@@ -213,7 +206,7 @@ def test_all_chosen_curves_are_doubled(three):
     three.session.selected.set_curves({0, 2})
     three.key(Qt.Key.Key_D, CTRL)
     assert len(three.session.document.curves) == 5
-    assert step(three) == "Duplicate 2 curves"
+    assert undo_text(three) == "Duplicate 2 curves"
 
 
 # Whole curves, while none is edited

@@ -20,7 +20,6 @@ from app.testing import spin
 from app.workbench.file_names import title_of
 
 SVG = Path(__file__).parents[1] / "data" / "svg"
-CTRL = Qt.KeyboardModifier.ControlModifier
 INCH = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="1in" height="1in" viewBox="0 0 4 4">'
     '<path id="a" d="M0 0L4 0L4 4Z" fill="#00ff00" stroke="#ff0000" stroke-width="1"/></svg>'

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 
 from app.document.model import Document, make_curve
 from app.document.selection import NONE_FREE
+from tests.gui.editor_facts import chosen
 
 
 @pytest.fixture
@@ -21,11 +22,6 @@ def row(editor):
     editor.session.commit(Document(tuple(curves)), "Begin")
     editor.fit()
     return editor
-
-
-def chosen(editor):
-    session = editor.session
-    return "".join(session.document.curves[place].name for place in sorted(session.selected.chosen))
 
 
 def press(editor):

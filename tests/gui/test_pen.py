@@ -6,12 +6,13 @@ import math
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.model import ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.view_model.curve.handles import handles_of
+from tests.gui.editor_facts import at
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
@@ -52,11 +53,6 @@ def ruled(pen, family, kind):
     document = edits.set_family(pen.session.document, 0, family)
     begin(pen, edits.set_parametrization(document, 0, kind, []))
     return pen
-
-
-def at(editor, x, y):
-    """A place so many pixels right of and above the lower left part of the canvas."""
-    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
 
 
 def lengths(editor, index, kind=1):

@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QEvent, Qt
 
 from app.document import edits
 from app.document.model import ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE
+from tests.gui.editor_facts import at
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -27,11 +28,6 @@ def pen(editor):
     editor.session.selected.set_points([2])
     editor.trigger("addTool")
     return editor
-
-
-def at(editor, x, y):
-    """A place so many pixels right of and above the lower left part of the canvas."""
-    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
 
 
 def hint(editor):

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.lines import is_line
 from app.families import FAMILIES, HERMITE, LAGRANGE
+from tests.gui.editor_facts import at
 
 ALT = Qt.KeyboardModifier.AltModifier
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
@@ -23,11 +24,6 @@ def pen(editor):
     editor.session.commit(edits.set_family(editor.session.document, 0, HERMITE), "Begin")
     editor.trigger("addTool")
     return editor
-
-
-def at(editor, x, y):
-    """A place so many pixels right of and above the lower left part of the canvas."""
-    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
 
 
 def lines(editor):

@@ -6,19 +6,15 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from pixels import is_colour
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import LIGHT
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
+from tests.gui.editor_facts import at
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-
-
-def at(editor, x, y):
-    """A place so many pixels right of and above the lower left part of the canvas."""
-    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
 
 
 @pytest.fixture(params=FAMILIES)

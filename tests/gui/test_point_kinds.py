@@ -30,7 +30,6 @@ from app.view_model.points.point_kinds import (
 
 Key = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
 BOW = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 1.0), (6.0, 0.0))
 KEYS = {CORNER: Key.Key_C, SMOOTH: Key.Key_S, SYMMETRIC: Key.Key_Y, ESTIMATED: Key.Key_A}

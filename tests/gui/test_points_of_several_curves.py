@@ -12,6 +12,7 @@ from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
 from app.families import HERMITE
+from tests.gui.editor_facts import undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -44,10 +45,6 @@ def selected(editor):
     return dict(editor.session.selected.group.parts)
 
 
-def step_name(editor):
-    return editor.session.undo_stack.undoText()
-
-
 def ways(editor, before):
     return places(editor) - before
 
@@ -69,7 +66,7 @@ def test_a_band_over_both_contours_and_a_drag_moves_the_stem(letter):
     # To the last bit the same way.
     moved = ways(letter, before)[:2, 2]
     assert moved[0] == pytest.approx(moved[1], abs=1e-12)
-    assert (step_name(letter), letter.curve.name) == ("Move 2 points in 2 curves", "Inner")
+    assert (undo_text(letter), letter.curve.name) == ("Move 2 points in 2 curves", "Inner")
     assert selected(letter) == {0: {2}, 1: {2}}
     letter.trigger("undo")
     assert letter.session.document == document
@@ -109,7 +106,7 @@ def test_a_click_and_a_drag_of_an_unselected_point_mean_that_alone(letter):
     way = np.zeros((3, 4, 2))
     way[0, 0] = (0.5, 0.0)
     assert ways(letter, before) == pytest.approx(way, abs=2 * letter.pixel)
-    assert (step_name(letter), letter.curve.name) == ("Move point 0", "Outer")
+    assert (undo_text(letter), letter.curve.name) == ("Move point 0", "Outer")
 
 
 def test_escape_in_the_middle_of_a_drag_and_of_a_band_takes_all_back(letter):
@@ -143,7 +140,7 @@ def test_all_points_are_nudged_turned_and_deleted_by_keys(letter):
     assert step > 0
     assert way[:2] == pytest.approx(np.broadcast_to([step, 0.0], (2, 4, 2)), abs=1e-12)
     assert not way[2].any()
-    assert step_name(letter) == "Nudge 8 points in 2 curves"
+    assert undo_text(letter) == "Nudge 8 points in 2 curves"
     letter.trigger("undo")
     letter.key(Key.Key_R)
     letter.type_amount("90")
@@ -154,7 +151,7 @@ def test_all_points_are_nudged_turned_and_deleted_by_keys(letter):
     # Inner goes with all its points, Outer keeps one.
     letter.click((3.0, 0.0), keys=SHIFT)
     letter.key(Key.Key_Delete)
-    assert step_name(letter) == "Delete 7 points in 2 curves"
+    assert undo_text(letter) == "Delete 7 points in 2 curves"
     curves = letter.session.document.curves
     assert [(curve.name, len(curve.points), curve.shape) for curve in curves] == [
         ("Outer", 1, ""),
@@ -180,7 +177,7 @@ def test_the_box_is_around_the_points_of_both_contours_and_scales_them(letter):
     x, y = letter.grip(-1, 0)
     letter.drag((x, y), (x - 1.5, y))
     assert places(letter)[:2, 2] == pytest.approx(np.array([(-4.5, 0.0), (-1.5, 0.0)]), abs=2 * letter.pixel)
-    assert step_name(letter) == "Scale 2 points in 2 curves"
+    assert undo_text(letter) == "Scale 2 points in 2 curves"
 
 
 def test_kinds_and_alignment_are_of_the_points_of_both_contours(letter):
@@ -299,7 +296,7 @@ def test_handles_of_both_contours_are_seen_and_each_is_dragged(letter):
     after = letter.session.document.curves
     assert (after[1], letter.curve.name) == (before.curves[1], "Outer")
     assert after[0].points[2].velocity == pytest.approx((-6.0, -24.0), abs=0.3)
-    assert step_name(letter) == "Set velocity of point 2"
+    assert undo_text(letter) == "Set velocity of point 2"
     letter.drag(facing, (-1.0, -2.0))
     assert letter.session.document.curves[1].points[3].velocity is not None
     letter.trigger("undo")
@@ -345,7 +342,7 @@ def test_curves_are_split_at_all_selected_points(letter):
     assert not any(curve.closed for curve in curves)
     assert [curve.shape for curve in curves] == [*5 * ["O"], ""]
     assert letter.status.startswith("Split at 6 points: shape kept, largest change ")
-    assert step_name(letter) == "Split 1 shape and 1 curve"
+    assert undo_text(letter) == "Split 1 shape and 1 curve"
     # All of it is still edited, and its ends can be dragged apart.
     assert letter.session.selected.edited == set(range(6))
     letter.trigger("undo")
@@ -367,4 +364,4 @@ def test_an_open_curve_is_split_at_its_inner_points_alone(letter):
     for k, view in enumerate(letter.session.views):
         t = np.linspace(*before.parameters[k : k + 2], 20)
         assert view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-12)
-    assert step_name(letter) == "Split Wave"
+    assert undo_text(letter) == "Split Wave"

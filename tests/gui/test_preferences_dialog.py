@@ -17,6 +17,7 @@ from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.tools.snapping import SnapKind
 from app.window.preferences_dialog import PreferencesDialog
+from tests.gui.editor_facts import retype
 
 
 @pytest.fixture
@@ -39,13 +40,6 @@ def units(dialog):
 
 def spacing(dialog):
     return dialog.findChild(QLineEdit, "gridSpacing")
-
-
-def retype(field, text):
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, text)
-    QTest.keyClick(field, Qt.Key.Key_Return)
 
 
 def place(editor):

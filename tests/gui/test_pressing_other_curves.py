@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.actions.mnemonics import plain
+from tests.gui.editor_facts import moved_by, on_curve
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -20,28 +21,12 @@ def three(waves):
     return waves("ABC")
 
 
-def on_curve(editor, row, t=0.45):
-    x, y = editor.session.views[row].curve.evaluate(t)
-    return float(x), float(y)
-
-
 def entries(menu):
     return {entry.objectName(): entry.isEnabled() for entry in menu.actions() if entry.objectName()}
 
 
 def close(editor):
     QTest.keyClick(editor.menu(), Qt.Key.Key_Escape)
-
-
-def moved_by(editor, before, row):
-    """How far a curve has moved since `before`; it must have moved whole."""
-    places = [
-        np.array([point.position for point in document.curves[row].points])
-        for document in (before, editor.session.document)
-    ]
-    ways = places[1] - places[0]
-    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
-    return tuple(ways[0].tolist())
 
 
 @pytest.mark.parametrize("at", [(2, 6), None])

@@ -22,6 +22,7 @@ from app.document.transforms import clean_step
 from app.features.reference_image.commands import ImageCommands
 from app.storage.files import load
 from app.testing import Editor
+from tests.gui.editor_facts import retype
 
 
 def picture(path, width=60, height=80, colour="#ff0000"):
@@ -63,13 +64,6 @@ def colour_at(editor, place):
 
 def middle(image):
     return (image.x + image.width / 2, image.y + image.height / 2)
-
-
-def retype(field, text):
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, text)
-    QTest.keyClick(field, Qt.Key.Key_Return)
 
 
 def test_it_is_added_in_the_middle_with_its_aspect_and_undone(traced):

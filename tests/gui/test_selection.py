@@ -15,6 +15,7 @@ from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.tools.transform import TransformKind
+from tests.gui.editor_facts import undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -32,10 +33,6 @@ def arch(editor):
     editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
-
-
-def text_of_undo(editor) -> str:
-    return editor.session.undo_stack.undoText()
 
 
 def points(editor) -> np.ndarray:
@@ -63,7 +60,7 @@ def test_a_drag_of_one_of_several_selected_points_moves_them_all(arch):
     arch.select([1, 2])
     arch.drag_point(1, to=(1, 3))
     assert points(arch)[1:3] == pytest.approx(np.array([(1, 3), (3, 3)]), abs=2 * arch.pixel)
-    assert text_of_undo(arch) == "Move 2 points"
+    assert undo_text(arch) == "Move 2 points"
     assert arch.session.selection == {1, 2}
 
 
@@ -72,7 +69,7 @@ def test_a_drag_with_shift_moves_the_point_under_it_alone(arch):
     arch.drag_point(1, to=(2, 2.2), keys=SHIFT)
     assert arch.point(0) == (0.0, 0.0)
     assert arch.point(1)[1] == 2.0
-    assert text_of_undo(arch) == "Move point 1"
+    assert undo_text(arch) == "Move point 1"
 
 
 def test_the_rubber_band_selects_live(arch):
@@ -140,7 +137,7 @@ def test_g_moves_with_no_button_down_and_a_click_ends_it(arch):
     arch.move((1, 4), held=False)
     assert points(arch)[1] == pytest.approx((2, 3), abs=2 * arch.pixel)
     arch.click((1, 4))
-    assert text_of_undo(arch) == "Move 2 points"
+    assert undo_text(arch) == "Move 2 points"
     assert arch.session.undo_stack.count() == steps + 1
     arch.move((3, 4), held=False)
     assert points(arch)[1] == pytest.approx((2, 3), abs=2 * arch.pixel)
@@ -155,7 +152,7 @@ def test_a_typed_angle_rotates_exactly_about_the_centre(arch):
     assert arch.window.canvas.marks.note.text == "Rotate 90°"
     arch.key(Key.Key_Return)
     assert points(arch)[[0, 1, 3]].tolist() == [[3, -1], [1, 0], [3, 3]]
-    assert text_of_undo(arch) == "Rotate 3 points"
+    assert undo_text(arch) == "Rotate 3 points"
 
 
 def test_all_points_turn_about_the_middle_of_the_curve(arch):
@@ -167,7 +164,7 @@ def test_all_points_turn_about_the_middle_of_the_curve(arch):
     arch.key(Key.Key_Return)
     expected = [(x - (b - y), y + (a - x)) for a, b in POINTS]
     assert points(arch) == pytest.approx(np.array(expected), abs=CLOSE)
-    assert text_of_undo(arch) == "Rotate 4 points"
+    assert undo_text(arch) == "Rotate 4 points"
 
 
 def test_digits_do_not_switch_the_family_while_they_are_typed(arch):
@@ -318,7 +315,7 @@ def test_a_corner_grip_scales_about_the_opposite_corner(arch):
     arch.drag(start, (start[0] + 2, start[1] + 1))
     # The curve answers to another spacing of its points with another shape; the box follows the pointer.
     assert sampled_bounds(arch) == pytest.approx(np.add(before, [(0, 0), (2, 1)]), abs=3 * arch.pixel)
-    assert text_of_undo(arch) == "Scale 4 points"
+    assert undo_text(arch) == "Scale 4 points"
 
 
 def test_a_corner_grip_scales_a_few_points_by_their_own_box(arch):
@@ -361,7 +358,7 @@ def test_the_round_grip_rotates(arch):
     arch.drag(arch.grip(), (-1, y), keys=SHIFT)
     expected = [(x - (b - y), y + (a - x)) for a, b in POINTS]
     assert points(arch) == pytest.approx(np.array(expected), abs=CLOSE)
-    assert text_of_undo(arch) == "Rotate 4 points"
+    assert undo_text(arch) == "Rotate 4 points"
 
 
 @pytest.mark.parametrize("place", [(1, 1), (-1, 0), (0, 0)])
@@ -426,7 +423,7 @@ def test_align(arch, action, axis, value, name):
     assert points(arch)[:3, axis].tolist() == [value] * 3
     assert points(arch)[:, 1 - axis].tolist() == before[:, 1 - axis].tolist()
     assert points(arch)[3].tolist() == before[3].tolist()
-    assert text_of_undo(arch) == f"Align 3 points {name}"
+    assert undo_text(arch) == f"Align 3 points {name}"
 
 
 def test_distribute(arch):
@@ -434,7 +431,7 @@ def test_distribute(arch):
     arch.trigger("distributeHorizontally")
     assert points(arch)[:, 0] == pytest.approx([0, 4 / 3, 8 / 3, 4])
     assert points(arch)[[0, 3], 0].tolist() == [0, 4]
-    assert text_of_undo(arch) == "Distribute 4 points horizontally"
+    assert undo_text(arch) == "Distribute 4 points horizontally"
     arch.trigger("undo")
     assert points(arch).tolist() == [list(point) for point in POINTS]
 

@@ -18,10 +18,10 @@ from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.view_model.curve import flattener
 from tests.gui.curve_rows import heard
+from tests.gui.editor_facts import names
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-ALT = Qt.KeyboardModifier.AltModifier
 LEFT = Qt.MouseButton.LeftButton
 
 
@@ -31,10 +31,6 @@ def three(waves):
     editor = waves("ABC")
     editor.show_dock("curvesDock")
     return editor
-
-
-def names(editor):
-    return "".join(curve.name for curve in editor.session.document.curves)
 
 
 def list_of(editor):

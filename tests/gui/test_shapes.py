@@ -22,6 +22,7 @@ from app.features.curve_list import dragging
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.workbench.strip_menu import strip_menu
 from tests.gui.curve_rows import heard, rows, view_of
+from tests.gui.editor_facts import undo_text
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -126,10 +127,6 @@ def chosen(editor):
     return {editor.session.document.curves[place].name for place in editor.session.selected.curves}
 
 
-def step_name(editor):
-    return editor.session.undo_stack.undoText()
-
-
 @pytest.fixture
 def ring(rings):
     """The same with Outer and Inner combined, and Side edited."""
@@ -155,7 +152,7 @@ def group(rings):
 def test_combined_curves_are_one_shape_whose_hole_is_a_hole(rings):
     click_row(rings, "Inner", CTRL)
     rings.key(Qt.Key.Key_K, CTRL)
-    assert (shapes(rings), step_name(rings)) == (["Shape 1", "Shape 1", ""], "Combine 2 curves")
+    assert (shapes(rings), undo_text(rings)) == (["Shape 1", "Shape 1", ""], "Combine 2 curves")
     assert rings.status == "“Shape 1” is one shape of 2 curves; the even-odd rule keeps its holes open."
     assert {curve.style for curve in rings.session.document.curves[:2]} == {
         replace(RING, fill_rule=FillRule.EVENODD)
@@ -237,7 +234,7 @@ def test_a_shape_is_broken_apart_and_its_curves_are_chosen(ring):
     assert not ring.action("combineCurves").isEnabled()
     ring.key(Qt.Key.Key_K, CTRL | SHIFT)
     assert (shapes(ring), chosen(ring)) == (["", "", ""], {"Outer", "Inner"})
-    assert (rows(ring), step_name(ring)) == (["Side", "Inner", "Outer"], "Break Shape 1 apart")
+    assert (rows(ring), undo_text(ring)) == (["Side", "Inner", "Outer"], "Break Shape 1 apart")
 
 
 def test_more_is_combined_with_a_shape(ring):
@@ -305,7 +302,7 @@ def test_an_entry_stays_open_through_changes_and_another_name(ring):
     ring.type_text(editor, "R")
     QTest.keyClick(editor, Qt.Key.Key_Return)
     ring.settle()
-    assert (shapes(ring)[:2], step_name(ring)) == (["R", "R"], "Rename shape")
+    assert (shapes(ring)[:2], undo_text(ring)) == (["R", "R"], "Rename shape")
     assert rows(ring)[-3:] == ["R", "  Inner", "  Outer"]
 
 
@@ -356,21 +353,21 @@ def test_what_is_done_to_a_shape_is_done_to_all_of_it(ring, folded):
         (False, True),
         (True, False),
     ]
-    assert step_name(ring) == "Lock Shape 1"
+    assert undo_text(ring) == "Lock Shape 1"
 
 
 def test_commands_take_the_whole_shape_of_the_curve_that_is_edited(ring):
     ring.session.selected.activate(0)
     ring.trigger("raiseCurve")
     assert names(ring) == ["Side", "Outer", "Inner"]
-    assert (ring.curve.name, step_name(ring)) == ("Outer", "Raise Shape 1")
+    assert (ring.curve.name, undo_text(ring)) == ("Outer", "Raise Shape 1")
     assert not ring.action("raiseCurve").isEnabled()
     ring.trigger("duplicateCurve")
     assert names(ring) == ["Side", "Outer", "Inner", "Outer copy", "Inner copy"]
     assert shapes(ring) == ["", "Shape 1", "Shape 1", "Shape 1 copy", "Shape 1 copy"]
     ring.session.selected.activate(3)
     ring.trigger("deleteCurve")
-    assert (names(ring), step_name(ring)) == (["Side", "Outer", "Inner"], "Delete Shape 1 copy")
+    assert (names(ring), undo_text(ring)) == (["Side", "Outer", "Inner"], "Delete Shape 1 copy")
 
 
 def test_a_title_says_what_of_a_shape_is_meant(ring):
@@ -382,7 +379,7 @@ def test_a_title_says_what_of_a_shape_is_meant(ring):
     click_row(ring, "Inner")
     assert [each.text() for each in titles] == ["Delete Contour", "Duplicate Contour"]
     ring.trigger("deleteCurve")
-    assert (names(ring), step_name(ring)) == (["Outer", "Side"], "Delete Inner")
+    assert (names(ring), undo_text(ring)) == (["Outer", "Side"], "Delete Inner")
     click_row(ring, "Side")
     assert titles[0].text() == "Delete Curve"
 
@@ -404,7 +401,7 @@ def test_a_curve_of_an_opened_shape_is_chosen_alone_and_goes_alone(ring):
     ring.drag((0.5, 0.3), (0.5, 0.8))
     after = ring.session.document
     assert [after.curves[at] is before.curves[at] for at in range(3)] == [True, False, True]
-    assert step_name(ring) == "Move Inner"
+    assert undo_text(ring) == "Move Inner"
     ring.window.canvas.setFocus()
     ring.key(Qt.Key.Key_Delete)
     assert names(ring) == ["Outer", "Side"]
@@ -439,7 +436,7 @@ def test_a_curve_is_deleted_alone_from_the_opened_entry(ring, how):
         key_in_list(ring, Qt.Key.Key_Delete)
     else:
         ring.trigger("deleteContour")
-    assert (names(ring), shapes(ring), step_name(ring)) == (["Outer", "Side"], ["", ""], "Delete Inner")
+    assert (names(ring), shapes(ring), undo_text(ring)) == (["Outer", "Side"], ["", ""], "Delete Inner")
     assert rows(ring) == ["Side", "Outer"]
     ring.trigger("undo")
     assert shapes(ring) == ["Shape 1", "Shape 1", ""]
@@ -467,7 +464,7 @@ def test_a_shape_is_dragged_whole(ring):
     fold(ring, "Shape 1")
     drag_row(ring, "Shape 1", top_of(ring, "Side") + 1)
     assert (names(ring), rows(ring)[0]) == (["Side", "Outer", "Inner"], "Shape 1")
-    assert step_name(ring) == "Reorder Shape 1"
+    assert undo_text(ring) == "Reorder Shape 1"
 
 
 def test_a_curve_is_dragged_into_a_shape_and_out_of_it(ring):
@@ -512,14 +509,14 @@ def test_a_group_does_not_go_into_itself(group):
 
 def test_grouped_curves_have_an_entry_that_chooses_all(group):
     assert groups(group) == [(), ("Group 1",), ("Group 1",)]
-    assert (rows(group), step_name(group)) == (["Group 1", "Outer"], "Group 2 curves")
+    assert (rows(group), undo_text(group)) == (["Group 1", "Outer"], "Group 2 curves")
     click_row(group, "Group 1")
     assert chosen(group) == {"Inner", "Side"}
     fold(group, "Group 1")
     assert rows(group) == ["Group 1", "  Side", "  Inner", "Outer"]
     group.key(Qt.Key.Key_G, CTRL | SHIFT)
     assert (groups(group), chosen(group)) == ([(), (), ()], {"Inner", "Side"})
-    assert (group.status, step_name(group)) == ("Group 1 is taken apart.", "Ungroup Group 1")
+    assert (group.status, undo_text(group)) == ("Group 1 is taken apart.", "Ungroup Group 1")
 
 
 def test_groups_are_in_groups_with_shapes_in_them(group):
@@ -663,12 +660,12 @@ def test_a_drag_within_a_fill_moves_all_of_the_group(whole):
     ways = np.subtract(after, before)
     assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
     assert ways[0] == pytest.approx((0, 1), abs=2 * whole.pixel)
-    assert step_name(whole) == "Move Group 1"
+    assert undo_text(whole) == "Move Group 1"
 
 
 def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
     whole.drag((6.5, 0.2), (6.6, 0.4), keys=SHIFT)
-    assert (chosen_as_wholes(whole), step_name(whole)) == (set(), "Group 1 shape and 1 curve")
+    assert (chosen_as_wholes(whole), undo_text(whole)) == (set(), "Group 1 shape and 1 curve")
     whole.session.selected.choose({2})
     whole.trigger("ungroupCurves")
     whole.session.selected.choose(())
@@ -683,9 +680,9 @@ def test_what_is_counted_are_shapes_and_groups_and_not_their_curves(whole):
     whole.settle()
     assert whole.action("deleteCurve").text() == "Delete 1 Shape and 1 Curve"
     whole.drag((2.2, 0.3), (2.2, 1.3))
-    assert step_name(whole) == "Move 1 shape and 1 curve"
+    assert undo_text(whole) == "Move 1 shape and 1 curve"
     whole.trigger("duplicateCurve")
-    assert step_name(whole) == "Duplicate 1 shape and 1 curve"
+    assert undo_text(whole) == "Duplicate 1 shape and 1 curve"
     assert whole.status.startswith("Copies of 1 shape and 1 curve lie on the originals")
     whole.trigger("groupCurves")
     assert whole.status == "“Group 1” has 1 shape and 1 curve."
@@ -733,7 +730,7 @@ def test_another_curve_of_the_shape_bends_at_once(edited):
     edited.hover(at)
     assert edited.window.status_line.hint.startswith("Drag to bend “Inner” or move a point of it")
     edited.drag(at, (at[0] + 0.3, at[1] + 0.3))
-    assert (edited.curve.name, step_name(edited)[:4]) == ("Inner", "Bend")
+    assert (edited.curve.name, undo_text(edited)[:4]) == ("Inner", "Bend")
     edited.trigger("undo")
     edited.session.selected.activate(0)
     edited.drag((1.5, 0.0), (1.8, 0.4))
@@ -851,7 +848,7 @@ def test_a_contour_that_is_highlighted_in_the_list_is_duplicated_and_copied_as_a
     ctrl_in_list(ring, Qt.Key.Key_D)
     assert names(ring) == ["Outer", "Inner", "Inner copy", "Side"]
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
-    assert (ring.curve.name, step_name(ring)) == ("Inner copy", "Duplicate Inner")
+    assert (ring.curve.name, undo_text(ring)) == ("Inner copy", "Duplicate Inner")
     assert ring.curve.style.fill == RING.fill
     ring.trigger("undo")
     click_row(ring, "Inner")
@@ -868,7 +865,7 @@ def test_cut_takes_the_contour_alone_and_the_row_of_the_shape_means_all_of_it(ri
     click_row(ring, "Inner")
     ctrl_in_list(ring, Qt.Key.Key_X)
     assert (names(ring), shapes(ring)) == (["Outer", "Side"], ["", ""])
-    assert (ring.status, step_name(ring)) == ("Cut “Inner”.", "Cut Inner")
+    assert (ring.status, undo_text(ring)) == ("Cut “Inner”.", "Cut Inner")
     ring.trigger("undo")
     click_row(ring, "Shape 1")
     ctrl_in_list(ring, Qt.Key.Key_D)

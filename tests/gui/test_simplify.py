@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
 
 from app.exchange.svg.reader import read_svg
 from app.view_model.curve.curve_view import view_of
-
-CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 def ellipse(count):

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QLineEdit, QToolButton
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
+from tests.gui.editor_facts import undo_text
 
 Key = Qt.Key
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -52,10 +53,6 @@ def turned(editor):
     editor.click(on_curve(editor))
     assert box(editor).turns
     return editor
-
-
-def undo_text(editor):
-    return editor.session.undo_stack.undoText()
 
 
 def plus(place, x, y):

@@ -14,6 +14,7 @@ from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
 from app.families import HERMITE
+from tests.gui.editor_facts import undo_text
 
 Key, LEFT = Qt.Key, Qt.MouseButton.LeftButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -62,10 +63,6 @@ def click(editor, name):
 
 def label(editor, name):
     return editor.window.findChild(QLabel, name).text()
-
-
-def undo_text(editor):
-    return editor.session.undo_stack.undoText()
 
 
 def size(editor, *places):

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 from app.document.model import Document, make_curve
 from app.families import LAGRANGE
 from app.features.reference_image.commands import ImageCommands
+from tests.gui.editor_facts import undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 Key = Qt.Key
@@ -32,10 +33,6 @@ def arch(editor):
 
 def points(editor):
     return np.array([point.position for point in editor.curve.points])
-
-
-def undo_text(editor):
-    return editor.session.undo_stack.undoText()
 
 
 # Nothing selected

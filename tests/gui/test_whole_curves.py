@@ -17,10 +17,10 @@ from app.document.style import Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot, spot_rect
 from tests.gui.curve_rows import heard, open_row_menu, rows, view_of
+from tests.gui.editor_facts import chosen, moved_by, on_curve
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
-ALT = Qt.KeyboardModifier.AltModifier
 RETURN = Qt.Key.Key_Return
 
 
@@ -38,29 +38,9 @@ def whole(three):
     return three
 
 
-def on_curve(editor, row, t=0.45):
-    x, y = editor.session.views[row].curve.evaluate(t)
-    return float(x), float(y)
-
-
-def chosen(editor):
-    return "".join(
-        editor.session.document.curves[place].name for place in sorted(editor.session.selected.chosen)
-    )
-
-
 def state(editor):
     """Whether a curve is edited, which curves are chosen as wholes, which is the active one."""
     return editor.session.selected.is_editing, chosen(editor), editor.curve.name
-
-
-def moved_by(editor, before, row):
-    ways = np.subtract(
-        [point.position for point in editor.session.document.curves[row].points],
-        [point.position for point in before.curves[row].points],
-    )
-    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
-    return tuple(ways[0].tolist())
 
 
 def shows_points(editor):

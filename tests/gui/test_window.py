@@ -581,10 +581,6 @@ def test_a_start_in_dark_is_dark_everywhere(qtbot, tmp_path):
     editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
-def pixel_in(window, widget, x, y):
-    return widget.mapTo(window, widget.to_pixel(x, y))
-
-
 @pytest.mark.parametrize("size", [(1024, 700), (1280, 860), (1400, 900)])
 def test_the_greeting_covers_nothing_of_the_first_sketch(qtbot, size):
     editor = Editor(qtbot, size=size)

@@ -17,6 +17,7 @@ from app.exchange.svg.fragments import SMALL, fragment_in
 from app.exchange.svg.lengths import length
 from app.exchange.svg.reader import read_svg
 from app.families import HERMITE
+from tests.gui.editor_facts import undo_text
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -49,10 +50,6 @@ def chosen(editor):
     return [curves[place].name for place in sorted(editor.session.selected.curves)]
 
 
-def step(editor):
-    return editor.session.undo_stack.undoText()
-
-
 def middle(curves):
     xs, ys = zip(*(point.position for curve in curves for point in curve.points), strict=True)
     return ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
@@ -74,7 +71,7 @@ def test_svg_of_another_program_becomes_a_chosen_curve(three, kind):
     assert chosen(three) == ["leaf"]
     assert three.curve.style.stroke == "#d55e00"
     assert three.status == "Pasted “leaf”; it is chosen."
-    assert step(three) == "Paste leaf"
+    assert undo_text(three) == "Paste leaf"
     three.trigger("undo")
     assert [each.name for each in three.session.document.curves] == ["A", "B", "C"]
 
@@ -98,7 +95,7 @@ def test_elements_out_of_a_file_are_a_drawing(three):
     three.paste_text('<path d="M0 0L4 4" stroke="red"/>\n<g><path d="M0 4L4 0"/></g>')
     paste(three)
     assert len(chosen(three)) == 2
-    assert step(three) == "Paste 2 curves"
+    assert undo_text(three) == "Paste 2 curves"
 
 
 def test_svg_of_a_page_says_no_name_spaces(three):

@@ -1,0 +1,51 @@
+"""Facts that many tests ask of an editor: names, the last step, places on curves and how far these went."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+
+def names(editor):
+    """The names of all curves, as one word."""
+    return "".join(curve.name for curve in editor.session.document.curves)
+
+
+def chosen(editor):
+    """The names of the curves that are chosen whole, as one word."""
+    curves = editor.session.document.curves
+    return "".join(curves[place].name for place in sorted(editor.session.selected.chosen))
+
+
+def undo_text(editor):
+    return editor.session.undo_stack.undoText()
+
+
+def on_curve(editor, row, t=0.45):
+    x, y = editor.session.views[row].curve.evaluate(t)
+    return float(x), float(y)
+
+
+def moved_by(editor, before, row):
+    """How far a curve has been moved since `before`; it must have been moved as a whole."""
+    new, old = (
+        np.array([point.position for point in document.curves[row].points])
+        for document in (editor.session.document, before)
+    )
+    ways = new - old
+    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
+    return tuple(ways[0].tolist())
+
+
+def at(editor, x, y):
+    """A place so many pixels right of and above the lower left part of the canvas."""
+    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
+
+
+def retype(field, text):
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
