@@ -7,7 +7,7 @@ import pytest
 from extents import CLOSE, box_shown, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QMimeData, QPoint, Qt
-from PySide6.QtGui import QColor, QContextMenuEvent, QImage, QPainter
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
@@ -21,7 +21,6 @@ from app.features.import_export.commands import ImportCommands
 from app.storage.format import encode
 from app.tools.snapping import SnapKind, Snapping
 from app.workbench.clipboard import CURVES
-from tests.effort import calls_of
 from tests.gui.curve_rows import heard
 from tests.gui.editor_facts import moved_by, names, undo_text
 
@@ -319,20 +318,6 @@ def test_all_chosen_are_deleted_in_one_step(five, how):
     assert five.session.document == document
 
 
-def test_delete_takes_points_where_points_are_selected(five):
-    choose(five, "BD")
-    five.click(five.point(1))
-    five.key(Qt.Key.Key_Delete)
-    assert (names(five), len(five.curve.points)) == ("ABCDE", 3)
-
-
-def test_deleting_all_leaves_an_empty_curve(five):
-    five.trigger("selectAllCurves")
-    five.trigger("deleteCurve")
-    assert [len(curve.points) for curve in five.session.document.curves] == [0]
-    assert five.session.selected.curves == {0}
-
-
 def test_all_chosen_are_duplicated_and_the_copies_chosen(five):
     choose(five, "CB")
     five.trigger("duplicateCurve")
@@ -379,18 +364,6 @@ def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(fiv
     # What cannot be moved has no grips.
     assert five.window.canvas.marks.box is None
     assert undo_text(five) == "Lock 2 curves"
-
-
-def test_the_right_button_on_a_chosen_curve_leaves_them_chosen(five):
-    choose(five, "BD")
-    for row, expected in ((3, "DB"), (2, "C")):
-        place = five.window.canvas.to_pixel(*on_curve(five, row))
-        port = five.window.canvas.viewport()
-        event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
-        QApplication.sendEvent(port, event)
-        five.settle()
-        five.menu().close()
-        assert chosen(five) == expected
 
 
 # Transforms
@@ -694,13 +667,6 @@ def test_all_chosen_are_cut(five):
     assert (names(five), chosen(five)) == ("ACEBD", "BD")
 
 
-def test_selected_points_are_copied_before_chosen_curves(five):
-    choose(five, "BD")
-    five.click(five.point(1))
-    five.key(Qt.Key.Key_C, CTRL)
-    assert five.status == "Copied 1 point."
-
-
 def test_what_is_no_curve_on_the_clipboard_is_told(five):
     data = QMimeData()
     data.setData(CURVES, b"{")
@@ -830,17 +796,6 @@ def test_many_chosen_curves_keep_their_colours_and_boxes_mark_them(editor):
     editor.settle()
     after = canvas.viewport().grab().toImage()
     assert accent.name() not in {after.pixelColor(x, top + 20).name() for x in range(left - 2, left + 3)}
-
-
-def test_thousands_of_chosen_curves_are_marked_at_no_cost(editor):
-    """Each was drawn twice more, with its strokes."""
-    fine_lines(editor, 400)
-    canvas = editor.window.canvas
-    layer, picture = canvas.drawing.selected, QImage(canvas.size(), QImage.Format.Format_ARGB32)
-    with QPainter(picture) as painter:
-        calls = calls_of(lambda: layer.paint_shapes(painter, canvas.camera.pixel_map, layer._shapes))
-    assert len(layer._shapes) == 400
-    assert calls < 12 * 400
 
 
 def test_the_box_is_as_large_as_what_it_is_around_and_its_grips_lie_beside_it(five):

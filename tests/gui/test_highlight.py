@@ -202,13 +202,6 @@ def test_one_point_and_all_points_mean_the_curve(three, selected):
     assert len(three.curve.points) == 4
 
 
-def test_all_chosen_curves_are_doubled(three):
-    three.session.selected.set_curves({0, 2})
-    three.key(Qt.Key.Key_D, CTRL)
-    assert len(three.session.document.curves) == 5
-    assert undo_text(three) == "Duplicate 2 curves"
-
-
 # Whole curves, while none is edited
 
 

@@ -142,21 +142,6 @@ def test_at_the_edge_of_reach_it_is_moved_or_there_is_a_band_but_never_both(thre
     assert three.session.document is before
 
 
-def test_shift_click_chooses_it_too(three):
-    before = three.session.document
-    three.click(on_curve(three, 2), keys=SHIFT)
-    assert (three.session.active_index, three.session.selected.curves) == (1, {1, 2})
-    assert three.session.document is before
-
-
-def test_curves_chosen_together_still_move_together(three):
-    three.click(on_curve(three, 2), keys=SHIFT)
-    x, y = on_curve(three, 2)
-    three.drag((x, y), (x + 0.5, y + 0.25))
-    assert three.session.undo_stack.undoText() == "Move 2 curves"
-    assert three.session.active_index == 1
-
-
 LOCKED = "“C” is locked; unlock it in the list of curves to change it."
 
 

@@ -90,16 +90,18 @@ def assert_sound(editor, odd_values) -> None:
 
 
 def assert_history_is_exact(session) -> None:
-    """Raise unless undo to the beginning and redo to the end pass the same documents."""
+    """Raise unless undo to the beginning and redo to the end pass the same documents, and the same curves."""
     stack = session.undo_stack
     steps = stack.index()
-    there = [session.committed]
+    there = [(session.committed, session.active_index)]
     for _ in range(steps):
         stack.undo()
-        there.append(session.committed)
-    for document in reversed(there[:-1]):
+        there.append((session.committed, session.active_index))
+    for document, active in reversed(there[:-1]):
         stack.redo()
-        assert session.committed == document
+        assert session.committed is document
+        # Whole curves that are chosen stay so; a curve that is edited is the one of then.
+        assert session.active_index == active or session.active_index in session.selected.chosen
     assert stack.index() == steps
 
 

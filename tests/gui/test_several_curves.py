@@ -11,12 +11,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.appearance.colours import point_colours
-from app.document.model import Document, make_curve
-from app.document.several_curves import with_appearance
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
-from app.view_model.curve import flattener
 from tests.gui.curve_rows import heard
 from tests.gui.editor_facts import names
 
@@ -83,15 +80,6 @@ def test_keys_walk_the_curves_from_the_canvas(three):
     three.key(Qt.Key.Key_PageUp, CTRL)
     assert three.curve.name == "C"
     assert three.status == "Editing “C”."
-
-
-def test_a_click_on_another_curve_edits_it(three):
-    at = three.session.views[2].curve.evaluate(0.45)
-    three.hover(tuple(at))
-    assert three.window.status_line.hint.startswith("Drag to move “C” · click to edit it")
-    three.click(tuple(at))
-    assert three.curve.name == "C"
-    assert three.session.undo_stack.undoText() == "Begin"
 
 
 def test_a_hidden_curve_is_not_under_the_pointer(three):
@@ -182,19 +170,6 @@ def test_a_colour_is_chosen_from_the_palette_by_keys(three):
         QTest.keyClick(menu, key)
     three.settle()
     assert three.curve.style.stroke == "#0072b2"
-
-
-def test_a_copy_keeps_its_colour(three):
-    """It used to have the next one that was free."""
-    three.session.commit(with_appearance(three.session.document, {1}, colour="#0072b2"), "Blue")
-    three.session.commit(with_appearance(three.session.document, {0}, colour="#d55e00"), "Vermillion")
-    three.session.selected.activate(1)
-    three.trigger("duplicateCurve")
-    assert (three.curve.name, three.curve.style.stroke) == ("B copy", "#0072b2")
-    three.session.selected.activate(3)
-    assert three.curve.style.stroke == ""
-    three.trigger("duplicateCurve")
-    assert three.curve.style.stroke == ""
 
 
 def test_the_points_of_a_hidden_curve_are_faint_while_it_is_edited(three):
@@ -629,28 +604,6 @@ def test_a_press_and_release_of_another_button_does_nothing(three):
     for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
         three.send(three.window.canvas, kind, pixel, button=Qt.MouseButton.RightButton)
     assert three.session.document is document
-
-
-def test_curves_that_are_small_on_the_screen_are_flattened_once(editor, monkeypatch):
-    """Opening 5,000 curves flattened each for its box and once more to draw it."""
-    counts = []
-    plain = flattener.flatten_pieces
-    monkeypatch.setattr(flattener, "flatten_pieces", lambda *given: counts.append(1) or plain(*given))
-    flattened = []
-    for side in (5, 7):
-        curves = [
-            make_curve([(9.0 * i, 9.0 * k), (9.0 * i + 1.0, 9.0 * k + 2.0), (9.0 * i + 2.0, 9.0 * k)])
-            for i in range(side)
-            for k in range(side)
-        ]
-        counts.clear()
-        editor.session.files.restore(Document(tuple(curves)), None)
-        editor.fit()
-        editor.settle()
-        editor.window.canvas.grab()
-        flattened.append(len(counts) / len(curves))
-    # One each; the active one is drawn at the scale of the screen besides.
-    assert max(flattened) <= 1.5
 
 
 def test_all_that_is_chosen_whole_is_reversed_and_closed(three):

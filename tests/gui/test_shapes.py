@@ -13,9 +13,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 from app.actions.strips import CURVE_MENU
 from app.appearance.theme import LIGHT
 from app.cli import main
-from app.document.edits import move_points
 from app.document.model import Document, make_curve
-from app.document.several_curves import with_appearance
 from app.document.style import FillRule, Style
 from app.families import HERMITE
 from app.features.curve_list import dragging
@@ -241,25 +239,6 @@ def test_more_is_combined_with_a_shape(ring):
     click_row(ring, "Shape 1", CTRL)
     ring.trigger("combineCurves")
     assert shapes(ring) == ["Shape 1"] * 3
-
-
-def test_a_letter_is_traced_combined_and_filled(editor):
-    """What a designer does for an O: ten clicks of the pen, three keys, one click on a colour."""
-    editor.new()
-    editor.choose_family(HERMITE)
-    editor.window.canvas.camera.show_box((-4.0, 4.0), (-4.0, 4.0))
-    editor.trigger("addTool")
-    for size in (3.0, 1.5):
-        for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)):
-            editor.click((size * x, size * y))
-    editor.key(Qt.Key.Key_V)
-    editor.key(Qt.Key.Key_A, CTRL | SHIFT)
-    editor.key(Qt.Key.Key_K, CTRL | ALT)
-    editor.show_dock("styleDock")
-    blue = editor.window.findChild(object, "fillPaint_Blue")
-    QTest.mouseClick(blue, LEFT)
-    assert [curve.is_closed for curve in editor.session.document.curves] == [True, True]
-    assert (seen(editor, 2.2, 0.3), seen(editor, 0.3, 0.2)) == ("#0072b2", LIGHT.paper.name())
 
 
 # The entry that opens
@@ -806,32 +785,6 @@ def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
 
 
 # Many
-
-
-def test_a_change_in_a_list_of_thousands_makes_its_rows_anew_and_a_move_none(editor, monkeypatch):
-    curves = [
-        replace(diamond(1.0, f"c{k}", x=3.0 * k), shape=f"S{k // 2}", groups=(f"G{k // 20}",))
-        for k in range(2000)
-    ]
-    editor.session.commit(Document(tuple(curves)), "Begin", active=7)
-    editor.session.selected.activate(7)
-    editor.show_dock("curvesDock")
-    model = view_of(editor).curves
-    assert model.rowCount() == 100
-    made = []
-    row = type(model)._row
-    monkeypatch.setattr(type(model), "_row", lambda self, node: made.append(node.name) or row(self, node))
-    resets = []
-    model.modelAboutToBeReset.connect(lambda: resets.append(1))
-    editor.session.change("Move", lambda document: move_points(document, 7, [0], (0.5, 0.0)))
-    assert (made, resets) == ([], [])
-    editor.session.change("Hide", lambda document: with_appearance(document, [7], visible=False))
-    assert (made, resets) == (["G0"], [])
-    fold(editor, "G0")
-    fold(editor, "S3")
-    made.clear(), resets.clear()
-    editor.session.change("Show", lambda document: with_appearance(document, [7], visible=True))
-    assert (sorted(made), resets) == (["G0", "S3", "c6", "c7"], [])
 
 
 def test_leaving_a_curve_of_a_shape_chooses_the_shape(edited):

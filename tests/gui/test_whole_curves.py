@@ -87,12 +87,6 @@ def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
     assert whole.session.selected.chosen == places
 
 
-def test_without_a_page_v_goes_back_to_the_points(three):
-    three.trigger("addTool")
-    three.key(Qt.Key.Key_V)
-    assert state(three) == (True, "", "B")
-
-
 def test_leaving_is_said_and_no_points_are_shown(three):
     assert shows_points(three)
     three.hover((1.5, 4.4))
@@ -154,11 +148,6 @@ def test_shift_click_adds_and_takes_out_and_a_click_beside_chooses_none(whole):
         assert whole.session.active_index in whole.session.selected.curves
     whole.click((-1, 4.6))
     assert (whole.session.selected.is_editing, chosen(whole)) == (False, "")
-
-
-def test_all_are_chosen_with_ctrl_a(whole):
-    whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
-    assert state(whole)[:2] == (False, "ABC")
 
 
 @pytest.mark.parametrize("how", ["table", "menu of the list", "pen", "new document", "action"])
@@ -285,15 +274,6 @@ def test_what_is_chosen_is_dragged_and_nudged_and_stays_chosen(whole, letters):
     whole.trigger("undo")
     assert whole.session.document == before
     assert state(whole)[:2] == (False, letters)
-
-
-def test_a_drag_of_one_that_is_not_chosen_chooses_and_moves_that_one(whole):
-    before = whole.session.document
-    whole.click(on_curve(whole, 0))
-    x, y = on_curve(whole, 2)
-    whole.drag((x, y), (x + 0.5, y))
-    assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
-    assert state(whole) == (False, "C", "C")
 
 
 def test_one_that_is_chosen_has_a_box_and_is_moved_scaled_and_deleted(whole):
