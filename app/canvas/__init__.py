@@ -1,16 +1,15 @@
 """The canvas: the curve, its points and handles, drawn and grabbed.
 
-- ``canvas``: the widget, which has the tools.  ``surface``: what these can ask of it.  ``scene``: its layers.
-  ``fitting``: what part of the plane is shown.  ``steady_view``: what stays in sight in another size.
+- ``canvas``: the widget, which has the tools, and stays where it is in another size.  ``scene``: its layers.
+  ``fitting``: what part of the plane is shown.
 - ``curve_layer``, ``point_layer``, ``point_density``, ``point_ink``, ``point_marks``,
   ``control_polygon_layer``: the curve that is edited.
 - ``drawn_curves``: all curves from the back to the front.  ``looks``: how they look.
   ``shape_painting``: shapes in their styles, with fills, ends and dashes.
-  ``sections``: which of them are in a picture while others move.
 - ``other_curves_layer``, ``selected_curves_layer``: the other curves, and those that the file holds; those
   that are selected.  ``other_points_layer``: selected points of those that are edited with the active one.
 - ``grid_layer``, ``unit_layer``, ``guides_layer``: grid, unit and guides.
-- ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
+- ``image_layer``, ``image_file``: a picture to trace: drawn, dark on dark paper, and read.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``: overlays and ghosts; other
   versions of the curve.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.

@@ -8,19 +8,72 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from ..document.model import Axis, Vector
+from ..plotting.camera import Camera
 from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.rulers import Extent
 from ..plotting.tool_plot import ToolPlot
 from ..tools.guides import GuideTool, hint_on_ruler
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hint, Hit, Part, Pointer
-from ..tools.tool import ToolRecord
+from ..tools.tool import Finder, Surface, ToolRecord
 from ..tools.toolbox import Toolbox
 from ..tools.transform import TransformKind
 from .fitting import Framing
 from .scene import CanvasScene
-from .steady_view import SteadyView
-from .surface import CanvasSurface
+
+
+class SteadyView:
+    """Keeps scale and place of the drawing while panels and borders beside the canvas move.
+
+    Only with a window of another size it is fitted again, as long as nobody has zoomed, panned or drawn since
+    it was fitted.
+    """
+
+    def __init__(self, canvas: QWidget, camera: Camera, framing: Framing) -> None:
+        self._canvas, self._camera, self._framing = canvas, camera, framing
+        self._window_size = canvas.window().size()
+        self._remember()
+        camera.changed.connect(self._remember)
+        camera.resized = self._follow_size
+
+    def _remember(self) -> None:
+        self._seen, self._corner = self._camera.pixel_map, self._corner_now()
+
+    def _corner_now(self) -> QPointF:
+        """Return where the drawing begins in the window."""
+        return self._camera.origin + QPointF(self._canvas.mapTo(self._canvas.window(), QPoint()))
+
+    def _follow_size(self) -> None:
+        size = self._canvas.window().size()
+        is_new, self._window_size = size != self._window_size, size
+        if is_new and self._framing.is_as_fitted:
+            self._framing.fit()
+        else:
+            moved = self._corner_now() - self._corner
+            self._camera.keep(self._seen, (moved.x(), moved.y()))
+        self._remember()
+
+
+class CanvasSurface(Surface):
+    """The drawing as tools see it.
+
+    Parameters
+    ----------
+    plot, drawing
+        Where it is drawn, and what lies there.
+    """
+
+    def __init__(self, plot: ToolPlot, drawing: CanvasScene) -> None:
+        self._plot, self._drawing = plot, drawing
+
+    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
+        return self._drawing.hit(pointer, tool)
+
+    def locked_at(self, pointer: Pointer) -> int:
+        return self._drawing.locked_at(pointer)
+
+    def grid_spacing(self) -> float:
+        return self._drawing.grid.spacing(self._plot.pixel_map)
 
 
 class Canvas(ToolPlot):

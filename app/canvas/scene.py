@@ -19,7 +19,7 @@ from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import GestureMarks
 from ..tools.pointer import Hit, Pointer
-from ..tools.surface import Finder
+from ..tools.tool import Finder
 from ..view_model.basis.basis_view import weights_at
 from ..view_model.curve.curve_view import CurveView
 from .annotations import Annotations

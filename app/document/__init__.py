@@ -2,7 +2,6 @@
 
 - ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
   rules that estimate them.  ``limits``: the numbers that they may hold.
-  ``reference_image``: the picture to trace.
 - ``style``: stroke and fill of a curve.
 - ``shapes``: neighbouring curves that are drawn as one.
 - ``export``: the last export of a document.
@@ -12,19 +11,17 @@
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.
 - ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
-  ``placing``: points put elsewhere.
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``several_curves``: of several curves at once, and curves from elsewhere.  ``point_group``: points of
   several that change together.  ``whole_edits``: whole curves put elsewhere in one pass.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
-- ``guide``: the lines to draw along.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``box_edits``: rectangles and ellipses drawn into a box.
 - ``style_edits``: how curves look, and what several have in common.
 - ``ties``: velocities before and after a point that go the same way.
 - ``selection``: selected curves and points followed through a change.
 - ``places``: where in it something is, in words.
-- ``image_edits``, ``plane_edits``, ``guide_edits``: of the picture to trace; of unit and grid; of the guides.
+- ``image_edits``, ``plane_edits``: of the picture to trace; of unit, grid and guides.
 - ``expression``: numbers as people type them.
 """

@@ -21,12 +21,26 @@ from .kept_handles import stretched_beside as stretched_beside  # noqa: PLC0414
 from .kept_handles import with_handles_kept
 from .limits import AlreadySoError as AlreadySoError  # noqa: PLC0414
 from .limits import EditError as EditError  # noqa: PLC0414
+from .limits import are_within, checked_vector, not_after
 from .limits import checked as checked  # noqa: PLC0414
-from .limits import checked_vector, not_after
 from .model import Curve, Document, ParametrizationKind, Point, Vector
-from .placing import all_placed, placed
 from .ties import with_derivative
 from .words import number
+
+
+def placed(point: Point, position: Vector, what: str = "the point") -> Point:
+    """Return a point at another position, if a document may hold that."""
+    x, y = checked_vector(position, what)
+    return replace(point, x=x, y=y)
+
+
+def all_placed(points: Sequence[Point], xs: Sequence[float], ys: Sequence[float]) -> list[Point]:
+    """Return points at other positions, as `placed` each: thousands at every move of a drag."""
+    if not (are_within(xs) and are_within(ys)):
+        # One of them is to be refused, or its numbers are not plain yet.
+        return [placed(*each) for each in zip(points, zip(xs, ys, strict=True), strict=True)]
+    return [replace(point, x=x, y=y) for point, x, y in zip(points, xs, ys, strict=True)]
+
 
 PointsChange = Callable[[Sequence[Point]], Iterable[Point]]
 """What is made of some points, one of each."""

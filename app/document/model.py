@@ -12,15 +12,82 @@ from msgspec.structs import replace
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .export import NEVER_EXPORTED, Export
-from .fields import LENGTH, at_least, between, printed
-from .guide import Axis as Axis  # noqa: PLC0414 - most have them from here
-from .guide import Guide as Guide  # noqa: PLC0414
-from .guide import Length
-from .reference_image import ReferenceImage as ReferenceImage  # noqa: PLC0414
+from .fields import LENGTH, Requirement, above, at_least, between, printed
 from .style import PLAIN_STYLE, Style
 from .value import Value
 from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
+
+_PATH = Requirement(lambda path: bool(path.strip()) and path.isprintable(), "be the name of a file")
+_OF_THIS_COMPUTER = Requirement(
+    # Opening another would knock at that computer, and on some systems with the person's password.
+    lambda path: not path.startswith(("//", "\\\\")),
+    "lead to a file of this computer, not to one of the network",
+)
+
+
+class ReferenceImage(Value, frozen=True, omit_defaults=False):
+    """A picture to trace, behind the curves.
+
+    Attributes
+    ----------
+    path
+        Its file: absolute in a document that is open, with forward slashes and relative to the document's
+        own folder in a file.
+    x, y
+        Where its lower left corner lies.
+    width, height
+        Its size in the plane; what the file holds is fitted into it.
+    opacity
+        From 0, invisible, to 1.
+    locked
+        Whether it is safe from being moved.
+    """
+
+    path: Annotated[str, _PATH, _OF_THIS_COMPUTER]
+    x: Length
+    y: Length
+    width: Annotated[Length, above(0)]
+    height: Annotated[Length, above(0)]
+    opacity: Annotated[float, between(0, 1)] = 0.5
+    locked: bool = False
+
+
+Length = Annotated[float, LENGTH]
+"""A number that is twice as large in a drawing twice as large."""
+
+
+class Axis(NamedEnum):
+    """A coordinate of the plane."""
+
+    X = "x", "x"
+    Y = "y", "y"
+
+    @property
+    def coordinate(self) -> int:
+        """Which coordinate it is: 0 or 1."""
+        return int(self is Axis.Y)
+
+
+class Guide(Value, frozen=True):
+    """A line to draw along, all across the plane.
+
+    Attributes
+    ----------
+    axis
+        The coordinate that all of its points have in common: x of an upright line, y of a level one.
+    position
+        That coordinate.
+    """
+
+    axis: Axis
+    position: Length
+
+    def beside(self, place: Vector) -> Vector:
+        """Return its point that is level with a place, or straight above or below it."""
+        x, y = place
+        return (self.position, y) if self.axis is Axis.X else (x, self.position)
+
 
 Lengths = Annotated[Vector | None, LENGTH]
 """A vector of such, or none."""

@@ -17,10 +17,9 @@ import msgspec
 from msgspec.structs import replace
 
 from .derivatives import VECTORS
-from .edits import EditError, PointsChange, with_all_changed, with_points_elsewhere
+from .edits import EditError, PointsChange, all_placed, with_all_changed, with_points_elsewhere
 from .limits import checked_vector
 from .model import Document, Point, Vector, vectors_of
-from .placing import all_placed
 from .point_group import PointGroup
 from .ties import tied
 from .words import NamedEnum

@@ -7,10 +7,10 @@
 - ``rings``: areas cut to what is seen.
 - ``graphs``: pyqtgraph itself.  ``painted_plot``: a plot of it that we paint.  ``plot_widget``: one with
   mouse and keys.  ``tool_plot``: one with tools.
-- ``layers``: what is painted.  ``camera``: which part of the plane is seen.  ``view_box``: its ranges.
+- ``layers``: what is painted.  ``camera``: which part of the plane is seen, and its ranges.
   ``axes``, ``ticks``: the axes beside it, and where their numbers stand.  ``rulers``: marks on them.
 - ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``edge_scroll``: a
-  drag at the edge.  ``keys``: keys and shapes of the pointer, as Qt has them.
+  drag at the edge.
 - ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.
   ``fonts``: a font in the sizes that are needed.
 - ``stamps``: many marks in one call, in the colours of the points.  ``sprites``: a few marks of any looks.

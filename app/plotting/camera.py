@@ -3,12 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
 
+from ..qt.overrides import Guarded
 from .graphs import pg
 from .pixel_map import PixelMap
-from .view_box import ViewBox
+
+
+class ViewBox(Guarded, pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
+    """pyqtgraph's view box without its menu.
+
+    Attributes
+    ----------
+    resized
+        Called when it has another size, before it suits its ranges to that: what is set here is all that
+        anybody hears of.
+    """
+
+    resized: Callable[[], object] | None = None
+
+    def __init__(self) -> None:
+        super().__init__(enableMenu=False)
+
+    def resizeEvent(self, event: Any) -> None:  # noqa: ANN401 - an event without a class of its own in Python
+        if self.resized is not None and event.oldSize() != event.newSize():
+            self.resized()
+        super().resizeEvent(event)
+
 
 _INSET = 2
 """Pixels by which layers stay inside the plot area: what is nearer to its edge belongs to the axes."""

@@ -11,12 +11,11 @@ from PySide6.QtWidgets import QGraphicsView, QSizePolicy, QWidget
 from ..appearance.theme import Theme, theme_of
 from ..qt.overrides import Guarded, guard_library
 from .axes import Axes, Axis
-from .camera import Camera
+from .camera import Camera, ViewBox
 from .graphs import ChildGroup, pg
 from .layers import LayerStack
 from .pixel_map import PixelMap
 from .rulers import Rulers
-from .view_box import ViewBox
 
 _FOCUS_WIDTH = 2
 

@@ -6,7 +6,7 @@
 - ``migration``: older versions of the format, step by step.
   ``repeated_keys``: what typed decoding passes over.  ``setting_check``: settings of families.
   ``field_check``: what each field may hold.  ``unread``: files of other programs that are none.
-- ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
+- ``files``: bytes to and from disk, so that nothing is ever half written, and who may read
   them; ``temporary``: temporary files, and removing stale ones; ``reasons``: why something failed, in words.
 - ``lock``: lock files that name their owner; ``system_lock``: locks of the operating system, on files and
   folders; ``processes``, ``ps``: whether a process still runs.  ``digests``: SHA-256.

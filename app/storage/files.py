@@ -20,12 +20,41 @@ import msgspec
 
 from .. import storage
 from ..document.model import Document
-from .file_access import keep_access
 from .format import VERSION, Decoded, decode_counting, encode, version_of
 from .image_path import relative_to, resolved
 from .reasons import quoted, reason_of, why_unreadable, why_unwritable
 from .system_lock import folder_lock
 from .temporary import temporary_name
+
+
+def keep_access(path: Path, like: Path) -> None:
+    """Give the file at `path` owner, group, permissions and attributes of `like`, as far as one may."""
+    wanted, own = like.stat(), path.stat()
+    mode = stat.S_IMODE(wanted.st_mode)
+    if hasattr(os, "chown") and (wanted.st_uid, wanted.st_gid) != (own.st_uid, own.st_gid):
+        try:
+            os.chown(path, wanted.st_uid, wanted.st_gid)
+        except OSError:
+            mode = _mode_for_other_owner(path, wanted)
+    if hasattr(os, "listxattr"):
+        # Access lists among them; not every file system has them, and some are the system's own.
+        with suppress(OSError):
+            for name in os.listxattr(like):
+                with suppress(OSError):
+                    os.setxattr(path, name, os.getxattr(like, name))
+    path.chmod(mode)
+
+
+def _mode_for_other_owner(path: Path, wanted: os.stat_result) -> int:
+    """Return the permissions where only the group can be kept, or not even that."""
+    mode = stat.S_IMODE(wanted.st_mode) & 0o777
+    try:
+        os.chown(path, -1, wanted.st_gid)
+    except OSError:
+        # Another group than the old one may do no more than everybody.
+        mode = mode & ~0o070 | (mode & 0o007) << 3
+    return mode
+
 
 _log = logging.getLogger("curvebench.storage")
 

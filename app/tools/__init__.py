@@ -1,19 +1,17 @@
 """Press, move and release turned into edits. No Qt: a tool is tested with plain `Pointer` records.
 
 - ``tool``: the base class of the tools, the context of an event with its settings, and the registry of those
-  in ``canvas``, which a person chooses.  ``toolbox``: those of one plot, and which is in use.
-- ``explain``, ``move_image``: tools of the canvas that belong to features.  ``transform_tool``: the one of a
-  transform that a key begins.  ``rail``: those over t, and the drag of ticks.
+  in ``canvas``, which a person chooses; what a tool can ask of the plot.  ``toolbox``: those of one plot.
+- ``explain``, ``move_image``: tools of the canvas that belong to features.
+  ``rail``: those over t, and the drag of ticks.
 - ``pointer``: position, keys, and what lies under the pointer.
-- ``surface``: what a tool can ask of the plot, and have done there.
 - ``drag_machine``: the state machine all drags share: threshold, preview, commit, cancel.
 - ``drag``: the base class of the drags.  ``drags``, ``pen_drags``: what each makes of the document.
   ``parts``: presses on points and handles.
 - ``transform``, ``transform_box``: move, scale and rotate; the box with grips.  ``typed_amount``: the number,
   or the two, typed meanwhile.  ``target``: what these act on: selected points, or curves.
-  ``transform_drags``: how the drags that do begin.  ``move_pivot``: the mark of what they are about.
-- ``inserting``: a point inserted on the curve, and what is said about its shape.  ``segment_click``: the
-  ends of a segment, selected by a click on its line.
+  ``transform_drags``: the drags that do, by mouse and by key, and that of the pivot.
+- ``segment_click``: the ends of a segment selected by a click on its line, and a point inserted there.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snap_targets``, ``snappers``: which of it for which gesture.
 - ``guides``: guides drawn out of a ruler and dragged.

@@ -6,8 +6,8 @@ import math
 
 from msgspec.structs import replace
 
-from ..document.guide_edits import move_guide, place_words, remove_guide
 from ..document.model import Axis, Document, Guide, Vector
+from ..document.plane_edits import move_guide, place_words, remove_guide
 from .drag import Drag
 from .marks import GestureMarks
 from .pointer import Cursor, Hint, Hit, Part, Pointer

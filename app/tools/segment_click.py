@@ -1,10 +1,13 @@
-"""A click on the line of the curve that is edited: it selects the points at both ends of the segment."""
+"""Clicks on the line of the edited curve: one selects the ends of its segment, two insert a point."""
 
 from __future__ import annotations
 
 from ..document import words
+from ..document.curve_edits import replace_curve
+from ..document.model import Document
 from ..document.point_group import NO_POINTS, PointGroup, points_of
 from ..view_model.curve.curve_view import CurveView
+from ..view_model.fitting.reshape import Reshaped, inserted_index, with_point_inserted
 from ..view_model.geometry.sampling import segment_at
 from . import hints
 from .drag_machine import EditingHost
@@ -32,3 +35,17 @@ def _toggled(before: PointGroup, ends: PointGroup) -> PointGroup:
     """Return the points selected with both ends, or without them where both are already."""
     both = before.joined(ends)
     return before.toggled(ends) if both == before else both
+
+
+def insert_at(host: EditingHost, t: float) -> None:
+    """Insert a point on the active curve at `t`, and select it alone."""
+    view, active, made = host.active_view, host.active_index, list[Reshaped]()
+
+    def edit(document: Document) -> Document:
+        made.append(with_point_inserted(view, t))
+        return replace_curve(document, active, made[0].curve)
+
+    index = inserted_index(view, t)
+    if host.change(f"Insert point {index}", edit):
+        host.selected.set_points([index])
+        host.say(made[0].sentence)

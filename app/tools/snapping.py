@@ -11,8 +11,8 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.guide_edits import place_words
 from ..document.model import Guide, Vector
+from ..document.plane_edits import place_words
 from ..document.words import NamedEnum
 from ..view_model.curve.nearest import NearestPoint
 from .pointer import Pointer

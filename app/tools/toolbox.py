@@ -13,11 +13,10 @@ from .drag_machine import CANCELLED, DragMachine, EditingHost
 from .marks import GestureMarks
 from .pointer import ELSEWHERE, Hint, Pointer, Stride
 from .snappers import Snappers
-from .surface import Surface
 from .target import TransformTarget
-from .tool import Tool, ToolContext, ToolRecord, ToolSettings
+from .tool import Surface, Tool, ToolContext, ToolRecord, ToolSettings
 from .transform import TransformKind
-from .transform_tool import TransformTool
+from .transform_drags import TransformTool
 
 
 class Toolbox:

@@ -1,14 +1,22 @@
-"""Drags that transform what is selected, as they begin in the context of a press or a key."""
+"""Drags that transform what is selected, begun by a press or by a key, and the drag of their pivot."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from msgspec.structs import replace
 
+from ..document import words
+from ..document.model import Vector
 from ..document.point_group import PointGroup
+from .drag import along_axis, axis_held, plus
+from .drag_machine import CANCELLED, THRESHOLD
 from .drags import MovePoints
-from .tool import ToolContext
+from .marks import GestureMarks
+from .pointer import AXIS_KEYS, SNAP_KEY, Cursor, Hint, Pointer
+from .snapping import with_snap
+from .tool import Gesture, Tool, ToolContext
 from .transform import Transform, TransformKind
 from .transform_box import Grip, ScaleBox
 
@@ -71,3 +79,126 @@ def _nearest(context: ToolContext, group: PointGroup) -> tuple[int, int]:
     curves, pointer = context.host.document.curves, context.pointer
     places = [(curve, index) for curve, indices in group.parts for index in indices]
     return min(places, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
+
+
+_REACH = 7.0
+"""Pixels from the mark within which a press takes it."""
+
+PIVOT_HINT = Hint(
+    "Drag the pivot: what is turned, scaled and mirrored is so about it · Shift+click: back to the middle",
+    cursor=Cursor.MOVE,
+)
+
+
+def is_on_pivot(place: Vector, pointer: Pointer) -> bool:
+    """Whether a press would take the mark of a pivot at `place`."""
+    return math.dist(place, pointer.position) * pointer.scale <= _REACH
+
+
+class MovePivot(Gesture):
+    """Drag of the pivot; it changes nothing in the document. A double click or Shift+click puts it back.
+
+    Parameters
+    ----------
+    on_click
+        What a click does; None for nothing.
+    """
+
+    def __init__(self, context: ToolContext, on_click: Callable[[], None] | None = None) -> None:
+        self._on_click = on_click
+        self._press, self._start = context.pointer, context.target.centre
+        self._before = context.host.box.pivot
+        self._snapper = context.snappers.for_pivot(context.target.bounds)
+        self._is_moving = False
+        if context.pointer.is_double:
+            context.target.pivot = None
+
+    def move(self, context: ToolContext) -> None:
+        """Follow the pointer."""
+        pointer = context.pointer
+        self._is_moving |= math.dist(pointer.pixel, self._press.pixel) >= THRESHOLD
+        if self._is_moving:
+            way = pointer.way_from(self._press.position)
+            axis = axis_held(way, pointer)
+            to = plus(self._start, along_axis(way, axis))
+            context.target.pivot = self._snapper.snap(to, pointer, axis)
+
+    def release(self, context: ToolContext) -> None:
+        """Leave it here, or click."""
+        self.move(context)
+        if not self._is_moving and self._on_click is not None:
+            self._on_click()
+        elif not self._is_moving and self._press.shift:
+            context.target.pivot = None
+
+    def cancel(self, context: ToolContext) -> None:
+        """Put it where it was."""
+        context.host.box.set_pivot(self._before)
+        if self._is_moving:
+            context.host.say(CANCELLED)
+
+    def progress(self, context: ToolContext) -> str:
+        """Tell where it is."""
+        if not self._is_moving:
+            return ""
+        place = words.pair(context.target.centre)
+        text = f"Pivot {place} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
+        return with_snap(text, self._snapper.caught)
+
+
+_KEYS = frozenset("0123456789.-xygsr") | {"backspace", "tab", "enter"}
+
+
+class TransformTool(Tool):
+    """Tool in which selected points or curves, or else all points, follow the pointer until a key or a click.
+
+    Parameters
+    ----------
+    kind
+        The transform that it begins with.
+    context
+        That of the key that begins it.
+    """
+
+    cursor = Cursor.ARROW
+    lasts_one_gesture = True
+
+    def __init__(self, kind: TransformKind, context: ToolContext) -> None:
+        self._transform = transforming(context, kind)
+        context.drags.press_at_once(context.pointer, self._transform)
+
+    def press(self, context: ToolContext) -> None:
+        """Make it a step of the history."""
+        context.drags.release(context.pointer)
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Follow the pointer."""
+        self.move(context)
+        return Hint()
+
+    def claims(self, context: ToolContext, key: str) -> bool:
+        """Whether a key is for the transform: a digit, ".", "-", "x", "y" …."""
+        return key in _KEYS
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Take a key: a digit, ".", "-", "tab", "x", "y", "g", "s", "r", "backspace" or "enter"."""
+        if key == "enter":
+            context.drags.release(context.pointer)
+            return True
+        changed = self._transform.with_key(key)
+        if changed is None:
+            return False
+        self._transform = changed
+        context.drags.exchange(context.pointer, changed)
+        return True
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return the amount, the axis that is locked, and what is snapped to."""
+        target = context.target
+        return GestureMarks(
+            frame=target.box,
+            pivot=target.pivot if self._transform.kind is TransformKind.MOVE else self._transform.centre,
+            snap=context.snappers.caught,
+            note=context.note(),
+            axis=self._transform.locked_axis,
+        )

@@ -1,9 +1,8 @@
 """Widgets that know nothing of curves.
 
 - ``boxes``: layouts in one expression.  ``overlay_frame``: frames that lie over another widget.
-- ``controls``: buttons and boxes, named for tests and screen readers.  ``tool_buttons``: small ones.
-- ``action_switch``: buttons that show an action.  ``choice_style``: style of those that switch something.
-  ``toolbar_widget``: what shrinks with a toolbar.  ``choices_menu``: switches that stay open.
+- ``controls``: buttons and boxes, named for tests and screen readers, and what shrinks with a toolbar.
+  ``tool_buttons``: small ones, those that show an action, and the style of those that switch something.
 - ``field_edit``, ``ranged_spin``: numbers and words to type.  ``number_text``: numbers as they are written.
 - ``length_text``: lengths with their units.  ``choice_row``: one of a few.
 - ``colour_popup``: colours, looked at and chosen.

@@ -9,8 +9,7 @@ from ..appearance.theme import Theme
 from ..appearance.themed import FollowsTheme
 from ..document.words import NamedEnum
 from .boxes import row_of
-from .choice_style import choice_style
-from .tool_buttons import tool_button
+from .tool_buttons import choice_style, tool_button
 
 
 class ChoiceRow(FollowsTheme, QWidget):

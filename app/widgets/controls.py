@@ -76,3 +76,13 @@ class ThinProgress(QProgressBar):
     def show_share(self, share: float) -> None:
         """Show how much is done, from 0 to 1; it never runs backwards."""
         self.setValue(max(self.value(), round(share * _STEPS)))
+
+
+class ToolbarWidget(QWidget):
+    """Part of the toolbar that is no button."""
+
+    yields_late = False
+    """Whether it keeps its words as long as the buttons beside it keep their icons and words."""
+
+    def set_compact(self, compact: bool) -> None:
+        """Take less room in a narrow window."""

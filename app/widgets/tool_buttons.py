@@ -1,11 +1,12 @@
-"""Tool buttons, named for tests and screen readers."""
+"""Tool buttons, named for tests and screen readers, and the style of those that switch something."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QToolButton, QWidget
 
+from ..appearance.theme import Theme, mix
 from .controls import named
 
 ICON = 16
@@ -55,3 +56,25 @@ def _style_button(button: QToolButton, *, icon_size: int, beside: bool, flat: bo
         button.setIconSize(QSize(icon_size, icon_size))
     if beside:
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+
+
+def choice_style(theme: Theme) -> str:
+    """Return the style sheet for the QToolButtons of a header."""
+    shape = "border-radius: 4px; padding: 2px 5px"
+    accent, chosen = theme.accent.name(), mix(theme.accent, theme.surface, 0.14).name()
+    return (
+        f"QToolButton {{ border: 1px solid {theme.grid_coarse.name()}; {shape} }}"
+        f"QToolButton:hover {{ background: {mix(theme.ink, theme.surface, 0.07).name()} }}"
+        f"QToolButton:checked {{ background: {chosen}; color: {accent}; border-color: {accent} }}"
+        f"QToolButton:focus {{ border-color: {accent} }}"
+    )
+
+
+def mirror(button: QAbstractButton, action: QAction) -> None:
+    """Let a button show whether an action is checked, and trigger it."""
+    button.setCheckable(action.isCheckable())
+    button.setChecked(action.isChecked())
+    button.setToolTip(action.toolTip())
+    button.clicked.connect(action.trigger)
+    if action.isCheckable():
+        action.toggled.connect(button.setChecked)

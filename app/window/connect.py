@@ -14,7 +14,7 @@ from ..document.edits import EditError
 from ..features import command_sets
 from ..tasks.owner import TaskOwner, close_all
 from ..view_model.curve.curve_view import CurveView
-from ..widgets.toolbar_widget import ToolbarWidget
+from ..widgets.controls import ToolbarWidget
 from ..workbench.context import WindowContext, hooks
 from ..workbench.docks import declared_panels
 from .context_menus import ContextMenus

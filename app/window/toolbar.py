@@ -6,16 +6,37 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QToolBar, QToolButton, QWidget, QWidgetAction
+from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidget, QWidgetAction
 
 from ..actions.qactions import Actions
 from ..actions.strips import TOOLBAR, Place
+from ..qt.keys import ENTER
 from ..qt.overrides import Guarded
-from ..widgets.choices_menu import ChoicesMenu
-from ..widgets.controls import named
-from ..widgets.toolbar_widget import ToolbarWidget
+from ..widgets.controls import ToolbarWidget, named
 from .menus import put_in
+
+
+class ChoicesMenu(Guarded, QMenu):
+    """Menu of switches: a click or Space on one leaves it open; Escape closes it."""
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if not self._switch(self.actionAt(event.position().toPoint())):
+            super().mouseReleaseEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        is_meant = event.key() == Qt.Key.Key_Space or event.key() in ENTER
+        if not (is_meant and self._switch(self.activeAction())):
+            super().keyPressEvent(event)
+
+    @staticmethod
+    def _switch(action: QAction | None) -> bool:
+        """Switch an action, if it is one to switch; return whether it is."""
+        if action is None or not action.isCheckable():
+            return False
+        action.trigger()
+        return True
+
 
 _Style = Qt.ToolButtonStyle
 

@@ -5,12 +5,11 @@
   ``message_bar``: the line on the canvas.  ``notice_bar``: one about a file, with several buttons.
 - ``docks``: panels at the sides.  ``dock``: one of them; many are built when they are first shown.
   ``dock_room``: room for one that needs more than its share.  ``dock_title``: its buttons.
-- ``document_files``: opening and saving, with their questions.  ``unsaved_changes``: the one about these.
-  ``new_documents``: what new ones are.  ``file_names``: what they are called.
+- ``document_files``: opening and saving, with their questions; what new ones are.
+  ``file_names``: what they are called.
   ``file_work``: files beside the window.  ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.
-
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
-- ``strip_menu``: context menus.  ``slider_gesture``: a live change of the document by a slider.
-  ``form_edits``: changes by a form.
+- ``strip_menu``: context menus.
+- ``form_edits``: changes of the document by a form, live by its sliders.
 """

@@ -7,11 +7,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
+from ..document.model import Document, empty_document
 from ..document.plain import plain
 from ..exchange.formats import can_import, file_filters
+from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..storage.examples import first_sketch
@@ -29,10 +33,56 @@ from .file_names import (
     file_stem,
     is_misnamed,
     path_to_save,
+    short_name,
+    title_of,
     why_not_saved_as,
 )
-from .new_documents import as_usual, blank_document
-from .unsaved_changes import ask_about_changes
+
+NEW_NAME = empty_document().curves[0].name
+"""The name that a curve has before anyone gives it one."""
+
+
+def as_usual(document: Document, preferences: Preferences) -> Document:
+    """Return a document with the unit and the grid of new ones."""
+    return replace(document, unit=preferences.unit_name, grid_spacing=preferences.grid_spacing)
+
+
+def blank_document(preferences: Preferences) -> Document:
+    """Return what a new document is."""
+    curve = preferences.new_curve
+    document = as_usual(Document((curve,)), preferences)
+    return document.with_curve(0, replace(curve, style=preferences.new_style))
+
+
+def ask_about_changes(session: Session, window: QWidget) -> int:
+    """Ask what to do with changes that are not saved; return the button that answers."""
+    asked, told = _question_about(session)
+    question = QMessageBox(window)
+    question.setObjectName("saveChanges")
+    question.setWindowTitle("Curvebench")
+    question.setTextFormat(Qt.TextFormat.PlainText)
+    question.setIcon(QMessageBox.Icon.Question)
+    question.setText(breakable(asked))
+    question.setInformativeText(told)
+    buttons = QMessageBox.StandardButton
+    question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
+    question.setDefaultButton(buttons.Save)
+    answer = question.exec()
+    # Else every question ever asked would stay a part of the window.
+    question.setParent(None)
+    return answer
+
+
+def _question_about(session: Session) -> tuple[str, str]:
+    """Return what is asked before a document goes that is not in its file, and why."""
+    files, file = session.files, session.files.file
+    is_named = files.path is not None or files.beginning.title
+    name = short_name(title_of(session)) if is_named else "the sketch"
+    why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
+    if files.has_changes:
+        return f"Save the changes to {name}?", f"{why}Without saving they are lost."
+    return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
+
 
 StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[str], object]], bool]
 """Takes a title, work, who gets its result, the file, what is done with it, and who hears why it was not.

@@ -1,4 +1,4 @@
-"""Changes of the document by a form."""
+"""Changes of the document by a form, live by its sliders."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from collections.abc import Callable
 
 from ..document.model import Document
 from ..session import Session
+from ..tools.drag_machine import CANCELLED
 from ..widgets.field_form import FieldForm
+from ..widgets.live_slider import LiveSlider
 
 
 class FormEdits:
@@ -21,3 +23,42 @@ class FormEdits:
         session = self._session
         if refusal := session.change(text, lambda document: edit(document, session.active_index)).refusal:
             self._form.refuse(refusal)
+
+
+class SliderGesture:
+    """Changes the document by a slider: live in a drag, which is one step; at once by key, wheel or click.
+
+    Parameters
+    ----------
+    edit
+        Returns the document for a position of the slider, and the same one where nothing changes.
+    name
+        Returns the name of the step for a position.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        slider: LiveSlider,
+        edit: Callable[[Document, int], Document],
+        name: Callable[[int], str],
+    ) -> None:
+        self._session, self._slider, self._edit, self._name = session, slider, edit, name
+        slider.dragged.connect(self._preview)
+        slider.dropped.connect(self._commit)
+        slider.chosen.connect(self._change)
+        slider.cancelled.connect(self._cancel)
+        session.interrupted.connect(slider.abandon)
+
+    def _preview(self, position: int) -> None:
+        self._session.preview(self._edit(self._session.committed, position))
+
+    def _commit(self, position: int) -> None:
+        self._session.commit(self._session.document, self._name(position))
+
+    def _change(self, position: int) -> None:
+        self._session.change(self._name(position), lambda document: self._edit(document, position))
+
+    def _cancel(self) -> None:
+        self._session.cancel()
+        self._session.say(CANCELLED)

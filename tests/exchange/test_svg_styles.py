@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.guide_edits import place_words
 from app.document.model import Document, empty_document, make_curve
+from app.document.plane_edits import place_words
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange.options import Options
 from app.exchange.rescaled import in_unit

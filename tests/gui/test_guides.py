@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import DARK, LIGHT
-from app.document.guide_edits import add_guide
 from app.document.model import Axis, Document, Guide, make_curve
+from app.document.plane_edits import add_guide
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE

@@ -27,8 +27,7 @@ from app.tools.explain import EXPLAIN
 from app.tools.pointer import Hit, Part, Pointer, Stride
 from app.tools.rail import RAIL
 from app.tools.snapping import Snapping
-from app.tools.surface import Surface
-from app.tools.tool import TOOLS, ToolSettings
+from app.tools.tool import TOOLS, Surface, ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
 from app.view_model.curve.handles import handles_at, handles_on, sides_facing

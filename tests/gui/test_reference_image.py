@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QLabel, QT
 from app.appearance.theme import ThemeMode, theme_of
 from app.canvas import image_file
 from app.canvas.image_file import ImageFileError, read_image
-from app.canvas.page_image import inverted_lightness
+from app.canvas.image_layer import inverted_lightness
 from app.document.image_edits import place_image, set_image
 from app.document.model import Document, make_curve
 from app.document.transforms import clean_step

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
 from app.appearance.colours import point_colours
-from app.canvas.sections import loose_places, sections_of
+from app.canvas.other_curves_layer import loose_places, sections_of
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE

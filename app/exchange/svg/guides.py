@@ -6,8 +6,7 @@ import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 
-from ...document.guide import Axis, Guide
-from ...document.model import MAX_MAGNITUDE
+from ...document.model import MAX_MAGNITUDE, Axis, Guide
 from ..drawing.frames import Frame
 from ..errors import Flaw
 from .numbers import number

@@ -17,13 +17,11 @@ from ...qt.labels import Label, set_tip
 from ...view_model.basis.basis_view import BasisView, basis_formulas
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.look.line_styles import KIND_DASHES, LineStyle
-from ...widgets.action_switch import mirror
 from ...widgets.boxes import Part, column_of, row_of
-from ...widgets.choice_style import choice_style
 from ...widgets.controls import named
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.fitting import Scrolled
-from ...widgets.tool_buttons import tool_button
+from ...widgets.tool_buttons import choice_style, mirror, tool_button
 from ...workbench.central_pane import CentralPane
 from .function_lines import note_on_drawing
 from .panel import BasisPanel

@@ -9,7 +9,7 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.surface import Finder, Surface
+from ...tools.tool import Finder, Surface
 from ...tools.toolbox import Toolbox
 from .hits import hit_test
 from .layers import rail_height

@@ -18,8 +18,7 @@ from ...families import FAMILIES, Family, FamilySetting
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
-from ...workbench.form_edits import FormEdits
-from ...workbench.slider_gesture import SliderGesture
+from ...workbench.form_edits import FormEdits, SliderGesture
 from .panel import CurveSettings, choice_of
 from .setting_fields import step_of
 

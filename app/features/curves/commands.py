@@ -22,7 +22,7 @@ from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import NO_POINTS, some_points
 from ...document.several_curves import named, whole_curves
 from ...document.words import count_of, number
-from ...tools.inserting import insert_at
+from ...tools.segment_click import insert_at
 from ...view_model.fitting.reshape import Reshaped, reversed_curve
 from ...view_model.pieces.splitting import Split, places_between_ends, split
 from ...view_model.points.appending import with_closed

@@ -7,8 +7,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from ...actions.declaration import action, switch
 from ...actions.needs import Need
 from ...actions.sections import VIEW_DRAWING, VIEW_GUIDES
-from ...document.guide_edits import add_guide, clear_guides, move_guide, place_words
 from ...document.model import Axis, Guide
+from ...document.plane_edits import add_guide, clear_guides, move_guide, place_words
 from ...state.window_state import WindowState
 from ...workbench.context import WindowContext
 from .. import guides

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
-from ...document.guide import Axis, Guide
+from ...document.model import Axis, Guide
 from ...qt.keys import ENTER, PASSING, ClaimsKeys
 from ...qt.labels import Label
 from ...widgets.boxes import column_of, row_of

@@ -18,15 +18,14 @@ from ...plotting.layers import Layer
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.surface import Finder, Surface
+from ...tools.tool import Finder, Surface
 from ...tools.toolbox import Toolbox
 from ...view_model.analysis.hodograph import Hodograph
 from ...widgets.boxes import column_of, row_of
-from ...widgets.choice_style import choice_style
 from ...widgets.controls import named
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.number_text import decimal_mark
-from ...widgets.tool_buttons import tool_button
+from ...widgets.tool_buttons import choice_style, tool_button
 
 _MARGIN = 1.12
 _NUMBERED_UP_TO = 16

@@ -26,12 +26,11 @@ from ...state.analysis import Analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, Overlay
 from ...view_model.analysis.overlay_settings import Count, ErrorSize, Factor
-from ...widgets.action_switch import mirror
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import check_box
 from ...widgets.field_edit import NumberEdit, read_number
 from ...widgets.setting_slider import SettingSlider, slider_of
-from ...widgets.tool_buttons import action_button, tool_button
+from ...widgets.tool_buttons import action_button, mirror, tool_button
 
 _NOTES_MS = 60
 """Milliseconds that the words may lag behind a drag."""

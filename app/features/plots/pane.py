@@ -12,13 +12,11 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
 from ...document.words import number
-from ...widgets.action_switch import mirror
 from ...widgets.boxes import column_of, row_of
-from ...widgets.choice_style import choice_style
 from ...widgets.controls import named
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.number_text import decimal_mark
-from ...widgets.tool_buttons import tool_button
+from ...widgets.tool_buttons import choice_style, mirror, tool_button
 from .canvas import PlotCanvas
 
 _HEIGHT_A_PLOT = 64

@@ -16,7 +16,7 @@ from ...document.shapes import counted_shapes
 from ...document.words import count_of
 from ...storage.reasons import shown
 from ...storage.recovery import Origin, Snapshot
-from ...workbench.new_documents import NEW_NAME
+from ...workbench.document_files import NEW_NAME
 
 _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
 

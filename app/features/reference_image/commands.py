@@ -23,8 +23,7 @@ from ...tools.move_image import MOVE_IMAGE
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
-from ...workbench.form_edits import FormEdits
-from ...workbench.slider_gesture import SliderGesture
+from ...workbench.form_edits import FormEdits, SliderGesture
 from .panel import STEPS, ImagePanel
 
 _PICTURES = f"Pictures ({PICTURES});;All files (*)"

@@ -10,9 +10,8 @@ from ...document.selection import NONE_CHOSEN
 from ...qt.labels import Label, set_tip
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
-from ...widgets.controls import choice_box, named
+from ...widgets.controls import ToolbarWidget, choice_box, named
 from ...widgets.live_slider import LiveSlider
-from ...widgets.toolbar_widget import ToolbarWidget
 
 STEPS = 100
 """Positions of the slider from α 0 to 1."""

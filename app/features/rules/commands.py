@@ -30,9 +30,9 @@ from ...families import FAMILIES, Family
 from ...session import Session
 from ...storage.resources import has_resource
 from ...view_model.curve.curve_view import CurveView
-from ...widgets.toolbar_widget import ToolbarWidget
+from ...widgets.controls import ToolbarWidget
 from ...workbench.context import WindowContext
-from ...workbench.slider_gesture import SliderGesture
+from ...workbench.form_edits import SliderGesture
 from .bar import STEPS, ParametrizationBar
 from .family_button import FamilyButton
 

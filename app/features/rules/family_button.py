@@ -13,8 +13,7 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
 from ...widgets.boxes import row_of
-from ...widgets.controls import named
-from ...widgets.toolbar_widget import ToolbarWidget
+from ...widgets.controls import ToolbarWidget, named
 
 _WORD, _TIP = "Families", "Further families of curves"
 _ICON, _ARROW, _BESIDES = 20, 22, 36

@@ -1,8 +1,7 @@
 """Style: stroke and fill of all selected curves, copied and pasted.
 
-- ``commands``: the panel in the window, and Swap Fill and Stroke.
+- ``commands``: the panel in the window, the colours it offers, and Swap Fill and Stroke.
 - ``clipboard_commands``: Copy Style and Paste Style.
-- ``used_colours``: those that one may want again.
 - ``panel``: the form.  ``paint_field``: a colour, clicked, typed or chosen.  ``percent_field``: a share.
   ``dash_field``: presets of dashes, and a list of one's own.
 """

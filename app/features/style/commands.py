@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from functools import partial
 from typing import TYPE_CHECKING
@@ -13,22 +14,54 @@ from ...actions.declaration import action, also
 from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
-from ...document.model import Document, make_curve
+from ...document.model import Curve, Document, make_curve
 from ...document.several_curves import named
 from ...document.shapes import whole_shapes
 from ...document.style import Style
-from ...document.style_edits import STYLE_WORDS, with_paints_swapped, with_style
+from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped, with_style
 from ...session.change import why_not_kept
+from ...session.session import Session
+from ...settings.preferences import Preferences
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.look.palette import adjustment_of
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
-from ...workbench.slider_gesture import SliderGesture
+from ...workbench.form_edits import SliderGesture
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
 from .percent_field import STEPS
-from .used_colours import UsedColours
+
+_MOST_REMEMBERED = 12
+
+
+class UsedColours:
+    """Colours that were used."""
+
+    def __init__(self, session: Session, preferences: Preferences) -> None:
+        self._session, self._preferences = session, preferences
+        self._found: tuple[tuple[Curve, ...], list[str]] = ((), [])
+
+    @property
+    def recent(self) -> list[str]:
+        """Those that were used last."""
+        return re.findall("#[0-9a-f]{6}", self._preferences.recent_colours)
+
+    @property
+    def in_document(self) -> list[str]:
+        """Those of the document, found anew for another step of its history."""
+        curves = self._session.committed.curves
+        if self._found[0] is not curves:
+            self._found = curves, colours_of(curves)
+        return self._found[1]
+
+    def remember(self, *paints: object) -> None:
+        """Have the colours among some paints in front of those used last."""
+        codes = [code for code in paints if isinstance(code, str) and code.startswith("#")]
+        if codes:
+            found = list(dict.fromkeys([*codes, *self.recent]))[:_MOST_REMEMBERED]
+            self._preferences.recent_colours = " ".join(found)
+
 
 if TYPE_CHECKING:
     from .panel import StylePanel

@@ -18,7 +18,7 @@ from ...document.words import number
 from ...state.window_state import WindowState
 from ...view_model.boxes.bounds import NINE
 from ...view_model.boxes.pivot import Turning
-from ...view_model.boxes.resizing import SIDES, resized
+from ...view_model.boxes.stretch import SIDES, resized
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room

@@ -23,7 +23,7 @@ from ...document.several_curves import name_of, named
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
-from ...widgets.toolbar_widget import ToolbarWidget
+from ...widgets.controls import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.dock import LateDock
 from ...workbench.dock_room import hide_idle_docks

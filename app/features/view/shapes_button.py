@@ -9,8 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QSizePolicy, QToolButton
 
 from ...widgets.boxes import row_of
-from ...widgets.controls import named
-from ...widgets.toolbar_widget import ToolbarWidget
+from ...widgets.controls import ToolbarWidget, named
 
 _ICON, _ARROW = 20, 20
 """Pixels along the sides of the icon, and of what stands beside it."""

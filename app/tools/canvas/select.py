@@ -12,17 +12,15 @@ from .. import hints
 from ..curve_picker import CurvePicker, click_curve, select_hit
 from ..drags import BendCurve
 from ..guides import GuidePicker
-from ..inserting import insert_at
 from ..marks import GestureMarks
 from ..marquee import Band, CurveMarquee, Marquee
-from ..move_pivot import PIVOT_HINT, MovePivot, is_on_pivot
 from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
-from ..segment_click import click_segment
+from ..segment_click import click_segment, insert_at
 from ..tool import GestureRow, Tool, ToolContext, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
-from ..transform_drags import moving, scaling, turning
+from ..transform_drags import PIVOT_HINT, MovePivot, is_on_pivot, moving, scaling, turning
 
 
 class SelectTool(Tool):

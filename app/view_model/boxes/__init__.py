@@ -1,8 +1,8 @@
 """Boxes around points and curves, and what is moved or stretched by them.
 
 - ``bounds``: the box of points or curves.
-- ``stretch``: what fills another box.  ``alignment``: curves aligned by theirs.
+- ``stretch``: what fills another box, or is given a width or a height.
+- ``alignment``: curves aligned by their boxes.
 - ``pivot``: the place that transforms are about, and what they did.
 - ``exact_boxes``: exact boxes of many curves at once.
-- ``resizing``: points and curves given a width or a height.
 """

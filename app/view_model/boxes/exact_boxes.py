@@ -12,8 +12,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..curve.carry import Carry
 from ..curve.curve_view import CurveView
+from ..curve.made_curve import Carry
 
 _ALONG = 1e-14
 """Share of a map that may lead across the axes: what is rounded."""

@@ -13,13 +13,46 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
+from curvecore.arrays import FloatArray
+
+from ...document.edits import EditError
 from ...document.model import Document, Vector
 from ...document.point_group import PointGroup
 from ...document.several_curves import mapped
-from ...document.transforms import Affine
+from ...document.transforms import Affine, scaling
 from ..curve.curve_view import CurveView, view_of
-from ..geometry.fixed_point import Secants
 from .bounds import Bounds, bounds_of, is_whole
+
+_NEGLIGIBLE = 1e-10
+"""Share of the largest change of a residual below which others say nothing of where to go."""
+
+
+class Secants:
+    """Steps from one x to the next by what g made of the last ones (Anderson's mixing).
+
+    Where g is smooth they come as close in some ten steps as x = g(x) itself does in forty, and they also
+    arrive where that goes to and fro.
+    """
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._tried: list[tuple[FloatArray, FloatArray]] = []
+
+    def after(self, x: FloatArray, image: FloatArray) -> FloatArray:
+        """Return the x to be tried next, `image` being what g makes of `x`."""
+        self._tried = [*self._tried[-self._most :], (x, image)]
+        if len(self._tried) == 1:
+            return image
+        xs, images = (np.array(each) for each in zip(*self._tried, strict=True))
+        residuals = images - xs
+        weights, *_ = np.linalg.lstsq(np.diff(residuals, axis=0).T, residuals[-1], rcond=_NEGLIGIBLE)
+        nearer: FloatArray = image - weights @ np.diff(images, axis=0)
+        return nearer
+
+    def forget(self) -> None:
+        """Begin anew, as where the last steps led away."""
+        self._tried = []
+
 
 Corners = tuple[Vector, Vector]
 """Images of the lower left and of the upper right corner of a box; they may have changed places."""
@@ -185,3 +218,40 @@ def _corrected(corner: Vector, reached: Bounds, wanted: Bounds) -> Vector:
         factor = length / size if size and length else 1.0
         aimed.append(wanted.low[axis] + (corner[axis] - reached.low[axis]) * factor)
     return (aimed[0], aimed[1])
+
+
+SIDES = ("width", "height")
+"""What a length along x and along y is called."""
+
+
+def resized(
+    document: Document,
+    views: Sequence[CurveView],
+    group: PointGroup,
+    axis: int,
+    length: float,
+    about: Vector,
+    *,
+    keeps_proportions: bool = False,
+) -> Document:
+    """Return the document with a group whose box is `length` wide (axis 0) or high about a place.
+
+    With `keeps_proportions` the other side goes along.
+
+    Raises
+    ------
+    EditError
+        If that side has no length, or is to have none.
+    """
+    bounds = bounds_of(views, group)
+    if bounds is None:
+        return document
+    if not bounds.size[axis]:
+        raise EditError(f"What has no {SIDES[axis]} cannot be given one.")
+    if length <= 0.0:
+        raise EditError(f"A {SIDES[axis]} is greater than 0; Flip mirrors.")
+    factor, even = length / bounds.size[axis], axis if keeps_proportions else None
+    x, y = (factor if keeps_proportions or each == axis else 1.0 for each in (0, 1))
+    by = scaling(x, y, about)
+    corners = by.point(bounds.low), by.point(bounds.high)
+    return stretched(document, views, group, corners, even=even, about=about)

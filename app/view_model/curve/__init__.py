@@ -6,7 +6,7 @@
 - ``core_curve``: the core's curve through points at knots.
 - ``point_arrays``, ``flattener``: the arrays and polylines that one view hands on to the next.
   ``point_moves``: points that move together while all else rests, as under a drag.
-- ``carried_views``: many curves that were moved, turned or mapped whole.  ``carry``: the map of one.
+- ``carried_views``: many curves that were moved, turned or mapped whole.
 - ``jets``, ``handles``: derivatives set and estimated; the Bézier control points by which they are dragged.
   ``handle_arms``: these as values.
 - ``cardinals``: cardinal functions, estimates included.

@@ -19,9 +19,9 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 from ...document.derivatives import DERIVATIVES, EstimateRule
 from ...document.model import Curve
 from ...families import Family
-from .carry import Carry
 from .curve_view import LINE, CurveView, view_of
 from .flattener import Polyline
+from .made_curve import Carry
 from .point_arrays import PointArrays, arrays_of_all
 
 _FEWEST = 2

@@ -16,10 +16,9 @@ from ...document.model import Curve, Vector
 from ...families.family import OverdueCallError
 from ..geometry.plane import at_knots, size_of
 from .cardinals import Cardinal, Cardinals
-from .carry import Carry
 from .core_curve import Core, checked_parameters, core_curve
 from .flattener import Box, Flattener, FlatteningKey, Polyline
-from .made_curve import MadeCurve
+from .made_curve import Carry, MadeCurve
 from .point_arrays import PointArrays, arrays_of, rows_changed
 from .point_moves import Motion, PointMoves
 from .refusals import refusal_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Self
+from typing import Generic, Self, TypeVar
 
 import msgspec
 import numpy as np
@@ -13,11 +13,39 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Curve
 from ..geometry.plane import at_knots
-from .carry import Carry
 from .core_curve import Core, checked_parameters, core_after, core_anew
+from .flattener import Polyline
 from .jets import Sides
 from .point_arrays import PointArrays
 from .point_moves import Motion
+
+Root = TypeVar("Root")
+
+
+class Carry(msgspec.Struct, Generic[Root], frozen=True, eq=False, gc=False):
+    """The map x -> x A^T + b from the curve of a view to another one.
+
+    Attributes
+    ----------
+    root
+        The view, whose curve is none that was carried itself.
+    matrix
+        A, (2, 2).
+    shift
+        b, (2,).
+    stretch
+        By how much the map makes lengths longer at most.
+    """
+
+    root: Root
+    matrix: FloatArray
+    shift: FloatArray
+    stretch: float
+
+    def mapped(self, line: Polyline) -> Polyline:
+        """Return a polyline of the curve of the view, after the map."""
+        points = line.points @ self.matrix.T + self.shift
+        return Polyline(line.parameters, points, line.deviation * self.stretch)
 
 
 class MadeCurve(msgspec.Struct, frozen=True, eq=False, dict=True):

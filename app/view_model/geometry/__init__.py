@@ -3,6 +3,5 @@
 - ``plane``, ``sampling``: vectors of the plane; parameters all along a curve.
 - ``arc_lengths``: lengths to a relative accuracy.
 - ``fills``: insides of outlines.  ``stroked``: the box around a stroked line.
-- ``fixed_point``: equations whose values take a while.
 - ``extents``: of cubic pieces.
 """

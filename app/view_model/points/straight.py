@@ -1,4 +1,4 @@
-"""Straight segments between points, with the rest of the curve kept as it is."""
+"""Straight segments between points, with the rest of the curve kept as it is; handles retracted."""
 
 from __future__ import annotations
 
@@ -7,13 +7,15 @@ from collections.abc import Collection
 from msgspec.structs import replace
 
 from ...document.edits import EditError
+from ...document.jet_edits import JetValue, with_jet_values
+from ...document.lines import ends_of
 from ...document.model import Curve, Document, Vector
 from ...document.straight_edits import corners_of, straighten, why_not_straight
 from ...document.ties import tied_to_line
 from ..curve.curve_view import CurveView, view_of
 from ..fitting.reshape import refuse_without_curve
 from .appending import closed_by_pen, with_point_appended
-from .smoothness import with_corners
+from .smoothness import inner_points, with_corners
 
 
 def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
@@ -73,3 +75,25 @@ def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:
     count = len(curve.points)
     last = count if curve.is_closed else count - 1
     return [index for index in range(last) if {index, (index + 1) % count} <= set(indices)]
+
+
+def with_handle_retracted(view: CurveView, index: int, *, ahead: bool) -> Curve:
+    """Return the curve with the velocity zero on one side of a point, which is a corner then.
+
+    The other side stays. Where the handle at the other end of the segment is retracted, that is straight.
+
+    Raises
+    ------
+    EditError
+        If there is no curve.
+    """
+    refuse_without_curve(view)
+    curve = view.source
+    if inner_points(curve, [index]) and (not curve.points[index].corner or curve.points[index].tied):
+        curve = with_corners(view, [index])
+    segment = index if ahead else (index - 1) % len(curve.points)
+    start, end = ends_of(curve, segment)
+    far = curve.points[end if ahead else start].explicit_sides(1)[not ahead]
+    if far is not None and not any(far):
+        return with_straight_segments(view_of(curve), [segment])
+    return with_jet_values(curve, [JetValue(index, 1, ahead, (0.0, 0.0))])
