@@ -272,7 +272,7 @@ def conversions(editor):
     """Open the menu with the conversions, and return the entry of one family by its name."""
 
     def entry(name):
-        menu = editor.window.findChild(QMenu, "pointsMenu")
+        menu = editor.window.findChild(QMenu, "convertMenu")
         menu.popup(editor.window.mapToGlobal(QPoint(20, 20)))
         editor.settle()
         action = editor.action(f"convertTo{name}")

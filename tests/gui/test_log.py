@@ -122,7 +122,7 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
     for word in SECRET:
         assert word not in text
     for what in (
-        "opened a document, version 2, 1 curves, 3 points",
+        "opened a document, version 3, 1 curves, 3 points",
         "its lock is ours",
         "its lock is of another window",
         "saved a document: 1 curves, 3 points",

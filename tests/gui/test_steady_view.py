@@ -91,27 +91,6 @@ def test_a_window_of_another_size_is_fitted_again_while_nothing_was_touched(new_
         assert canvas.pixel_map.sx == pytest.approx(scale, rel=1e-12)
 
 
-def test_one_key_leaves_the_canvas_alone_and_brings_back_what_there_was(editor):
-    window, before = editor.window, seen(editor)
-    panes = (window.basis_panel, window.point_table)
-    editor.key(Qt.Key.Key_F12)
-    assert not any(pane.isVisible() for pane in panes)
-    assert window.menuBar().isVisible()
-    assert window.canvas.width() == window.width()
-    assert window.canvas.height() > 0.8 * window.height()
-    assert seen(editor) == (
-        pytest.approx(before[0], rel=1e-12),
-        pytest.approx(before[1], rel=1e-12),
-        before[2],
-    )
-    editor.key(Qt.Key.Key_F12)
-    assert all(pane.isVisible() for pane in panes)
-    # Who works without the functions comes back to that.
-    for key in (Qt.Key.Key_F8, Qt.Key.Key_F12, Qt.Key.Key_F12):
-        editor.key(key)
-    assert [pane.isVisible() for pane in panes] == [False, True]
-
-
 @pytest.mark.parametrize("size", [(1024, 700), (1280, 800), (1600, 1000)], ids=str)
 def test_the_canvas_is_dominant_in_the_first_window(new_editor, size):
     window = new_editor.window
