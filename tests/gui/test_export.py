@@ -27,6 +27,7 @@ from app.settings.preferences import Preferences
 from app.storage.files import load
 from app.testing import Editor
 from app.workbench.document_files import DocumentFiles
+from tests.gui.editor_facts import retype
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -162,10 +163,7 @@ def test_a_tolerance_is_kept(editor, dialog, tmp_path, monkeypatch):
     editor.choose_family(LAGRANGE)
     choose_format(dialog, ".svg")
     edit = dialog.form.fields["tolerance"].widget
-    edit.setFocus()
-    edit.selectAll()
-    QTest.keyClicks(edit, "wide")
-    QTest.keyClick(edit, Qt.Key.Key_Return)
+    retype(edit, "wide")
     assert dialog.isVisible()
     edit.selectAll()
     QTest.keyClicks(edit, "0.5")
@@ -657,7 +655,7 @@ def test_undo_leaves_it_as_it_is(editor, dialog, tmp_path, monkeypatch):
 
 
 def test_nobody_is_asked_about_an_export_alone(editor, dialog, tmp_path, monkeypatch):
-    """After one a designer was asked to save a drawing in which nothing was changed."""
+    """After one somebody was asked to save a document in which nothing was changed."""
     path, asked = tmp_path / "a.curve.json", []
     editor.session.save(path)
     monkeypatch.setattr(
@@ -677,7 +675,7 @@ def test_nobody_is_asked_about_an_export_alone(editor, dialog, tmp_path, monkeyp
     assert (asked, editor.session.files.path) == ([], None)
 
 
-def test_a_document_whose_page_was_exported_offers_that_again_though_something_is_chosen(
+def test_a_document_whose_curves_were_all_exported_offers_that_again_though_something_is_chosen(
     waves, tmp_path, monkeypatch
 ):
     """It fell back to what was chosen, and files held a part of the drawing."""

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox
 from app.document.model import Document, make_curve
 from app.families import FAMILIES
 from app.testing import Editor
+from tests.gui.editor_facts import retype
 
 X = np.linspace(0.0, 6.0, 400)
 ROWS = np.stack([X, np.sin(X)], axis=1)
@@ -77,10 +78,7 @@ def test_number_and_family_are_chosen(editor, qtbot):
     wait(editor, qtbot)
     for box, index in ((form.goal, 1), (form.family, form.family.findText("Lagrange"))):
         choose(box, index)
-    form.count.setFocus()
-    form.count.selectAll()
-    QTest.keyClicks(form.count, "9")
-    QTest.keyClick(form.count, Qt.Key.Key_Return)
+    retype(form.count, "9")
     qtbot.waitUntil(lambda: "become 9 points" in form.result.text(), timeout=20_000)
     QTest.mouseClick(form.apply_button, Qt.MouseButton.LeftButton)
     curve = editor.session.active_curve
@@ -98,10 +96,7 @@ def test_what_is_impossible_is_said(editor, qtbot):
     form = opened(editor)
     wait(editor, qtbot)
     choose(form.goal, 1)
-    form.count.setFocus()
-    form.count.selectAll()
-    QTest.keyClicks(form.count, "900")
-    QTest.keyClick(form.count, Qt.Key.Key_Return)
+    retype(form.count, "900")
     assert form.result.text() == "Points: from 2 to 500."
     assert not form.apply_button.isEnabled()
 
@@ -124,10 +119,7 @@ def long_fit(qtbot):
     many = make_curve([tuple(row) for row in rows.tolist()], family=FAMILIES.named("hermite"))
     editor.session.change("Import", lambda _: Document((many,)))
     form = opened(editor)
-    form.tolerance.setFocus()
-    form.tolerance.selectAll()
-    QTest.keyClicks(form.tolerance, "0.02")
-    QTest.keyClick(form.tolerance, Qt.Key.Key_Return)
+    retype(form.tolerance, "0.02")
     return editor
 
 

@@ -38,6 +38,7 @@ from app.storage.files import save
 from app.testing import spin
 from app.view_model.curve.curve_view import view_of
 from app.widgets.field_edit import FieldEdit
+from tests.gui.editor_facts import retype
 
 SVG = (
     '<svg xmlns="http://www.w3.org/2000/svg"><flowRoot>hi</flowRoot>'
@@ -448,10 +449,7 @@ def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monk
 def test_a_distance_that_is_none_is_explained(editor, tmp_path, typed):
     dialog = opened(editor, spiral(tmp_path / "spiral.csv", 1500))
     edit = dialog.tolerance_edit
-    edit.setFocus()
-    edit.selectAll()
-    QTest.keyClicks(edit, typed)
-    QTest.keyClick(edit, Qt.Key.Key_Return)
+    retype(edit, typed)
     settle(editor, dialog)
     assert dialog.isVisible()
     assert dialog.problem.text()

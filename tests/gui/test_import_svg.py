@@ -303,7 +303,7 @@ def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_pat
     document = imported(editor, path)
     assert selected.chosen == {place for place in range(5, 10) if document.curves[place].is_free}
     assert len(selected.chosen) == 4
-    # Page upon page.
+    # In the same place.
     assert [curve.points for curve in document.curves[5:]] == [curve.points for curve in document.curves[:5]]
 
 

@@ -29,6 +29,7 @@ from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.laboratory.commands import LaboratoryCommands
 from app.tasks.debounced_task import SETTLE_MS
 from app.view_model.analysis.laboratory_settings import Calculation
+from tests.gui.editor_facts import retype
 
 LEFT = Qt.MouseButton.LeftButton
 NEVER_MS = 600_000
@@ -199,10 +200,7 @@ def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab, qtbot):
 
 def test_another_shift_can_be_typed(lab, qtbot):
     field = find(lab, QLineEdit, "shiftField")
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, "1000")
-    QTest.keyClick(field, Qt.Key.Key_Return)
+    retype(field, "1000")
     settled(lab, qtbot)
     assert commands(lab)._settings.shift == 1000
     assert "κ" in text(lab, "condition_monomial")

@@ -26,6 +26,7 @@ from app.features.point_table.delegate import CellEditor
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
 from app.view_model.curve.curve_view import view_of
+from tests.gui.editor_facts import retype
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -452,10 +453,7 @@ def test_an_interval_for_a_locked_curve_stays_with_the_reason_below_it(two):
     dock.raise_()
     two.settle()
     before, field = two.session.document, two.window.findChild(QLineEdit, "intervalEnd")
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, "5")
-    QTest.keyClick(field, Qt.Key.Key_Return)
+    retype(field, "5")
     assert field.text() == "5"
     assert "is locked" in two.window.findChild(QLabel, "curveProblem").text()
     assert two.session.document is before

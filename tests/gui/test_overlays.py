@@ -27,6 +27,7 @@ from app.view_model.analysis.overlays import (
     ticks,
     vectors,
 )
+from tests.gui.editor_facts import retype
 
 NEVER_MS = 600_000
 
@@ -74,10 +75,7 @@ def dock(editor):
 
 
 def type_into(line, text):
-    line.setFocus()
-    line.selectAll()
-    QTest.keyClicks(line, text)
-    QTest.keyClick(line, Qt.Key.Key_Return)
+    retype(line, text)
 
 
 LIVE = {

@@ -38,7 +38,7 @@ def moved(before, after):
 
 
 @pytest.fixture
-def paper(editor):
+def panels(editor):
     """Two filled curves and an open one, with both panels open and nothing chosen."""
     editor.show_dock("styleDock")
     editor.show_dock("transformDock")
@@ -56,22 +56,22 @@ def paper(editor):
 
 
 @pytest.mark.parametrize("panel", ["styleDock", "transformDock"])
-def test_nothing_moves_when_other_objects_are_chosen(paper, panel):
+def test_nothing_moves_when_other_curves_are_chosen(panels, panel):
     """A rectangle once brought a scroll bar, and all fields of Transform went 14 pixels to the left."""
-    paper.window.resize(1200, 700)
-    before = places(paper, panel)
+    panels.window.resize(1200, 700)
+    before = places(panels, panel)
     assert len(before) > 12
     for chosen in ([0], [1], [0, 1], [2], [0, 1, 2], []):
-        paper.session.selected.choose(chosen)
-        assert moved(before, places(paper, panel)) == set(), chosen
-    paper.session.selected.choose([0])
-    paper.session.selected.edit_chosen()
-    paper.session.selected.set_points([0])
-    assert moved(before, places(paper, panel)) == set()
+        panels.session.selected.choose(chosen)
+        assert moved(before, places(panels, panel)) == set(), chosen
+    panels.session.selected.choose([0])
+    panels.session.selected.edit_chosen()
+    panels.session.selected.set_points([0])
+    assert moved(before, places(panels, panel)) == set()
 
 
-def test_neither_panel_scrolls_sideways(paper):
+def test_neither_panel_scrolls_sideways(panels):
     """With a fifth word for kinds of paint the Style panel was 390 pixels wide, and it has 336."""
     for panel in ("styleDock", "transformDock"):
-        area = paper.window.findChild(QWidget, panel).findChild(QScrollArea)
+        area = panels.window.findChild(QWidget, panel).findChild(QScrollArea)
         assert area.horizontalScrollBar().maximum() == 0, panel

@@ -7,12 +7,13 @@ import pytest
 from msgspec.structs import replace
 from pixels import pixels_of
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QLineEdit
 
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
 from app.families import HERMITE
-from tests.gui.editor_facts import undo_text
+from tests.gui.editor_facts import retype, undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -365,3 +366,77 @@ def test_an_open_curve_is_split_at_its_inner_points_alone(letter):
         t = np.linspace(*before.parameters[k : k + 2], 20)
         assert view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-12)
     assert undo_text(letter) == "Split Wave"
+
+
+# No point selected: all points of the shape are meant
+
+
+def test_the_panel_counts_the_points_of_all_contours(letter):
+    """It said “All 4 points”."""
+    letter.trigger("openTransform")
+    label = letter.window.findChild(QLabel, "transformWhat")
+    assert label.text() == "All 8 points in 2 curves"
+
+
+def test_a_typed_width_takes_the_counter_along(letter):
+    letter.trigger("openTransform")
+    before = places(letter)[:2, :, 0]
+    retype(letter.window.findChild(QLineEdit, "transformWidth"), "90")
+    assert letter.window.canvas.tools.target.bounds.size[0] == pytest.approx(90)
+    factors = np.diff(places(letter)[:2, :, 0]) / np.diff(before)
+    assert factors == pytest.approx(factors[0, 0] * np.ones(factors.shape), abs=1e-9)
+    assert factors[0, 0] > 1.5
+
+
+def test_flips_and_quarter_turns_take_all_contours_along(letter):
+    target = letter.window.canvas.tools.target
+    for key, held, linear in (
+        (Key.Key_H, Qt.KeyboardModifier.NoModifier, ((-1, 0), (0, 1))),
+        (Key.Key_V, SHIFT, ((1, 0), (0, -1))),
+        (Key.Key_BracketLeft, CTRL, ((0, -1), (1, 0))),
+    ):
+        before, centre = places(letter)[:2], np.array(target.centre)
+        letter.window.canvas.setFocus()
+        letter.key(key, held)
+        assert places(letter)[:2] == pytest.approx((before - centre) @ np.array(linear).T + centre, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("key", "typed", "linear", "shift"),
+    [
+        (Key.Key_G, "7", np.eye(2), (7, 0)),
+        (Key.Key_S, "2", 2 * np.eye(2), (0, 0)),
+        (Key.Key_R, "180", -np.eye(2), (0, 0)),
+    ],
+)
+def test_g_s_and_r_take_all_contours_along(letter, key, typed, linear, shift):
+    before, centre = places(letter), np.array(letter.window.canvas.tools.target.centre)
+    letter.hover((4, 4))
+    letter.key(key)
+    letter.type_amount(typed)
+    assert letter.status.startswith("All 8 points in 2 curves: ")
+    letter.key(Key.Key_Return)
+    wanted = (before[:2] - centre) @ linear + centre + shift
+    assert places(letter)[:2] == pytest.approx(wanted, abs=1e-9)
+    letter.trigger("undo")
+    assert places(letter) == pytest.approx(before, abs=0)
+
+
+def test_reverse_opening_and_the_family_are_of_all_contours_where_no_point_is_selected(letter):
+    before = places(letter)
+    letter.key(Key.Key_R, CTRL)
+    after = places(letter)
+    assert [{*map(tuple, each)} for each in after] == [{*map(tuple, each)} for each in before]
+    assert [(one == other).all() for one, other in zip(after, before, strict=True)] == [False, False, True]
+    letter.trigger("closeCurve")
+    assert [curve.closed for curve in letter.session.document.curves] == [False, False, True]
+    letter.trigger("undo")
+    letter.trigger("familyLagrange")
+    families = [curve.family.name for curve in letter.session.document.curves]
+    assert families == ["lagrange", "lagrange", "hermite"]
+    letter.trigger("undo")
+    letter.click((0, 3))
+    reversed_ = places(letter)
+    letter.key(Key.Key_R, CTRL)
+    assert (places(letter)[1] == reversed_[1]).all()
+    assert (places(letter)[0] != reversed_[0]).any()

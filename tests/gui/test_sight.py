@@ -1,4 +1,4 @@
-"""What a designer looks at: the view that fits, the words over the canvas, readouts, what is lit."""
+"""What one looks at: the view that fits, the words over the canvas, readouts, what is lit."""
 
 from __future__ import annotations
 

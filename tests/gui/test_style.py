@@ -654,7 +654,7 @@ def test_a_curve_that_is_begun_looks_as_the_one_before(editor, panel):
     assert len(styles(editor)) == 4
 
 
-def test_the_last_good_curve_is_faint_and_does_not_print(editor):
+def test_the_last_good_curve_is_faint_and_in_no_picture(editor):
     leaf = square(0, 0, 4, "Leaf", style=Style(fill=BLUE, stroke=RED, width=0.4))
     begin(editor, leaf, make_curve([(8, 0), (9, 3)], name="Other"))
     assert seen(editor, 2, 2.5) == BLUE

@@ -1,4 +1,4 @@
-"""Style, shapes, groups, unit, grid and guides in files, and how version 1 is read."""
+"""Style, shapes, groups, unit, grid, guides and export in files; a colour of version 1."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ STYLE = Style(
 )
 
 
-def drawing(**values):
+def shape(**values):
     """Two curves of one shape."""
     parts = [
         replace(
@@ -40,7 +40,7 @@ def drawing(**values):
 
 
 def test_everything_comes_back():
-    some = drawing(
+    some = shape(
         unit="mm",
         grid_spacing=0.1,
         guides=(Guide(Axis.X, 1 / 3), Guide(Axis.Y, -2.0)),
@@ -108,12 +108,12 @@ def test_a_style_that_cannot_be_drawn_is_refused_with_its_place(changed, complai
 )
 def test_a_plane_that_cannot_be_drawn_is_refused_with_its_place(values, complaint):
     with pytest.raises(FormatError) as refusal:
-        encode(drawing(**values))
+        encode(shape(**values))
     assert str(refusal.value).startswith(complaint)
 
 
 def test_a_shape_that_is_none_is_refused():
-    torn = drawing()
+    torn = shape()
     torn = torn.with_curve(1, replace(torn.curves[1], shape="S"))
     with pytest.raises(FormatError, match=r"curves\[0\]\.shape must name two or more curves"):
         encode(torn)
