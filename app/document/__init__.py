@@ -14,7 +14,7 @@
 - ``transforms``, ``jet_edits``: of many points or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``several_curves``: of several curves at once, and curves from elsewhere.  ``point_group``: points of
-  several that change together.  ``whole_edits``: whole curves put elsewhere in one pass.
+  several that change together.
 - ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
 - ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
 - ``box_edits``: rectangles and ellipses drawn into a box.

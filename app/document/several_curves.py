@@ -5,17 +5,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
+from itertools import chain, islice
 from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from . import whole_edits
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each, without
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
-from .edits import AlreadySoError, moving
+from .edits import AlreadySoError, PointsChange, moving, with_all_shifted
 from .model import Curve, Document, Vector
-from .point_group import PointGroup
+from .point_group import PointGroup, PointsEdit
 from .shape_edits import contained, with_own_names
 from .shapes import shape_of, tidy_shapes, whole_shapes
 from .transforms import Affine, placing, stepping, transform_points
@@ -66,17 +66,17 @@ def changed_whole(document: Document, curves: Collection[int]) -> PointGroup:
 
 def moved(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
-    return whole_edits.shifted(document, group, moving(by))
+    return _whole_shifted(document, group, moving(by))
 
 
 def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group by decimal steps; see `stepping`."""
-    return whole_edits.shifted(document, group, stepping(by))
+    return _whole_shifted(document, group, stepping(by))
 
 
 def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
-    return whole_edits.mapped(
+    return _whole_mapped(
         document, group, placing(by), lambda each, curve, indices: transform_points(each, curve, indices, by)
     )
 
@@ -253,3 +253,47 @@ def name_of(document: Document, curves: Collection[int]) -> str | None:
         return None
     nodes = whole_nodes(document.curves, curves)
     return nodes[0].name if len(nodes) == 1 else None
+
+
+def _whole_shifted(document: Document, group: PointGroup, shift: PointsChange) -> Document:
+    """Put the points of a group elsewhere, all by the same way; see `with_all_shifted`."""
+
+    def edit(each: Document, curve: int, indices: Collection[int]) -> Document:
+        return with_all_shifted(each, curve, indices, shift)
+
+    return _changed_whole(document, group, shift, edit, lambda _: True)
+
+
+def _whole_mapped(document: Document, group: PointGroup, place: PointsChange, edit: PointsEdit) -> Document:
+    """Return what `edit` makes of the points of a group, of those without more than a place by `place`."""
+    return _changed_whole(document, group, place, edit, _has_only_places)
+
+
+def _has_only_places(curve: Curve) -> bool:
+    """Whether nothing else of a curve follows where all of its points go."""
+    return not (curve.has_derivatives or (curve.closed and curve.is_manual))
+
+
+def _changed_whole(
+    document: Document,
+    group: PointGroup,
+    place: PointsChange,
+    edit: PointsEdit,
+    is_simple: Callable[[Curve], bool],
+) -> Document:
+    """Put whole simple curves elsewhere at once, and do an edit to the others one by one."""
+    group.refuse_locked(document)
+    curves, rest, whole = list(document.curves), list[tuple[int, frozenset[int]]](), list[int]()
+    for part in group.parts:
+        curve = curves[part[0]]
+        if len(part[1]) == len(curve.points) and is_simple(curve):
+            whole.append(part[0])
+        else:
+            rest.append(part)
+    if whole:
+        new = iter(place([*chain.from_iterable([curves[each].points for each in whole])]))
+        for each in whole:
+            curve = curves[each]
+            curves[each] = replace(curve, points=tuple(islice(new, len(curve.points))))
+        document = replace(document, curves=tuple(curves))
+    return replace(group, parts=tuple(rest)).changed_apart(document, edit) if rest else document

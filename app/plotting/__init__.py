@@ -3,7 +3,7 @@
 - ``pixel_map``: plane to pixels and back.
 - ``drawing``: polylines drawn fast; nothing unsafe reaches Qt.  ``segments``: many shapes in one call.
   ``crowds``: strokes that fill an area.  ``wide_line``: an opaque line, drawn without Qt's stroker.
-- ``pens``, ``dashes``, ``area``: line styles on the screen, dashes that run on, translucent areas.
+- ``pens``, ``area``: line styles on the screen, with dashes that run on; translucent areas.
 - ``rings``: areas cut to what is seen.
 - ``graphs``: pyqtgraph itself.  ``painted_plot``: a plot of it that we paint.  ``plot_widget``: one with
   mouse and keys.  ``tool_plot``: one with tools.

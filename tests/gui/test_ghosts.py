@@ -15,8 +15,7 @@ from app.appearance.theme import DARK, LIGHT, theme_of
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, ChosenSettings
-from app.plotting.dashes import dashed
-from app.plotting.pens import colour_of
+from app.plotting.pens import colour_of, dashed
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 
 

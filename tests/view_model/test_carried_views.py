@@ -12,7 +12,7 @@ from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import Affine, flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.boxes.exact_boxes import box_found, find_boxes
+from app.view_model.boxes.bounds import box_found, find_boxes
 from app.view_model.curve.carried_views import views_after
 from app.view_model.curve.curve_view import CurveView, view_of
 from curvecore.bezier.polylines import segment_distance

@@ -2,5 +2,5 @@
 
 - ``commands``: tools, panels, presentation and theme.  ``zoom_commands``: zoom.
 - ``shapes_button``: the button of further tools in the toolbar.
-- ``zoom``: zoom in per cent.  ``zoom_field``: its field in the status line.  ``past_views``: the way back.
+- ``zoom_field``: its field in the status line, and zoom in per cent.  ``past_views``: the way back.
 """

@@ -14,8 +14,7 @@ from ...plotting.scrolling import ZOOM_STEP
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .past_views import PastViews
-from .zoom import pixels_at_full_size, words_about_full_size
-from .zoom_field import ZoomField
+from .zoom_field import ZoomField, pixels_at_full_size, words_about_full_size
 
 _SOME_POINT = Need(
     "a curve with points",
