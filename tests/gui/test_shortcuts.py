@@ -207,3 +207,18 @@ def test_no_two_actions_come_with_the_same_key(editor):
         assert keymap.is_default(name)
         for key in binding.defaults:
             assert keymap.owner_of(key) == name
+
+
+def test_the_sheet_keeps_its_field_and_its_button_where_nothing_is_found(editor):
+    """The field was 6 pixels high, the button covered."""
+    editor.trigger("showShortcuts")
+    sheet = editor.window.findChild(QWidget, "shortcutSheet")
+    search, close = (sheet.findChild(QWidget, name) for name in ("shortcutSearch", "closeShortcuts"))
+    QTest.keyClicks(search, "qqqq")
+    editor.settle()
+    assert any("Nothing is called that" in label.text() for label in sheet.findChildren(QLabel))
+    assert search.height() >= search.minimumSizeHint().height()
+    assert close.height() >= close.minimumSizeHint().height()
+    assert sheet.rect().contains(close.geometry())
+    QTest.mouseClick(close, Qt.MouseButton.LeftButton)
+    assert not sheet.isVisible()

@@ -196,7 +196,8 @@ class ShortcutSheet(OverlayFrame):
         # A vertical scroll bar takes its width from the rows.
         rows = content.heightForWidth(width - 24) if content is not None else 0
         top = max(each.sizeHint().height() for each in (self._close, self._search))
-        height = min(room.height(), rows + top + 24)
+        # Nothing found has no height for a width: the field and the button keep their own.
+        height = min(room.height(), max(rows + top + 24, self.minimumSizeHint().height()))
         self.setGeometry(corner.x() + (self._over.width() - width) // 2, corner.y() + _MARGIN, width, height)
 
     def set_theme(self, theme: Theme) -> None:
