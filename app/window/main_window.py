@@ -30,7 +30,7 @@ from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector
 from ..plotting.tool_plot import ToolPlot
-from ..qt.keys import ENTER
+from ..qt.keys import ENTER, FieldShortcuts
 from ..qt.overrides import Guarded
 from ..session import Session
 from ..settings.preferences import Preferences
@@ -163,6 +163,7 @@ class MainWindow(Guarded, QMainWindow):
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
         self.canvas.pointed_at.connect(self.status_line.readouts.show_place)
+        FieldShortcuts(self)
         self.menus.fill_with_files(self.preferences, files.open_beside, files.open_example)
         ends = (files.remember_rules, files.release, self.commands.close)
         for end in (*ends, self._remember_layout, self._close_dialogs):

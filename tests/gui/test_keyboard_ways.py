@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QGraphicsView, QMenu, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QGraphicsView, QLineEdit, QMenu, QWidget
 from shiboken6 import Shiboken
 
 from app.actions.mnemonics import plain, with_mnemonics
 from app.appearance.theme import theme_of
 from app.features.curve_list.commands import CurveListCommands
 from app.features.lessons.panel import LessonPanel
+from app.qt.overrides import Guarded
 from app.window.focus_commands import first_in
+
+CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 def letter_of(text):
@@ -194,3 +197,32 @@ def test_a_panel_in_which_nothing_takes_the_focus_does_not_own_the_rest_of_the_w
     assert first_in(panel) is None
     owner = next(line for line in Shiboken.dump(viewport).splitlines() if line.startswith("parent"))
     assert owner.endswith(f"at {hex(id(view))}>")
+
+
+class GreedyField(Guarded, QLineEdit):
+    """Claims every key, as Qt's fields do with Ctrl+E and others on X11 alone."""
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride:
+            event.accept()
+            return True
+        return bool(super().event(event))
+
+
+def test_in_a_field_the_keys_of_the_window_act_and_those_of_text_edit_it(editor):
+    """On X11 Ctrl+E went to the end of the line."""
+    field = GreedyField("none", editor.window)
+    field.show()
+    field.setFocus()
+    steps = editor.session.undo_stack.count()
+    QTest.keyClick(field, Qt.Key.Key_A, CTRL)
+    assert field.selectedText() == "none"
+    QTest.keyClick(field, Qt.Key.Key_X, CTRL)
+    assert field.text() == ""
+    QTest.keyClick(field, Qt.Key.Key_Z, CTRL)
+    assert (field.text(), editor.session.undo_stack.count()) == ("none", steps)
+    QTest.keyClick(field, Qt.Key.Key_E, CTRL)
+    editor.settle()
+    dialog = editor.window.findChild(QDialog, "exportDialog")
+    assert dialog.isVisible()
+    dialog.close()
