@@ -47,6 +47,11 @@ HIGHLIGHTED = Need(
     lambda state: state.has_selected_curve and not state.is_blank,
     why=lambda state: "" if state.is_blank else NONE_CHOSEN,
 )
+CURVE_WITH_POINTS = Need(
+    "a curve with points",
+    lambda state: state.has_selected_curve and (state.point_count > 0 or state.selected_curve_count > 1),
+    why=lambda state: "" if state.has_selected_curve else NONE_CHOSEN,
+)
 HERMITE_CURVE = Need("a Hermite curve", lambda state: state.has_derivatives)
 HERMITE_POINTS = Need(
     "selected points of a Hermite curve",

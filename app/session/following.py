@@ -93,8 +93,8 @@ class Following:
         selected.last = max(followed_curves({selected.last}, before.curves, curves), default=new.active)
         selected.hold(new.curves, new.chosen, is_editing=new.is_editing)
         if marked and not selected.marked:
-            # They were deleted: what is drawn next looks like the foremost of them.
-            selected.next_style = marked[-1].style
+            # They were deleted: what is drawn next looks like the foremost of them, unless they were brought.
+            selected.next_style = selected.next_style or marked[-1].style
         elif all(each is not curves[new.active] for each in before.curves):
             # It was begun, or worked on.
             selected.is_lent, selected.next_style = False, None

@@ -38,8 +38,8 @@ class Selected:
     is_lent
         Whether a tool took up the active curve while nothing was selected: nobody chose it.
     next_style
-        The style that was set, or used last, while nothing was selected: that of what is drawn next. None
-        where what is drawn next looks like the active curve.
+        The style that was set, or used last, while nothing was selected, or before the chosen curves were
+        brought here: that of what is drawn next. None where that looks like the active curve.
     """
 
     def __init__(self, session: Session) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Collection
 from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import Choice, existing_points
 from ..document.shapes import whole_shapes
+from ..document.style import Style
 from .selected import Selected
 
 
@@ -95,8 +96,12 @@ class Selection(Selected):
         """Edit the active curve, for a tool that needs one; where nobody chose it, it is lent."""
         is_lent, style = self.is_lent or not self.marked, self.next_style
         self.activate(self._session.active_index)
-        if is_lent:
-            self.is_lent, self.next_style = True, style
+        self.is_lent, self.next_style = is_lent, style
+
+    def choose_brought(self, indices: Collection[int], style: Style) -> None:
+        """Choose curves that were brought here; what is drawn next has this style, not theirs."""
+        self.choose(indices)
+        self.next_style = style
 
     def show_choice(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""

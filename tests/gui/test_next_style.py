@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QLineEdit
 
+from app.features.import_export.commands import ImportCommands
 from tests.gui.editor_facts import retype
 
-BLUE, RED = "#0000ff", "#ff0000"
+BLUE, RED, GREEN = "#0000ff", "#ff0000", "#008000"
+SQUARES = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="2in" height="1in" viewBox="0 0 20 10"><g fill="#f00">'
+    '<path d="M0 0H8V8Z"/><path d="M10 0H18V8Z"/></g></svg>'
+)
 
 
 @pytest.fixture
@@ -92,3 +98,46 @@ def test_what_is_drawn_after_a_curve_was_deleted_looks_like_it(empty):
     empty.key(Qt.Key.Key_Delete)
     assert [curve.style for curve in empty.session.document.curves] == [first]
     assert empty.session.model.style.fill == BLUE
+
+
+@pytest.fixture
+def imported(empty, tmp_path):
+    """A green rectangle, and a drawing of two red squares that was imported after it."""
+    rectangle(empty, 20)
+    style_set(empty, "fillPaintHex", GREEN)
+    empty.key(Qt.Key.Key_V)
+    path = tmp_path / "squares.svg"
+    path.write_text(SQUARES, encoding="utf-8")
+    empty.window.commands[ImportCommands].import_files([path])
+    empty.wait_for_work()
+    dialog = empty.window.findChild(QDialog, "importDrawingDialog")
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    empty.settle()
+    assert [curve.style.fill for curve in empty.session.document.curves] == [GREEN, RED, RED]
+    empty.window.activateWindow()
+    empty.window.canvas.setFocus()
+    empty.settle()
+    return empty
+
+
+@pytest.mark.parametrize("escape", [True, False])
+def test_what_is_drawn_after_an_import_looks_as_before_it(imported, escape):
+    """It looked like the first shape that was imported."""
+    if escape:
+        imported.key(Qt.Key.Key_Escape)
+    imported.key(Qt.Key.Key_P)
+    imported.window.canvas.camera.show_box((0, 210), (0, 297))
+    for place in ((100, 250), (140, 270)):
+        imported.click(place)
+    assert [curve.style.fill for curve in imported.session.document.curves[3:]] == [GREEN]
+
+
+def test_what_is_drawn_after_an_import_was_undone_looks_as_before_it(imported):
+    imported.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert len(imported.session.document.curves) == 1
+    assert rectangle(imported, 120).fill == GREEN
+
+
+def test_what_is_drawn_looks_like_an_imported_curve_that_was_chosen(imported):
+    imported.session.selected.choose([1])
+    assert rectangle(imported, 120).fill == RED

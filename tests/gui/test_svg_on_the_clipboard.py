@@ -265,8 +265,8 @@ def test_what_is_out_of_sight_leaves_the_view_alone_and_a_key_shows_it(editor):
     editor.paste_text("M 400 400 L 900 1200")
     paste(editor, CTRL | ALT)
     assert editor.window.canvas.camera.pixel_map == before
-    assert editor.status.endswith("; it is chosen. Not all of it is in sight: Ctrl+3 shows all.")
-    editor.key(Qt.Key.Key_3, CTRL)
+    assert editor.status.endswith("; it is chosen. Not all of it is in sight: Shift+F shows all.")
+    editor.key(Qt.Key.Key_F, Qt.KeyboardModifier.ShiftModifier)
     assert editor.window.canvas.framing.shows_curves([editor.session.active_index])
 
 

@@ -61,6 +61,12 @@ def click(editor, name):
     editor.settle()
 
 
+def whole_buttons(editor):
+    """Return the buttons that flip and turn by a quarter."""
+    names = ("flipHorizontally", "flipVertically", "rotateLeft", "rotateRight")
+    return [editor.window.findChild(QToolButton, f"{name}Button") for name in names]
+
+
 def label(editor, name):
     return editor.window.findChild(QLabel, name).text()
 
@@ -113,6 +119,16 @@ def test_without_points_there_is_nothing_to_set(leaf):
     leaf.settle()
     assert label(leaf, "transformWhat") == "Nothing chosen"
     assert not any(field(leaf, name).isEnabled() for name in ("X", "Width", "Angle", "Turn"))
+    assert not any(button.isEnabled() for button in whole_buttons(leaf))
+
+
+def test_with_nothing_chosen_its_buttons_are_off_like_its_fields(leaf):
+    assert all(button.isEnabled() for button in whole_buttons(leaf))
+    for _ in range(2):
+        leaf.escape()
+    leaf.settle()
+    assert label(leaf, "transformWhat") == "Nothing chosen"
+    assert not any(button.isEnabled() for button in whole_buttons(leaf))
 
 
 def test_a_locked_curve_cannot_be_changed_and_the_panel_says_why(leaf):

@@ -149,18 +149,18 @@ class PasteCommands:
     def _add(self, arrival: Arrival, remarks: Sequence[str]) -> None:
         session, places = self._session, arrival.places
         document, framing = arrival.document, self._context.central.canvas.framing
-        name = named(document, places)
+        name, style = named(document, places), session.model.style
         session.expect(arrival.views)
         with session.telling:
             if not session.change(f"Paste {name}", lambda _: document, active=places.start):
                 return
-            session.selected.choose(places)
+            session.selected.choose_brought(places, style)
         is_one = name_of(document, places) is not None
         said = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
         if not framing.shows_curves(places):
             # The view stays where somebody is at work.
-            key = keys_text(self._context.actions["fitSelection"].shortcuts()[-1:])
-            said = f"{said} Not all of {'it' if is_one else 'them'} is in sight: {key} shows all."
+            key = keys_text(self._context.actions["fitSelection"].shortcuts()[:1])
+            said = f"{said} Not all of {'it is' if is_one else 'them are'} in sight: {key} shows all."
         session.say(said)
         self._context.work.warn_of(remarks)
 

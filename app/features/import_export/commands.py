@@ -16,6 +16,7 @@ from ...actions.sections import FILE_EXCHANGE
 from ...document.edits import EditError
 from ...document.model import Document
 from ...document.shapes import counted_shapes
+from ...document.style import Style
 from ...document.words import count_of, listed, number
 from ...exchange import table
 from ...exchange.formats import (
@@ -206,11 +207,13 @@ class ImportCommands:
                 if not begins and session.committed is not target:
                     arrival = intake.intake(session.committed, new)
                 factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
+                style = session.model.style
                 if self._put(path, arrival, begins=begins, anew=anew):
                     said = "Opened" if anew and path == self._opened else "Imported"
                     deviation = taken.deviation * factor
                     done_so = f"{said} {path.name}"
-                    self._show_added(done_so, path, arrival, deviation, rest, is_brought=not anew)
+                    self._choose_added(arrival, style, is_brought=not anew)
+                    self._show_added(done_so, path, arrival, deviation, rest)
             finally:
                 self._end_turn()
 
@@ -265,19 +268,19 @@ class ImportCommands:
             self._preferences.add_recent_file(path.absolute())
         return True
 
-    def _show_added(
-        self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str, *, is_brought: bool
-    ) -> None:
-        """Show what has come in, choose what was brought here, no document of its own, and say what it is."""
+    def _choose_added(self, arrival: Arrival, style: Style, *, is_brought: bool) -> None:
+        """Choose what was brought here, no document of its own; nothing drawn next is to look like it."""
         added, document, selected = arrival.places, arrival.document, self._session.selected
-        curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
-        if not is_all or (is_brought and len(curves) > 1):
+        if len(added) < len(document.curves) or (is_brought and len(added) > 1):
             # What is brought is put in its place as a whole, but for what nobody may move.
-            selected.choose([place for place in added if document.curves[place].is_free])
-        elif len(curves) > 1:
-            # Nobody has chosen them: what is drawn next is not to look like them.
-            selected.choose(())
-            selected.next_style = self._session.files.blank().curves[0].style
+            selected.choose_brought([place for place in added if document.curves[place].is_free], style)
+        elif len(added) > 1:
+            selected.choose_brought((), self._session.files.blank().curves[0].style)
+
+    def _show_added(self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
+        """Show what has come in, and say what it is."""
+        added, document = arrival.places, arrival.document
+        curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         central = self._context.central

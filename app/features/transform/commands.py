@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
-from ...actions.needs import Need
+from ...actions.needs import CURVE_WITH_POINTS, Need
 from ...actions.sections import ARRANGE_BOX, ARRANGE_TRANSFORM
 from ...actions.strips import CURVE_MENU, TRANSFORM_BUTTONS
 from ...document.model import Vector
@@ -131,6 +131,7 @@ class SelectionCommands:
             each.key,
             f"flip-{each.way}",
             each.tip,
+            needs=CURVE_WITH_POINTS,
             keywords="mirror reflect",
         ),
     )
@@ -147,6 +148,7 @@ class SelectionCommands:
             each.key,
             each.icon,
             f"Rotate what is selected or chosen, or else all points, to the {each.way}",
+            needs=CURVE_WITH_POINTS,
             keywords="turn quarter clockwise",
         ),
     )

@@ -6,21 +6,14 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from ...actions.declaration import action, also
-from ...actions.needs import Need
+from ...actions.needs import CURVE_WITH_POINTS
 from ...actions.sections import VIEW_ZOOM, VIEW_ZOOM_STEPS
 from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
-from ...document.selection import NONE_CHOSEN
 from ...plotting.scrolling import ZOOM_STEP
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .past_views import PastViews
 from .zoom_field import ZoomField, pixels_at_full_size, words_about_full_size
-
-_SOME_POINT = Need(
-    "a curve with points",
-    lambda state: state.has_selected_curve and (state.point_count > 0 or state.selected_curve_count > 1),
-    why=lambda state: "" if state.has_selected_curve else NONE_CHOSEN,
-)
 
 
 class ZoomCommands:
@@ -91,7 +84,7 @@ class ZoomCommands:
         VIEW_ZOOM_STEPS,
         "Shift+F, Ctrl+3",
         "fit-selection",
-        needs=_SOME_POINT,
+        needs=CURVE_WITH_POINTS,
         keywords="zoom to selection",
     )
     @also(ZOOM_MENU(21))

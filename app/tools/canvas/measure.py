@@ -54,6 +54,10 @@ class MeasureTool(Tool):
     def __init__(self) -> None:
         self._measured: Measuring | None = None
 
+    def takes_up(self, context: ToolContext) -> bool:
+        """Whether it works on the active curve where none is edited: never."""
+        return False
+
     def press(self, context: ToolContext) -> None:
         """Begin to measure here."""
         self.gesture = self._measured = Measuring(context)
