@@ -159,9 +159,6 @@ def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
 
 def _usable(ending: object, kept: Mapping[str, Any]) -> ExportChoice:
     known = [each.ending for each in FORMATS.offered]
-    if ending == ".png" and kept.get(TRUE_SIZE.name) is False and BY_DPI.name not in kept:
-        # As it was called before.
-        kept = {**kept, BY_DPI.name: False}
     return chosen(
         ending if isinstance(ending, str) and ending in known else ExportChoice().ending,
         {each: kept[each.name] for each in offered_options() if each.name in kept},

@@ -14,9 +14,6 @@ from .xml_tree import tag_of
 MARK = "Largest deviation from the true curves"
 """Words in the metadata of every picture."""
 
-_NOTES = ("metadata", "desc")
-"""Where these stand: in pictures of before in the description, which Inkscape gives to a layer."""
-
 NO_CURVES = ("paper", "points", "grid", "handles", "basis")
 """Ids of what is drawn beside the curves."""
 
@@ -36,7 +33,7 @@ class OurOwn:
     """
 
     def __init__(self, root: ET.Element) -> None:
-        notes = ("".join(child.itertext()) for child in root if tag_of(child) in _NOTES)
+        notes = ("".join(child.itertext()) for child in root if tag_of(child) == "metadata")
         self.is_so = any(MARK in note for note in notes)
         self.has_nominal_size = self.is_so and root.get("width", "")[-1:].isdigit()
         box = box_of(root.get("viewBox", ""))
