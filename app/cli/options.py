@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from ..document.model import Document
+from ..document.units import MILLIMETRES, known_unit
 from ..document.words import enumerated
 from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, Format, endings_of
 from ..exchange.formats.samples import COLUMNS
 from ..exchange.options import Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
-from ..exchange.units import MILLIMETRES, known_unit
 from ..families import FAMILIES, HERMITE
 
 STYLES = {"light": LIGHT, "dark": DARK}

@@ -23,5 +23,5 @@
 - ``selection``: selected curves and points followed through a change.
 - ``places``: where in it something is, in words.
 - ``image_edits``, ``plane_edits``: of the picture to trace; of unit, grid and guides.
-- ``expression``: numbers as people type them.
+- ``expression``: numbers as people type them.  ``lengths``: with their units.  ``units``: their size.
 """

@@ -9,7 +9,7 @@
   ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
 - ``child``: a process with limits for the files of others.
-- ``units``: how large a length of one is on paper.  ``lengths``: lengths as they are typed.
+- ``units``: units of length as files write them.
   ``rescaled``: documents in another unit, or elsewhere.
 - ``naming``: names made different from each other.
 - ``errors``: what is raised, and what does not come in, by kind and count.

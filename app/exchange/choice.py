@@ -13,6 +13,7 @@ from ..document.export import Export
 from ..document.model import Document
 from ..document.several_curves import alone, name_of
 from ..document.shapes import whole_shapes
+from ..document.units import known_unit
 from .drawing.styles import DARK, LIGHT
 from .formats import FORMATS, Format
 from .options import (
@@ -27,7 +28,6 @@ from .options import (
     Value,
     all_options,
 )
-from .units import known_unit
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from typing import Any, Generic, TypeVar
 import msgspec
 from msgspec.structs import replace
 
-from .. import exchange
+from ..document.units import known_unit
 from ..document.words import NamedEnum
 from ..tasks.progress import Report, silent
 from .drawing.styles import INK, LIGHT, PictureStyle
@@ -297,7 +297,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     @property
     def is_to_scale(self) -> bool:
         """Whether pictures have true size."""
-        return self.width is None and bool(exchange.units.known_unit(self.unit))
+        return self.width is None and bool(known_unit(self.unit))
 
     @property
     def paper_style(self) -> PictureStyle:

@@ -12,8 +12,8 @@ from ..document.edits import EditError
 from ..document.fields import Field, fields_of
 from ..document.model import Document, Guide, Vector
 from ..document.several_curves import stepped, whole_curves
+from ..document.units import MILLIMETRES, known_unit
 from ..document.value import Value
-from .units import MILLIMETRES, known_unit
 
 _Value = TypeVar("_Value", bound=Value)
 

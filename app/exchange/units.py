@@ -1,37 +1,16 @@
-"""Units of length: how large one is on paper, and what files call them."""
+"""Units of length as files write them."""
 
 from __future__ import annotations
 
 from typing import Final
 
+from ..document.units import MILLIMETRES, known_unit
 from .svg.numbers import number
-
-MILLIMETRES: Final = {
-    "µm": 1e-3,
-    "mm": 1.0,
-    "cm": 10.0,
-    "m": 1e3,
-    "km": 1e6,
-    "in": 25.4,
-    "ft": 304.8,
-    "pt": 25.4 / 72,
-    "pc": 25.4 / 6,
-    "px": 25.4 / 96,
-}
-"""Millimetres of each unit that a picture can be drawn in at true size; px is CSS's."""
 
 POINTS_PER_MILLIMETRE: Final = 72 / 25.4
 
 _IN_CSS: Final = ("mm", "cm", "in", "pt", "pc", "px")
-_OTHER_NAMES: Final = {"um": "µm", "μm": "µm", "inch": "in", "inches": "in", '"': "in", "″": "in", "′": "ft"}
 _IN_DXF: Final = {"in": 1, "ft": 2, "mm": 4, "cm": 5, "m": 6, "km": 7, "µm": 13}
-
-
-def known_unit(name: str) -> str:
-    """Return the key of `MILLIMETRES` that a name means; empty where it is none, such as "s"."""
-    word = name.strip()
-    word = _OTHER_NAMES.get(word.lower(), word)
-    return next((each for each in (word, word.lower()) if each in MILLIMETRES), "")
 
 
 def note_of_unknown(name: str) -> str:

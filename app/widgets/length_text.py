@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..document.lengths import typed_length
 from ..document.words import number
-from ..exchange.lengths import typed_length
 from .number_text import decimal_mark
 
 

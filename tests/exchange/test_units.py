@@ -14,6 +14,7 @@ from PySide6.QtGui import QImage
 from app.cli import main
 from app.document.model import Document, make_curve
 from app.document.style import Style
+from app.document.units import MILLIMETRES, known_unit
 from app.exchange.choice import ExportChoice, choice_from
 from app.exchange.drawing.drawing import drawing_of, trimmed
 from app.exchange.drawing.image import png_preview
@@ -23,7 +24,6 @@ from app.exchange.formats import FORMATS, format_of
 from app.exchange.options import BY_DPI, Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.exchange.units import MILLIMETRES, known_unit
 from app.families import HERMITE
 from app.storage.files import save
 from app.view_model.geometry.extents import extent_of

@@ -16,12 +16,13 @@ from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSiz
 
 from ... import __version__
 from ...document.model import Document
+from ...document.units import MILLIMETRES, known_unit
 from ...tasks.progress import part
 from ..errors import ExchangeError
 from ..formats import Written
 from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
-from ..units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
+from ..units import POINTS_PER_MILLIMETRE, size_in_words
 from .drawing import Drawing
 from .frames import Frame
 from .painting import Painting

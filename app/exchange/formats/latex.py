@@ -12,6 +12,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Document
 from ...document.style import FillRule, LineCap, LineJoin, Style
+from ...document.units import MILLIMETRES, known_unit
 from ...tasks.progress import part, told
 from ...view_model.curve.curve_view import ParametricCurve
 from ...view_model.curve.refusals import in_words
@@ -21,7 +22,7 @@ from ..drawing.outlines import Outline
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
 from ..parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
-from ..units import MILLIMETRES, known_unit, size_in_words
+from ..units import size_in_words
 from . import Format, Written
 
 DIGITS = 6

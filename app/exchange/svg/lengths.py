@@ -6,8 +6,8 @@ import math
 import re
 from dataclasses import dataclass
 
+from ...document.units import MILLIMETRES
 from ..errors import ExchangeError
-from ..units import MILLIMETRES
 
 _LENGTH = re.compile(
     r"\s*([-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(px|in|cm|mm|pt|pc|q|%)?\s*",

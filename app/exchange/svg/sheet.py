@@ -10,8 +10,8 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...document.model import MAX_MAGNITUDE
+from ...document.units import MILLIMETRES
 from ..drawing.frames import Frame
-from ..units import MILLIMETRES
 from .lengths import Viewport, with_unit
 from .matrices import Box, box_of, fitted_box
 

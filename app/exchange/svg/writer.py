@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from ... import __version__
 from ...document.model import Document
+from ...document.units import known_unit
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed
@@ -18,7 +19,7 @@ from ..formats import Written
 from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..rescaled import in_unit, shifted
-from ..units import css_length, known_unit
+from ..units import css_length
 from .guides import view_elements
 from .numbers import escaped, number
 from .our_own import MARK

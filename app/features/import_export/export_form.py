@@ -11,10 +11,10 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from ...document.expression import ExpressionError
 from ...document.model import Document
+from ...document.units import known_unit
 from ...exchange.choice import ExportChoice, chosen, offered_options
 from ...exchange.formats import FORMATS
 from ...exchange.options import EXTENT, TRUE_SIZE, Extent, Option
-from ...exchange.units import known_unit
 from ...qt.labels import Label
 from ...widgets.boxes import form_of
 from ...widgets.controls import choice_box

@@ -8,8 +8,8 @@ from PySide6.QtCore import QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
-from ... import exchange
 from ...document.expression import ExpressionError
+from ...document.units import MILLIMETRES, known_unit
 from ...document.words import number
 from ...widgets.boxes import row_of
 from ...widgets.controls import named
@@ -26,21 +26,16 @@ _PLAIN = (0.01, 1e6)
 
 def pixels_at_full_size(unit: str, dots_per_inch: float) -> float:
     """Return how many pixels a length of 1 takes at 100 %: as many as on paper, if its unit is one."""
-    known = _known_unit(unit)
+    known = known_unit(unit)
     if not known:
         return PIXELS_WITHOUT_UNIT
-    return exchange.units.MILLIMETRES[known] / _MILLIMETRES_PER_INCH * dots_per_inch
-
-
-def _known_unit(name: str) -> str:
-    """Return the unit of length that a name means; empty where it is none, or there is no name."""
-    return exchange.units.known_unit(name) if name else ""
+    return MILLIMETRES[known] / _MILLIMETRES_PER_INCH * dots_per_inch
 
 
 def words_about_full_size(unit: str, dots_per_inch: float) -> str:
     """Return what 100 % means here, as a sentence."""
     pixels = number(pixels_at_full_size(unit, dots_per_inch), 3)
-    if known := _known_unit(unit):
+    if known := known_unit(unit):
         return f"100 % is true size on this screen: 1 {known} is {pixels} pixels."
     return f"Without a unit of length 100 % shows a length of 1 as {pixels} pixels."
 

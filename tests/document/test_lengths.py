@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from app.document.expression import ExpressionError
-from app.exchange.lengths import typed_length
-from app.exchange.units import MILLIMETRES
+from app.document.lengths import typed_length
+from app.document.units import MILLIMETRES
 
 MEANT = {
     "70": 70.0,

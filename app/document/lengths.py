@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from ..document.expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
+from .expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
 from .units import MILLIMETRES, known_unit
 
 _UNIT = re.compile(r"""(?<=[\d.,)\s])([^\W\d_]+|["″′])""")
