@@ -240,6 +240,12 @@ def native(key: QKeySequence) -> str:
     return key.toString(QKeySequence.SequenceFormat.NativeText)
 
 
+def key_or_name(action: QAction) -> str:
+    """Return the first key of an action for a message, or its name where it has none."""
+    keys = action.shortcuts()
+    return native(keys[0]) if keys else f"“{full_name_of(action)}”"
+
+
 def keys_text(keys: Iterable[QKeySequence]) -> str:
     """Return keys as a list in words, empty for none."""
     return " or ".join(native(key) for key in keys)

@@ -29,7 +29,7 @@ class Strip(msgspec.Struct, frozen=True):
 
 
 TOOLBAR = Strip("toolbar")
-SHAPES_MENU = Strip("menu of further tools in the toolbar")
+MORE_TOOLS_MENU = Strip("menu of further tools in the toolbar")
 SNAP_MENU = Strip("menu of the magnet in the toolbar")
 FAMILIES_MENU = Strip("menu of further families in the toolbar")
 POINT_MENU = Strip("menu of a point")

@@ -236,7 +236,7 @@ class Reference(NamedEnum):
     LAST = "last", "The last chosen", "Align chosen curves to the one that was chosen last"
     LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
     SMALLEST = "smallest", "The smallest", "Align chosen curves to the smallest of them"
-    DRAWING = "drawing", "The drawing", "Align chosen curves to the box around all curves"
+    DRAWING = "drawing", "All curves", "Align chosen curves to the box around all curves"
 
     @property
     def is_around(self) -> bool:

@@ -14,7 +14,7 @@ _ALSO_CALLED: Final = {
     "mirror": ("flip",), "reflect": ("flip",), "invert": ("reverse",),
     "remove": ("delete",), "erase": ("delete",), "resize": ("scale",),
     "turn": ("rotate",), "settings": ("preferences",), "options": ("preferences",), "hotkeys": ("shortcuts",),
-    "print": ("export",), "night": ("dark",), "fullscreen": ("presentation",), "animate": ("play",),
+    "night": ("dark",), "fullscreen": ("presentation",), "animate": ("play",),
 }  # fmt: skip
 """Synonyms: words that people type, and those of this program for them."""
 

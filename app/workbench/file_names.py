@@ -32,7 +32,7 @@ def file_stem(session: Session) -> str:
     if (path := session.files.path) is not None:
         return path.stem if is_misnamed(path) else path.name.removesuffix(SUFFIX)
     curves = session.document.curves
-    drawn = "Drawing" if len(curves) > 1 else curves[0].name
+    drawn = "Sketch" if len(curves) > 1 else curves[0].name
     return own_name(session.files.beginning.file_stem or drawn)
 
 

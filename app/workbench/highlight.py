@@ -7,10 +7,11 @@ from typing import Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QApplication
 
+from ..actions.keymap import key_or_name
 from ..document.model import Document
 from ..document.several_curves import active_after_removal
 from ..document.words import number
-from ..session import Change, Session
+from ..session import Change
 from ..session.highlight import Highlight
 from ..view_model.curve.measure import is_kept
 from ..view_model.points.deleting import Deletion, without_points, without_points_but_handles
@@ -46,11 +47,12 @@ def highlighted_curves(context: WindowContext) -> frozenset[int]:
     return selected.highlight(whole_curves=True).curves or selected.whole
 
 
-def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = True) -> Change:
+def remove(context: WindowContext, what: Highlight, verb: str, *, keeps_shape: bool = True) -> Change:
     """Remove what was highlighted as one step, such as "Delete 3 points".
 
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
     """
+    session = context.session
     document, active, edited = session.document, session.active_index, session.selected.edited
     gone, deleted = what.curves_of(document), list[Deletion]()
 
@@ -69,18 +71,20 @@ def remove(session: Session, what: Highlight, verb: str, *, keeps_shape: bool = 
     )
     if change:
         session.selected.set_points([])
-        _say_change(session, what, deleted)
+        _say_change(context, what, deleted)
     return change
 
 
-def _say_change(session: Session, what: Highlight, deleted: Sequence[Deletion]) -> None:
+def _say_change(context: WindowContext, what: Highlight, deleted: Sequence[Deletion]) -> None:
     """Say by how much curves changed that were to keep their shape."""
     fitted = [each for each in deleted if each.residual is not None]
     if not fitted:
         return
+    session = context.session
     words, most = what.points.counted, max(each.residual or 0.0 for each in fitted)
     if is_kept(most, [each.curve for each in fitted]):
         session.say(f"Deleted {words}: shape kept.")
     else:
         length = f"{number(most, 2)} {session.document.unit}".rstrip()
-        session.say(f"Deleted {words}: the shape changed by up to {length}; Ctrl+Delete leaves the handles.")
+        key = key_or_name(context.actions["deleteLeavingHandles"])
+        session.say(f"Deleted {words}: the shape changed by up to {length}; {key} leaves the handles.")

@@ -75,7 +75,7 @@ RENDERED_ANEW = {
 }
 """Widgets that are made when they are first wanted, and filled whenever they are shown."""
 
-USED_LAST = {"shapesButton"}
+USED_LAST = {"moreToolsButton"}
 """Names of widgets that go on showing what was used last."""
 
 

@@ -164,7 +164,7 @@ def test_a_group_is_aligned_as_one(four):
 
 
 def test_a_group_that_is_alone_is_aligned_as_one(four):
-    """To the drawing; to each other, and spaced, it is one thing, and nothing is offered."""
+    """To all curves; to each other, and spaced, it is one thing, and nothing is offered."""
     with_groups(four, "ABC")
     four.session.selected.choose([])
     four.click(tuple(four.session.views[0].curve.evaluate(0.4).tolist()))

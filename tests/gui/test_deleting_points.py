@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
 
 from app.document.lines import is_line
 from app.document.model import Document, make_curve
@@ -48,7 +49,8 @@ def test_a_point_of_a_circle_is_deleted_and_it_stays_one(editor):
     view = editor.session.active_view
     # The best cubic over half a circle with these directions is 0.0133 off.
     assert distance(before, view) == pytest.approx(0.0133, abs=3e-4)
-    assert editor.status.startswith("Deleted 1 point: the shape changed by up to 0.013 mm")
+    said = "Deleted 1 point: the shape changed by up to 0.013 mm; Ctrl+Del leaves the handles."
+    assert editor.status == said
     assert [kind_at(view, index) for index in (0, 1)] == [SMOOTH] * 2
     # Quarters are 0.0003 off: what was not touched is the same.
     assert [distance_of(view, each) < 1e-3 for each in range(3)] == [False, True, True]
@@ -81,3 +83,17 @@ def test_lines_stay_lines_and_what_rules_estimate_is_estimated(editor):
     editor.select([1])
     editor.key(Qt.Key.Key_Delete)
     assert not editor.curve.has_derivatives
+
+
+@pytest.mark.parametrize(
+    ("keys", "said"),
+    [("F7", "F7 leaves the handles."), ("", "“Delete, Leaving the Handles” leaves the handles.")],
+)
+def test_what_is_said_names_the_key_that_somebody_has_chosen(editor, keys, said):
+    editor.session.commit(Document((circle(4),), unit="mm"), "Begin")
+    keymap = editor.window.context.actions.keymap
+    keymap.assign("deleteLeavingHandles", [QKeySequence(keys)] if keys else [])
+    editor.select([1])
+    editor.key(Qt.Key.Key_Delete)
+    keymap.reset("deleteLeavingHandles")
+    assert editor.status.endswith(said)

@@ -545,7 +545,7 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
     selected, files = editor.session.selected, editor.session.files
     editor.session.change("Group", lambda document: grouped(document, {1, 2}).document)
     (name,) = editor.session.document.curves[1].groups
-    whole = files.beginning.file_stem or "Drawing"
+    whole = files.beginning.file_stem or "Sketch"
 
     def proposed(dialog):
         monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *given: asked.append(given[2]) or ("", ""))

@@ -284,3 +284,11 @@ def test_what_makes_no_sense_counts_as_not_set(store, line, key):
     assert preferences.snap_kinds == frozenset(SnapKind)
     assert preferences.shortcuts == {}
     assert key in preferences.complaint
+
+
+def test_it_is_no_larger_than_its_pages_need(editor, dialog):
+    """Its lower half was empty."""
+    editor.settle()
+    assert dialog.height() == dialog.sizeHint().height()
+    last = dialog.findChild(QComboBox, "pencilBox")
+    assert last.mapTo(dialog, last.rect().bottomLeft()).y() > dialog.height() / 2

@@ -670,7 +670,7 @@ def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor,
     assert [curve.name for curve in editor.session.document.curves] == ["Leaf", "Root"]
     before, steps = editor.session.document, editor.session.undo_stack.count()
     assert child(panel, QLabel, "styleSubject").text() == "What is drawn next"
-    note = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
+    note = "Nothing is chosen: this is for what is drawn next. Click a curve, or press Ctrl+A for all."
     assert child(panel, QLabel, "styleNote").text() == note
     assert not editor.action("copyStyle").isEnabled()
     assert not editor.action("pasteStyle").isEnabled()

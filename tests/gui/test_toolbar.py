@@ -201,7 +201,7 @@ def test_a_wider_window_says_more_again(editor_with):
 @pytest.mark.parametrize("width", [1024, 1440])
 def test_one_button_has_the_tools_without_a_button_and_keeps_the_last_one_used(editor_with, width):
     editor = editor_with(8, width)
-    button = editor.window.findChild(QToolButton, "shapesButton")
+    button = editor.window.findChild(QToolButton, "moreToolsButton")
     assert button.visibleRegion().boundingRect() == button.rect()
     assert editor.window.toolbar.sizeHint().width() <= width
     names = ["rectangleTool", "ellipseTool", "measureTool"]

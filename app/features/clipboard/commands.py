@@ -39,7 +39,7 @@ class ClipboardCommands:
         what = highlighted(self._context).changeable(session.document)
         offer, words = self._offer(what), what.told(session.document)
         # What is locked stays, and leaves on the clipboard what is there.
-        if remove(session, what, "Cut"):
+        if remove(self._context, what, "Cut"):
             put_on_clipboard(offer)
             session.say(f"Cut {words}.")
 

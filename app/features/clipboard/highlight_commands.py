@@ -45,7 +45,7 @@ class HighlightCommands:
         session = self._session
         what = highlighted(self._context).changeable(session.document)
         words = what.told(session.document)
-        if remove(session, what, "Delete") and not what.points.parts:
+        if remove(self._context, what, "Delete") and not what.points.parts:
             session.say(f"Deleted {words}.")
 
     @action(
@@ -58,4 +58,4 @@ class HighlightCommands:
     )
     def _delete_plainly(self) -> None:
         """Delete the selected points; the handles beside them stay as they are."""
-        remove(self._session, self._session.selected.highlight(), "Delete", keeps_shape=False)
+        remove(self._context, self._session.selected.highlight(), "Delete", keeps_shape=False)

@@ -12,7 +12,7 @@ from PySide6.QtCore import QMimeData
 
 from ... import exchange
 from ...actions.declaration import action, also
-from ...actions.keymap import keys_text
+from ...actions.keymap import key_or_name
 from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...document import curve_edits, edits
@@ -159,7 +159,7 @@ class PasteCommands:
         said = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
         if not framing.shows_curves(places):
             # The view stays where somebody is at work.
-            key = keys_text(self._context.actions["fitSelection"].shortcuts()[:1])
+            key = key_or_name(self._context.actions["fitSelection"])
             said = f"{said} Not all of {'it is' if is_one else 'them are'} in sight: {key} shows all."
         session.say(said)
         self._context.work.warn_of(remarks)

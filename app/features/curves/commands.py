@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from msgspec.structs import replace
 
 from ...actions.declaration import PlaceAction, action, also
-from ...actions.keymap import keys_text
+from ...actions.keymap import key_or_name
 from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE
 from ...actions.sections import CURVE_NEW, CURVE_SHAPE, POINTS_NUMBER
 from ...actions.strips import (
@@ -242,7 +242,7 @@ class CurveCommands:
             return document
 
         if session.change(f"{'Close' if closed else 'Open'} {what.words}", edit):
-            undo = keys_text(self._context.actions["undo"].shortcuts()[:1])
+            undo = key_or_name(self._context.actions["undo"])
             session.say(f"{'Closed' if closed else 'Opened'} {what.quoted} · {undo}: undo")
 
     def _reshape(

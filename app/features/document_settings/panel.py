@@ -79,7 +79,7 @@ class DocumentPanel(FieldForm):
         self._unit.show(document.unit)
         self._grid.show(document.grid_spacing)
         grid = f"a grid of {length_text(spacing, unit)}" if spacing else "an adaptive grid"
-        line = "usual lines" if style == Style() else "lines and fills of their own style"
+        line = "the default style" if style == Style() else "a style of their own"
         named = f"“{unit}”" if unit else NO_UNIT
         self._usual.setText(f"New documents begin with unit {named}, {grid} and {line}.")
 

@@ -174,7 +174,7 @@ class ShortcutSheet(OverlayFrame):
             (title, [row for row in rows if all(word in " ".join(row).casefold() for word in words)])
             for title, rows in self._sections
         ]
-        nothing = [("Nothing is called that; Ctrl+Shift+P finds by other words, too.", (("", ""),))]
+        nothing = [("Nothing is called that; the command palette finds by other words, too.", (("", ""),))]
         self._area.setWidget(_grid(found if any(rows for _, rows in found) else nothing))
         self.place()
 

@@ -52,7 +52,7 @@ class CopyCommands:
 
     @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
     def _copy_image(self) -> None:
-        """Copy the chosen curves, or else all, as a picture without paper, PNG and SVG."""
+        """Copy the chosen curves, or else all, as a picture without background, PNG and SVG."""
 
         def put(pictures: tuple[bytes, bytes], what: str) -> None:
             png, svg = pictures
@@ -61,7 +61,7 @@ class CopyCommands:
             data.setData(SVG, svg)
             data.setImageData(QImage.fromData(png))
             put_on_clipboard(data)
-            self._session.say(f"Copied {what} as an image: PNG without paper, and SVG.")
+            self._session.say(f"Copied {what} as an image: PNG without background, and SVG.")
 
         def work(document: Document, report: Report) -> tuple[bytes, bytes]:
             options = exchange.options.Options(width=_WIDTH, transparent=True, report=part(report, 0.0, 0.5))

@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction
 
 from ... import view_model
 from ...actions.declaration import Action, Opened, action, action_for_each, also, also_for_each, widget_at
-from ...actions.keymap import keys_text
+from ...actions.keymap import key_or_name
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.sections import (
     CURVE_CONVERT,
@@ -156,7 +156,7 @@ class RuleCommands:
                 f"The shape changed by up to {number(away, 2)}; “Convert to {family.label}” keeps it."
             )
         if said:
-            said[-1] = f"{said[-1].rstrip('.')} · {keys_text(self._actions['undo'].shortcuts()[:1])}: undo"
+            said[-1] = f"{said[-1].rstrip('.')} · {key_or_name(self._actions['undo'])}: undo"
         if any(
             old.source.is_closed and not new.source.is_closed for old, new in zip(before, after, strict=True)
         ):

@@ -11,6 +11,7 @@ import msgspec
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
+from ...actions.keymap import key_or_name
 from ...actions.sections import CURVE_STYLE
 from ...actions.strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...appearance.theme import LIGHT, Theme
@@ -68,7 +69,7 @@ if TYPE_CHECKING:
 
 _PAINTS = ("fill", "stroke")
 _NEXT = "what is drawn next"
-_HOW_TO_CHOOSE = "Nothing is chosen. Click a curve, or press Ctrl+A for all."
+_HOW_TO_CHOOSE = "Nothing is chosen: this is for what is drawn next. Click a curve, or press {} for all."
 
 
 class StyleCommands:
@@ -135,7 +136,8 @@ class StyleCommands:
         curves = [document.curves[place] for place in sorted(places)]
         subject = named(document, places) if any(each.points for each in curves) else _NEXT.capitalize()
         styles = [each.style for each in curves] or [session.model.style]
-        note = _note_on(styles, self._theme) if curves else _HOW_TO_CHOOSE
+        all_keys = key_or_name(self._context.actions["selectAll"])
+        note = _note_on(styles, self._theme) if curves else _HOW_TO_CHOOSE.format(all_keys)
         panel.show_recent(self._colours.recent, self._colours.in_document)
         panel.render_styles(subject, styles, document.unit, note)
 

@@ -17,7 +17,7 @@ from ...actions.sections import (
     VIEW_SIZE,
     VIEW_THEME,
 )
-from ...actions.strips import CANVAS_MENU, SHAPES_MENU, TOOLBAR
+from ...actions.strips import CANVAS_MENU, MORE_TOOLS_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
 from ...document.several_curves import name_of, named
 from ...state.window_state import WindowState
@@ -27,7 +27,7 @@ from ...widgets.controls import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.dock import LateDock
 from ...workbench.dock_room import hide_idle_docks
-from .shapes_button import ShapesButton
+from .more_tools_button import MoreToolsButton
 from .zoom_commands import ZoomCommands
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
@@ -45,8 +45,8 @@ class ViewCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session, self._store = context.session, context.store
-        self._shapes = ShapesButton(context.actions.is_on)
-        context.actions.switched.connect(self._shapes.show_in_use)
+        self._more_tools = MoreToolsButton(context.actions.is_on)
+        context.actions.switched.connect(self._more_tools.show_in_use)
         self._before_presentation = b""
         self._before_folding = b""
         self._store.changed.connect(self._show_state)
@@ -109,11 +109,11 @@ class ViewCommands:
         return f"{are} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
 
     @widget_at(TOOLBAR(35))
-    def build_shapes(self) -> ToolbarWidget:
+    def build_more_tools(self) -> ToolbarWidget:
         """Return the button of the toolbar for the tools without one of their own."""
-        tools = self._context.actions.in_strip(SHAPES_MENU).values()
-        self._shapes.offer([each for ten in tools for each in ten])
-        return self._shapes
+        tools = self._context.actions.in_strip(MORE_TOOLS_MENU).values()
+        self._more_tools.offer([each for ten in tools for each in ten])
+        return self._more_tools
 
     @action_for_each(
         TOOLS,
@@ -133,7 +133,7 @@ class ViewCommands:
     )
     @also_for_each(
         lambda tool: (
-            (TOOLBAR if tool.in_toolbar else SHAPES_MENU)(30),
+            (TOOLBAR if tool.in_toolbar else MORE_TOOLS_MENU)(30),
             *(CANVAS_MENU(10),) * tool.in_menu,
         )
     )

@@ -119,7 +119,7 @@ class ZoomCommands:
     )
     @also(ZOOM_MENU(10))
     def _use_full_size(self) -> None:
-        """Show the drawing at true size."""
+        """Show the curves at true size."""
         self._zoom_to(1.0)
 
     @action(

@@ -25,7 +25,7 @@ from ..typed_amount import TypedAmount
 
 _SIDES = ("its width", "its height")
 _TOO_LATE = (
-    "Type width and height while you drag; later they have fields (Ctrl+Shift+M). "
+    "Type width and height while you drag; later the Transform panel has fields for them. "
     "The toolbar changes the family, or V and then the digit."
 )
 

@@ -67,7 +67,7 @@ def colour_on(paper: str | None, code: str) -> str:
     Parameters
     ----------
     paper : str or None
-        None where nobody knows what will lie below, as in a picture without paper.
+        None where nobody knows what will lie below, as in a picture without background.
     code : str
         The colour that was chosen.
 

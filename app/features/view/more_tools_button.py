@@ -15,7 +15,7 @@ _ICON, _ARROW = 20, 20
 """Pixels along the sides of the icon, and of what stands beside it."""
 
 
-class ShapesButton(ToolbarWidget):
+class MoreToolsButton(ToolbarWidget):
     """Takes the tool of the menu that was used last; its arrow offers the others.
 
     Parameters
@@ -27,11 +27,11 @@ class ShapesButton(ToolbarWidget):
     def __init__(self, is_on: Callable[[str], bool]) -> None:
         super().__init__()
         self._is_on = is_on
-        self.button = named(QToolButton(), "shapesButton", "Shapes")
+        self.button = named(QToolButton(), "moreToolsButton", "More Tools")
         self.button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         self.button.setIconSize(QSize(_ICON, _ICON))
         self.button.setFixedWidth(_ICON + _ARROW)
-        self._menu = named(QMenu(self.button), "shapesMenu")
+        self._menu = named(QMenu(self.button), "moreToolsMenu")
         self._menu.setToolTipsVisible(True)
         row_of(self.button, margins=(0, 0, 0, 0), parent=self)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
