@@ -135,7 +135,7 @@ def commits_in(source: str) -> list[int]:
 
 def test_only_gestures_commit():
     """All else changes the document by `Session.change`."""
-    gestures = {"app/workbench/slider_gesture.py"}
+    gestures = {"app/workbench/form_edits.py"}
     allowed = ("app/tools/drag_machine.py", "app/session/")
     found = {
         path.relative_to(ROOT).as_posix()

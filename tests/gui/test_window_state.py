@@ -16,7 +16,7 @@ from app.tools.canvas.add import ADD
 from app.tools.canvas.select import SELECT
 
 APP = Path(__file__).resolve().parent.parent.parent / "app"
-SHOWN = {"action_switch"}
+SHOWN = {"tool_buttons"}
 """Modules with what shows an action: buttons that mirror one."""
 
 
