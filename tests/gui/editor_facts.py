@@ -49,3 +49,10 @@ def retype(field, text):
     field.selectAll()
     QTest.keyClicks(field, text)
     QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+def transform(editor, key, amount):
+    """Move, scale or rotate by G, S or R and a typed amount."""
+    editor.key(getattr(Qt.Key, f"Key_{key}"))
+    editor.type_amount(amount)
+    editor.key(Qt.Key.Key_Return)

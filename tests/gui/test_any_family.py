@@ -463,7 +463,6 @@ def texts_of(panel):
 def test_a_motion_runs_along_it(drawn, name):
     editor = drawn(name)
     editor.trigger("playMotion")
-    editor.settle()
     editor.trigger("stopMotion")
     assert is_true(editor)
 

@@ -28,7 +28,6 @@ def drawing(editor):
     yield editor
     # The zoom says what the unit is when it is shown anew.
     editor.new()
-    editor.settle()
 
 
 def at(editor, place):

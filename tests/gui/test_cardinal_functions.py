@@ -96,7 +96,6 @@ def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes
 def test_the_constant_on_screen_is_that_of_the_points(uneven):
     """It was 1, and "no error of a point grows" stood in the plot."""
     uneven.trigger("plotLebesgue")
-    uneven.settle()
     assert label(uneven, "lebesgueConstant") == "Λ 8.56"
     (plot,) = uneven.window.central["plotPanel"].pane.canvas.plots
     assert plot.levels[0].name == "Lebesgue constant Λ = 8.56"

@@ -22,7 +22,7 @@ from app.storage.format import encode
 from app.tools.snapping import SnapKind, Snapping
 from app.workbench.clipboard import CURVES
 from tests.gui.curve_rows import heard
-from tests.gui.editor_facts import moved_by, names, undo_text
+from tests.gui.editor_facts import moved_by, names, transform, undo_text
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -162,7 +162,6 @@ def test_the_action_chooses_all(five):
     five.run_command("Select All Curves")
     assert chosen(five) == "BACDE"
     # Once more is harmless, and no warning.
-    five.window.canvas.setFocus()
     five.key(Qt.Key.Key_A, CTRL | SHIFT)
     assert chosen(five) == "BACDE"
     assert (five.status, five.window.status_line.is_refusal) == ("All 5 curves are chosen.", False)
@@ -548,9 +547,7 @@ def test_selected_points_go_before_chosen_curves(five):
     choose(five, "BD")
     five.click(five.point(1))
     five.hover((1.5, 4.4))
-    five.key(Qt.Key.Key_G)
-    five.type_amount("1")
-    five.key(Qt.Key.Key_Return)
+    transform(five, "G", "1")
     assert undo_text(five) == "Move point 1"
     assert five.session.document.curves[3] is before.curves[3]
 
@@ -815,6 +812,5 @@ def test_the_box_is_as_large_as_what_it_is_around_and_its_grips_lie_beside_it(fi
     assert five.session.document.curves[1].points[-1].x > before + 0.9
     five.session.selected.activate(0)
     five.select([0, 1])
-    five.settle()
     box = five.window.canvas.marks.box
     assert (five.grip(1, 1)[0] - box.high[0]) * scale == pytest.approx(16.0)

@@ -105,7 +105,6 @@ def test_of_a_ribbon_of_points_only_the_chosen_are_drawn_and_a_note_says_so(wave
 def test_a_point_that_is_not_drawn_is_grabbed_all_the_same(wave):
     canvas = wave.window.canvas
     canvas.camera.zoom(0.12, canvas.camera.centre())
-    wave.settle()
     wave.click(wave.point(59))
     assert wave.session.selection == {59}
     before = wave.point(59)

@@ -44,14 +44,12 @@ def test_a_panel_behind_another_tab_is_brought_forward_and_one_in_front_put_away
     """The entry of a panel that nobody saw hid it."""
     editor.show_dock("styleDock")
     editor.run_command("curves panel")
-    editor.settle()
     assert is_in_front(editor, "curvesDock")
     shown = dock(editor, "curvesDock").toggleViewAction()
     assert shown.isChecked()
     # What it covered comes back with the second.
     for is_there in (False, True):
         editor.run_command("curves panel")
-        editor.settle()
         assert dock(editor, "curvesDock").isHidden() is not is_there
         assert shown.isChecked() is is_there
         assert is_in_front(editor, "curvesDock") is is_there
@@ -137,7 +135,6 @@ def test_the_keys_to_the_next_panel_lead_to_what_is_in_it(editor):
 def test_what_was_in_front_before_an_explanation_is_so_after_escape(editor, front):
     editor.show_dock(front)
     editor.select([2])
-    editor.window.canvas.setFocus()
     editor.key(Qt.Key.Key_W)
     assert is_in_front(editor, "wiggleDock")
     assert editor.session.scrub.t is not None

@@ -28,7 +28,6 @@ def opened(editor):
     def open_(*curves):
         editor.session.files.restore(Document(curves), None)
         editor.fit()
-        editor.settle()
         return editor
 
     return open_
@@ -81,7 +80,6 @@ def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened
     points = (Point(0.0, 0.0, velocity=(1.0, 0.0)), Point(1.0, 1.0))
     editor = opened(Curve("Time", HERMITE, interval, points))
     editor.window.canvas.camera.show_box((-3.3e7, 3.3e7), (-3e7, 3e7))
-    editor.settle()
     editor.trigger("addTool")
     editor.click((3e7, 1e7))
     assert editor.curve.points[:2] == points

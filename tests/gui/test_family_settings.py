@@ -149,7 +149,6 @@ def test_a_choice_is_chosen_and_undone(swaying):
 
 def test_the_fields_are_those_of_the_family(swaying):
     swaying.choose_family(LAGRANGE)
-    swaying.settle()
     assert swaying.window.findChild(QLineEdit, "settingAmount") is None
     swaying.trigger("undo")
     enter(swaying, amount(swaying), "5")
@@ -171,7 +170,6 @@ def test_going_back_to_the_family_gives_the_same_curve_back(swaying):
 def test_a_refusal_after_the_family_has_changed_finds_no_field_that_is_gone(swaying):
     enter(swaying, amount(swaying), "5")
     swaying.choose_family(LAGRANGE)
-    swaying.settle()
     start = widget(swaying, QLineEdit, "intervalStart")
     enter(swaying, start, "2")
     assert widget(swaying, QLabel, "curveProblem").text()

@@ -29,7 +29,6 @@ def panel(editor):
 
 def opened(editor):
     editor.trigger("fitFewerPoints")
-    editor.settle()
     editor.wait_for_rest()
     return panel(editor)
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QLineEdit
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.tools.snapping import SnapKind, Snapping
-from tests.gui.editor_facts import undo_text
+from tests.gui.editor_facts import transform, undo_text
 
 Key = Qt.Key
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -110,17 +110,13 @@ def test_mirror_images_both_ways_turn_nothing(two, point_locale):
     for name in ("flipHorizontally", "flipVertically"):
         two.trigger(name)
         told_now()
-    two.window.canvas.setFocus()
-    two.key(Key.Key_R)
-    two.type_amount("15")
-    two.key(Key.Key_Return)
+    transform(two, "R", "15")
     told_now()
     for name in ("flipHorizontally", "flipVertically"):
         two.trigger(name)
         told_now()
     for _ in range(4):
         two.trigger("undo")
-        two.settle()
         told.append(float(angle.text().replace("−", "-")))
     assert told[5:] == [-15.0, 15.0, 0.0, 0.0]
 
@@ -200,18 +196,14 @@ def test_it_is_dragged_and_everything_turns_about_it(two):
     assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
     assert two.session.document is document, "no step of the history"
     x, y = pivot(two)
-    two.key(Key.Key_R)
-    two.type_amount("90")
-    two.key(Key.Key_Return)
+    transform(two, "R", "90")
     assert points(two) == pytest.approx(np.array([(x - (b - y), y + (a - x)) for a, b in POINTS]), abs=1e-12)
     # It stays where it is, so that the next turn is about the same place.
     assert pivot(two) == (x, y)
     two.key(Key.Key_H)
     assert points(two) == pytest.approx(np.array([(x + (b - y), y + (a - x)) for a, b in POINTS]), abs=1e-12)
     assert pivot(two) == (x, y)
-    two.key(Key.Key_S)
-    two.type_amount("2")
-    two.key(Key.Key_Return)
+    transform(two, "S", "2")
     expected = np.array([(x + 2 * (b - y), y + 2 * (a - x)) for a, b in POINTS])
     assert points(two) == pytest.approx(expected, abs=1e-12)
     two.trigger("undo")
@@ -350,9 +342,7 @@ def test_it_goes_along_when_what_it_belongs_to_is_moved(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))
     x, y = pivot(two)
-    two.key(Key.Key_G)
-    two.type_amount("2")
-    two.key(Key.Key_Return)
+    transform(two, "G", "2")
     assert pivot(two) == pytest.approx((x + 2, y))
     start = two.grip(1, 1)
     box = box_shown(two)
@@ -416,9 +406,7 @@ def test_copies_have_it_too(two):
     two.key(Key.Key_D, CTRL)
     assert len(two.session.document.curves) == 3
     assert pivot(two) == place
-    two.key(Key.Key_R)
-    two.type_amount("72")
-    two.key(Key.Key_Return)
+    transform(two, "R", "72")
     assert pivot(two) == place
     two.key(Key.Key_D, CTRL)
     assert pivot(two) == place

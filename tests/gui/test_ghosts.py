@@ -316,7 +316,6 @@ def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor, qtbot)
     assert in_corner(editor) == (True, False)
     # And it stays there, as long as it is not in the way.
     editor.trigger("undo")
-    editor.settle()
     canvas.drawing.annotations.legend._soon.timeout.emit()
     assert in_corner(editor) == (True, False)
 

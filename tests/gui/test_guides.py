@@ -469,7 +469,6 @@ class _Painted(QObject):
 def test_a_frame_of_a_drag_is_one_rectangle_with_the_marks_on_the_rulers(drawing):
     """Of three, the plot area and two strips beside it, Qt clips every line to each."""
     drawing.hover((2.0, -1.0))
-    drawing.settle()
     painted = _Painted(drawing.window.canvas.viewport())
     drawing.hover((3.0, -1.5))
     assert painted.counts == [2], "the strips alone, while nothing is dragged"

@@ -119,7 +119,6 @@ def test_chosen_curves_are_deleted_together(three, key):
 
 def test_deleting_the_only_curve_empties_the_document(editor):
     editor.session.commit(Document((make_curve([(0, 0), (1, 1)]),), unit="mm"), "Begin")
-    editor.window.canvas.setFocus()
     editor.key(*KEYS["delete"])
     assert [curve.points for curve in editor.session.document.curves] == [()]
     assert editor.session.document.unit == "mm"

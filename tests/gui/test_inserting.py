@@ -18,7 +18,6 @@ def begin(editor, *curves, kind=ParametrizationKind.MANUAL):
     editor.session.commit(Document(curves), "Begin", active=0)
     editor.choose_parametrization(kind)
     editor.fit()
-    editor.settle()
     return editor
 
 

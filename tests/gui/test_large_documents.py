@@ -252,7 +252,6 @@ def test_many_curves_that_were_copied_here_are_pasted_without_computing_one(edit
     session = editor.session
     session.selected.choose(range(COUNT))
     editor.trigger("copyPoints")
-    editor.settle()
 
     def pasted() -> None:
         editor.trigger("pastePoints")

@@ -363,11 +363,9 @@ def test_another_theme_keeps_the_icon_of_pause(editor, motion):
     editor.trigger("playMotion")
     pause = button.icon().cacheKey()
     editor.trigger("themeDark")
-    editor.settle()
     assert button.accessibleName() == "Pause"
     assert button.icon().cacheKey() != pause
     editor.trigger("themeLight")
-    editor.settle()
     assert button.icon().cacheKey() == pause
     QTest.mouseClick(button, LEFT)
     assert not motion.player.is_playing

@@ -109,7 +109,6 @@ def test_enter_edits_what_was_chosen_also_when_the_pointer_has_left(none):
     none.hover(none.point(1))
     QApplication.sendEvent(none.window.canvas, QEvent(QEvent.Type.Leave))
     none.session.selected.choose((1,))
-    none.window.canvas.setFocus()
     none.key(Qt.Key.Key_Return)
     assert (none.session.selected.edited, none.session.selection) == ({1}, frozenset())
     assert none.status == "Editing “B” now."

@@ -327,7 +327,6 @@ def test_a_picture_at_the_end_of_the_plane_is_not_nudged_farther(editor, tmp_pat
     editor.session.commit(Document(editor.session.document.curves, image), "Begin")
     editor.window.canvas.camera.show_box((1e12 - 1, 1e12), (0, 1))
     editor.trigger("moveImage")
-    editor.window.canvas.setFocus()
     editor.key(Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
     assert editor.session.document.image is image
     assert "must lie between" in editor.status

@@ -302,7 +302,6 @@ def test_the_band_is_one_even_shade(editor):
     editor.trigger("overlayBand")
     editor.window.analysis.set_value(POINT_ERROR, 0.125)
     editor.trigger("toggleGrid")
-    editor.settle()
     canvas = editor.window.canvas
     image = canvas.grab().toImage()
     curve = editor.session.active_view.curve

@@ -164,7 +164,6 @@ def test_the_line_about_a_file_lies_over_nothing(editor, path, ask, size):
     editor.settle()
     ask(path)
     editor.trigger("familyTemplate")
-    editor.settle()
     bar, canvas = bar_of(editor), editor.window.canvas
     area = QRect(canvas.mapToGlobal(QPoint(0, 0)), canvas.size())
     own = QRect(bar.mapToGlobal(QPoint(0, 0)), bar.size())

@@ -13,7 +13,7 @@ from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
 from app.families import HERMITE
-from tests.gui.editor_facts import retype, undo_text
+from tests.gui.editor_facts import retype, transform, undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -143,9 +143,7 @@ def test_all_points_are_nudged_turned_and_deleted_by_keys(letter):
     assert not way[2].any()
     assert undo_text(letter) == "Nudge 8 points in 2 curves"
     letter.trigger("undo")
-    letter.key(Key.Key_R)
-    letter.type_amount("90")
-    letter.key(Key.Key_Return)
+    transform(letter, "R", "90")
     turned = np.stack([-before[:2, :, 1], before[:2, :, 0]], axis=2)
     assert places(letter)[:2] == pytest.approx(turned, abs=1e-12)
     letter.trigger("undo")
@@ -259,9 +257,7 @@ def test_tab_walks_through_the_points_of_both_contours(letter):
 def test_the_stroke_keeps_its_width_when_the_shape_is_scaled(letter):
     letter.session.change("Wide", lambda document: with_style(document, [0], width=2.0))
     letter.key(Key.Key_A, CTRL)
-    letter.key(Key.Key_S)
-    letter.type_amount("2")
-    letter.key(Key.Key_Return)
+    transform(letter, "S", "2")
     assert {curve.style.width for curve in letter.session.document.curves[:2]} == {2.0}
 
 
@@ -396,7 +392,6 @@ def test_flips_and_quarter_turns_take_all_contours_along(letter):
         (Key.Key_BracketLeft, CTRL, ((0, -1), (1, 0))),
     ):
         before, centre = places(letter)[:2], np.array(target.centre)
-        letter.window.canvas.setFocus()
         letter.key(key, held)
         assert places(letter)[:2] == pytest.approx((before - centre) @ np.array(linear).T + centre, abs=1e-9)
 

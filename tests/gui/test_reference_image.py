@@ -534,7 +534,6 @@ def test_import_takes_one(editor, tmp_path, monkeypatch):
     )
     editor.new()
     editor.key(Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
-    editor.settle()
     assert "*.png" in filters[0].split(";;")[0]
     assert image_of(editor).path == chosen[0]
     assert editor.message == "b.PNG was not traced: a document has one picture to trace."

@@ -15,7 +15,7 @@ from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.tools.transform import TransformKind
-from tests.gui.editor_facts import undo_text
+from tests.gui.editor_facts import transform, undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -159,9 +159,7 @@ def test_all_points_turn_about_the_middle_of_the_curve(arch):
     x, y = sampled_bounds(arch).mean(axis=0)
     assert y > 1.05, "the curve rises above its points"
     arch.select([0, 1, 2, 3])
-    arch.key(Key.Key_R)
-    arch.type_amount("90")
-    arch.key(Key.Key_Return)
+    transform(arch, "R", "90")
     expected = [(x - (b - y), y + (a - x)) for a, b in POINTS]
     assert points(arch) == pytest.approx(np.array(expected), abs=CLOSE)
     assert undo_text(arch) == "Rotate 4 points"
@@ -295,9 +293,7 @@ def check_rotation(arch, family, kind):
     before = arch.session.active_view.curve
     arch.select([0, 1, 2, 3])
     centre = box_shown(arch).mean(axis=0)
-    arch.key(Key.Key_R)
-    arch.type_amount("30")
-    arch.key(Key.Key_Return)
+    transform(arch, "R", "30")
     t = np.linspace(0, 1, 41)
     angle = math.radians(30)
     turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])

@@ -381,7 +381,6 @@ def test_a_curve_of_an_opened_shape_is_chosen_alone_and_goes_alone(ring):
     after = ring.session.document
     assert [after.curves[at] is before.curves[at] for at in range(3)] == [True, False, True]
     assert undo_text(ring) == "Move Inner"
-    ring.window.canvas.setFocus()
     ring.key(Qt.Key.Key_Delete)
     assert names(ring) == ["Outer", "Side"]
     ring.trigger("undo")
@@ -656,7 +655,6 @@ def test_what_is_counted_are_shapes_and_groups_and_not_their_curves(whole):
     """A word and a circle were "15 curves"."""
     whole.session.selected.choose({0, 1, 2})
     whole.trigger("ungroupCurves")
-    whole.settle()
     assert whole.action("deleteCurve").text() == "Delete 1 Shape and 1 Curve"
     whole.drag((2.2, 0.3), (2.2, 1.3))
     assert undo_text(whole) == "Move 1 shape and 1 curve"
@@ -774,7 +772,6 @@ def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
     click_row(group, "Group 1")
     group.trigger("combineCurves")
     group.session.selected.activate(1)
-    group.window.canvas.setFocus()
     group.key(Qt.Key.Key_C, CTRL)
     assert group.status == "Copied “Group 1”."
     group.key(Qt.Key.Key_V, CTRL | ALT)
@@ -847,7 +844,6 @@ def test_style_calls_a_shape_by_its_name_and_the_menu_of_a_curve_raises_it(ring)
     """Style named one of its curves, and said so of points of two."""
     ring.session.selected.activate(0)
     ring.show_dock("styleDock")
-    ring.settle()
     name = ring.session.document.curves[0].shape
     assert ring.window.findChild(QLabel, "styleSubject").text() == name != ring.curve.name
     menu = strip_menu(ring.window.context, CURVE_MENU)

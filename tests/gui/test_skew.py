@@ -187,7 +187,6 @@ def test_an_angle_that_leaves_nothing_is_refused(arch):
 @pytest.mark.parametrize(("button", "axis"), [("Across", 0), ("Up", 1)])
 def test_the_panel_skews_by_its_angle_about_the_pivot(arch, button, axis):
     arch.trigger("openTransform")
-    arch.settle()
     QTest.mouseClick(arch.window.findChild(QToolButton, "pivotBottomLeft"), Qt.MouseButton.LeftButton)
     low = sampled_bounds(arch, 0)[0]
     edit = arch.window.findChild(QLineEdit, "transformSkew")

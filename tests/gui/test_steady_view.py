@@ -60,7 +60,6 @@ def test_what_goes_and_comes_back_leaves_no_trace(editor):
     before = editor.window.canvas.pixel_map.box
     for name in ("toggleBasis", "toggleSidePanel") * 2:
         editor.trigger(name)
-        editor.settle()
     assert editor.window.canvas.pixel_map.box == pytest.approx(before, rel=1e-12)
 
 

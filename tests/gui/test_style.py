@@ -414,7 +414,6 @@ def test_a_step_elsewhere_closes_the_choice_of_colours(editor, panel):
     choice = popup(panel)
     pick(choice, "#ff0000")
     editor.trigger("undo")
-    editor.settle()
     assert QApplication.activePopupWidget() is None
     assert not editor.session.is_previewing
 

@@ -236,7 +236,6 @@ def test_own_curves_come_to_the_pointer_too_and_keep_their_look(three):
 
 def test_it_keeps_its_size_where_the_unit_is_another(editor):
     editor.session.commit(Document((make_curve([(0, 0), (10, 0)], name="A"),), unit="mm"), "Begin")
-    editor.window.canvas.setFocus()
     editor.key(Qt.Key.Key_C, CTRL)
     editor.session.commit(Document((make_curve([(0, 0), (1, 1)], name="B"),), unit="cm"), "Other")
     paste(editor, CTRL | ALT)
@@ -306,7 +305,6 @@ def test_inkscape_takes_the_coordinates_for_pixels(editor, unit, side, pixels):
 
 def test_without_a_unit_numbers_stay_between_documents(editor):
     editor.session.commit(Document((make_curve([(0, 0), (4, 1)], name="A"),)), "Begin")
-    editor.window.canvas.setFocus()
     editor.key(Qt.Key.Key_C, CTRL)
     editor.session.commit(Document((make_curve([(0, 0), (1, 1)], name="B"),), unit="mm"), "Other")
     paste(editor, CTRL | ALT)
@@ -331,7 +329,6 @@ def test_the_svg_is_made_when_it_is_asked_for(three, monkeypatch):
 
 def test_curves_that_no_picture_can_hold_are_copied_all_the_same(editor):
     editor.session.commit(Document((make_curve([(0, 0), (0, 0)], family=HERMITE),)), "Begin")
-    editor.window.canvas.setFocus()
     editor.key(Qt.Key.Key_C, CTRL)
     data = QGuiApplication.clipboard().mimeData()
     assert not data.data("image/svg+xml")

@@ -266,7 +266,6 @@ def test_delete_leaves_what_a_rule_estimates_to_that(monkeypatch, editor, table)
     )
     monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, speed))
     editor.choose_family(HERMITE)
-    editor.settle()
     place = len(columns.columns_of(1)) - 1
     estimated = data(table, 2, place)
     cell(table, 2, place)

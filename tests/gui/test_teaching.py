@@ -26,7 +26,6 @@ def badge(editor):
 def show(editor, curve):
     editor.session.commit(Document((curve,)), "Begin")
     editor.fit()
-    editor.settle()
 
 
 def open_popup(editor):

@@ -20,7 +20,6 @@ def shown(editor, monkeypatch):
     """Return the times that actions and panels were rendered, from now on."""
     editor.session.commit(Document((SQUARE, LINE)), "Begin", active=0)
     editor.select([1, 2])
-    editor.settle()
     return noted_calls(monkeypatch, Actions, "render"), noted_calls(monkeypatch, Commands, "render")
 
 
@@ -121,7 +120,6 @@ def test_only_what_is_new_is_written(editor):
     editor.session.commit(Document((flat,)), "Begin", active=0)
     editor.show_dock("transformDock")
     editor.select([0, 1])
-    editor.settle()
     assert not editor.window.findChild(QLineEdit, "transformHeight").isEnabled()
     written = Written(editor.window)
     QApplication.instance().installEventFilter(written)

@@ -15,6 +15,7 @@ from app.tools.drag import Drag
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Cursor, Hint
 from app.tools.tool import TOOLS, GestureRow, Tool, ToolRecord
+from tests.gui.editor_facts import transform
 
 HINT = "Drag to put a point above where you pressed"
 
@@ -165,9 +166,7 @@ def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(rai
     raising.key(Qt.Key.Key_Right)
     nudged = raising.point(1)[0]
     assert x < nudged < x + 6 * raising.pixel
-    raising.key(Qt.Key.Key_G)
-    raising.type_amount("2")
-    raising.key(Qt.Key.Key_Return)
+    transform(raising, "G", "2")
     assert raising.point(1) == pytest.approx((nudged + 2, y), rel=1e-12)
     assert canvas.tools.record is RAISE
     raising.escape()

@@ -40,7 +40,6 @@ def traced(editor, tmp_path):
     editor.new()
     editor.window.commands[ImageCommands].trace(tmp_path / "O.png")
     editor.choose_family(QUINTIC_HERMITE)
-    editor.settle()
     return editor
 
 

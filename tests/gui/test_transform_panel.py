@@ -14,7 +14,7 @@ from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.document.style_edits import with_style
 from app.families import HERMITE
-from tests.gui.editor_facts import undo_text
+from tests.gui.editor_facts import transform, undo_text
 
 Key, LEFT = Qt.Key, Qt.MouseButton.LeftButton
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
@@ -30,7 +30,6 @@ def leaf(editor, point_locale):
     two = make_curve([(0, -20), (20, -10), (40, -20)], name="Base", family=HERMITE)
     editor.session.commit(replace(Document((one, two)), unit="mm"), "Begin")
     editor.fit()
-    editor.window.canvas.setFocus()
     editor.key(Key.Key_M, CTRL | SHIFT)
     return editor
 
@@ -107,9 +106,7 @@ def test_it_follows_the_selection_and_drags(leaf):
     leaf.select([3])
     leaf.press((40, 5))
     leaf.move((45, 5))
-    leaf.settle()
     leaf.release((45, 5))
-    leaf.settle()
     assert float(field(leaf, "X").text()) == pytest.approx(45, abs=2 * leaf.pixel)
     assert not field(leaf, "Width").isEnabled(), "one point has no width"
 
@@ -133,7 +130,6 @@ def test_with_nothing_chosen_its_buttons_are_off_like_its_fields(leaf):
 
 def test_a_locked_curve_cannot_be_changed_and_the_panel_says_why(leaf):
     leaf.trigger("curveLocked")
-    leaf.settle()
     assert "locked" in label(leaf, "transformProblem")
     assert not field(leaf, "Width").isEnabled()
 
@@ -188,10 +184,7 @@ def test_chosen_curves_have_one_size_together(leaf):
 def test_a_stroke_stays_as_wide_as_it_is_whatever_its_curve_is_scaled_by(leaf):
     width, _ = size(leaf)
     enter(leaf, "Width", "50%")
-    leaf.window.canvas.setFocus()
-    leaf.key(Key.Key_S)
-    leaf.type_amount("3")
-    leaf.key(Key.Key_Return)
+    transform(leaf, "S", "3")
     leaf.trigger("selectAll")
     start = leaf.grip(1, 0)
     leaf.drag(start, (start[0] + 10, start[1]))
@@ -299,33 +292,25 @@ def test_the_angle_is_that_since_the_selection_and_goes_back_to_zero(leaf):
     enter(leaf, "Angle", "0")
     assert points(leaf) == pytest.approx(np.array(POINTS), abs=EXACT)
     enter(leaf, "Angle", "30")
-    leaf.window.canvas.setFocus()
-    leaf.key(Key.Key_R)
-    leaf.type_amount("15")
-    leaf.key(Key.Key_Return)
-    leaf.settle()
+    transform(leaf, "R", "15")
     assert float(field(leaf, "Angle").text()) == pytest.approx(45.0)
     enter(leaf, "Angle", "0")
     # The quarter of it that was about the middle of the turned box has moved the curve a little.
     assert points(leaf) - points(leaf)[0] == pytest.approx(np.array(POINTS), abs=EXACT)
     enter(leaf, "Angle", "20")
     leaf.select([1, 2])
-    leaf.settle()
     assert field(leaf, "Angle").text() == "0", "another selection"
 
 
 def test_a_copy_has_the_angle_of_what_it_is_of_and_what_it_is_turned_by(leaf):
-    leaf.window.canvas.setFocus()
     leaf.key(Key.Key_Escape)
     assert leaf.session.selected.curves == {0}
     for shown, amount in ((45, "45"), (75, "30")):
         leaf.key(Key.Key_D, CTRL)
-        leaf.settle()
         leaf.key(Key.Key_R)
         # Digit by digit: each is seen.
         leaf.type_amount(amount)
         leaf.key(Key.Key_Return)
-        leaf.settle()
         assert number_in(leaf, "Angle") == pytest.approx(shown)
     enter(leaf, "Angle", "0")
     assert points(leaf) - points(leaf)[0] == pytest.approx(np.array(POINTS), abs=EXACT)
@@ -337,7 +322,6 @@ def test_quarter_turns_have_buttons_and_keys(leaf):
     click(leaf, "rotateRightButton")
     assert points(leaf) == pytest.approx(np.array([(x + (b - y), y - (a - x)) for a, b in POINTS]), abs=CLOSE)
     assert undo_text(leaf) == "Rotate all 4 points by −90°"
-    leaf.window.canvas.setFocus()
     leaf.key(Key.Key_BracketLeft, CTRL)
     assert points(leaf) == pytest.approx(np.array(POINTS), abs=CLOSE)
     assert undo_text(leaf) == "Rotate all 4 points by 90°"
@@ -530,7 +514,6 @@ def test_in_a_new_window_of_1440_by_900_nothing_of_it_has_to_be_scrolled(new_edi
     new_editor.trigger("rectangleTool")
     new_editor.drag((50, 50), (90, 80))
     new_editor.key(Key.Key_M, CTRL | SHIFT)
-    new_editor.settle()
     (area,) = new_editor.window.context.docks["transformDock"].findChildren(QScrollArea)
     assert field(new_editor, "X").isVisible()
     assert area.verticalScrollBar().maximum() == 0

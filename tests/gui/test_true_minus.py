@@ -103,5 +103,4 @@ def test_what_a_refused_parameter_must_be_is_said_with_a_true_minus(negative, t,
 def test_the_pointer_and_what_is_dragged_are_told_with_a_true_minus(negative):
     editor = negative
     editor.drag_point(1, to=(-2.0, -2.75))
-    editor.settle()
     assert hyphened(editor) == []

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 from app.document.model import Document, make_curve
 from app.families import LAGRANGE
 from app.features.reference_image.commands import ImageCommands
-from tests.gui.editor_facts import undo_text
+from tests.gui.editor_facts import transform, undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 Key = Qt.Key
@@ -199,9 +199,7 @@ def test_the_pointer_counts_no_longer_once_two_numbers_are_typed(arch):
 
 def test_tab_walks_the_points_again_afterwards(arch):
     arch.select([1])
-    arch.key(Key.Key_G)
-    arch.type_amount("1\t2")
-    arch.key(Key.Key_Return)
+    transform(arch, "G", "1\t2")
     QTest.keyClick(arch.window.canvas, Key.Key_Tab)
     assert arch.session.selection == {2}
 

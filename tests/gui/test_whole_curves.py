@@ -17,7 +17,7 @@ from app.document.style import Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot, spot_rect
 from tests.gui.curve_rows import heard, open_row_menu, rows, view_of
-from tests.gui.editor_facts import chosen, moved_by, on_curve
+from tests.gui.editor_facts import chosen, moved_by, on_curve, transform
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -283,9 +283,7 @@ def test_one_that_is_chosen_has_a_box_and_is_moved_scaled_and_deleted(whole):
     whole.drag((x, y), (x + 1, y + 1))
     assert whole.session.undo_stack.undoText() == "Scale C"
     whole.hover((1.5, 4.4))
-    whole.key(Qt.Key.Key_G)
-    whole.type_amount("2")
-    whole.key(RETURN)
+    transform(whole, "G", "2")
     assert whole.session.undo_stack.undoText() == "Move C"
     whole.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in whole.session.document.curves] == ["A", "B"]
@@ -447,7 +445,6 @@ def test_a_click_inside_the_box_lets_go(three):
     three.click((0.3, 3.9))
     assert (state(three), three.session.selection) == ((True, "", "B"), frozenset())
     three.session.selected.choose({1, 2})
-    three.settle()
     three.click((0.5, 5.2))
     assert state(three)[:2] == (False, "")
 
