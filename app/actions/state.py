@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain
+from operator import attrgetter
 
 import msgspec
 
@@ -26,6 +27,8 @@ from ..view_model.curve.jets import is_explicit
 from ..view_model.pieces.joining import link_of
 from ..view_model.points.point_kinds import kinds_of
 from .clipboard_watch import ClipboardWatch
+
+_VISIBLE, _LOCKED = attrgetter("visible"), attrgetter("locked")
 
 
 class ActionState(msgspec.Struct, frozen=True, kw_only=True):
@@ -63,6 +66,8 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     can_combine, is_any_in_shape, is_any_in_group
         Whether the curves that are edited or chosen are several and not one shape; whether any is in a shape,
         or in a group.
+    is_any_hidden, is_any_locked
+        Whether any curve of the document is.
     has_curve_in_front, has_curve_behind
         Whether what is selected can move a step to the front or to the back.
     selected_count, active_selected_count
@@ -107,6 +112,8 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     can_combine: bool
     is_any_in_shape: bool
     is_any_in_group: bool
+    is_any_hidden: bool
+    is_any_locked: bool
     has_curve_in_front: bool
     has_curve_behind: bool
     selected_count: int
@@ -166,6 +173,8 @@ class ActionFacts:
             can_combine=bool(whole) and not whole <= set(shape_of(document, min(whole))),
             is_any_in_shape=any(document.curves[curve].shape for curve in whole),
             is_any_in_group=are_in_groups(document, whole),
+            is_any_hidden=not all(map(_VISIBLE, document.curves)),
+            is_any_locked=any(map(_LOCKED, document.curves)),
             has_curve_in_front=_has_curve_beside(document, selected.curves, shape, 1),
             has_curve_behind=_has_curve_beside(document, selected.curves, shape, -1),
             selected_count=group.count,

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each, without
 from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
-from .edits import AlreadySoError, PointsChange, moving, with_all_shifted
+from .edits import PointsChange, moving, with_all_shifted
 from .model import Curve, Document, Vector
 from .point_group import PointGroup, PointsEdit
 from .shape_edits import contained, with_own_names
@@ -103,15 +103,11 @@ def with_appearance(
 
 def all_shown(document: Document) -> Document:
     """Show what is hidden."""
-    if all(each.visible for each in document.curves):
-        raise AlreadySoError("Nothing is hidden.")
     return with_appearance(document, range(len(document.curves)), visible=True)
 
 
 def all_unlocked(document: Document) -> Document:
     """Free what is locked."""
-    if not any(each.locked for each in document.curves):
-        raise AlreadySoError("Nothing is locked.")
     return with_appearance(document, range(len(document.curves)), locked=False)
 
 

@@ -8,12 +8,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMenu
 
 from app.actions.mnemonics import plain
-from app.actions.strips import CURVE_LIST_MENU
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.window import MainWindow
 from app.window.window_layout import first_size
-from app.workbench.strip_menu import strip_menu
+from tests.gui.curve_rows import open_row_menu
 
 _ROOM = 540 - 30
 """Height of a window of 960 × 540 below its menu bar."""
@@ -183,8 +182,46 @@ def test_a_place_that_is_none_is_not_worth_a_word(qtbot, tmp_path):
     assert QApplication.activeModalWidget() is None
 
 
-def test_the_menu_of_the_list_of_curves_has_what_is_done_to_shapes(editor):
-    menu = strip_menu(editor.window.context, CURVE_LIST_MENU)
+@pytest.fixture
+def row_menu(waves):
+    """Return what opens the menu of a row by the right button."""
+    editor = waves("ABC")
+
+    def open_it(row):
+        open_row_menu(editor, row)
+        return QApplication.activePopupWidget()
+
+    yield open_it
+    if (menu := QApplication.activePopupWidget()) is not None:
+        menu.close()
+
+
+def test_the_menu_of_a_row_has_what_can_be_done_alone(row_menu):
+    """It had 26 entries, most of them grey."""
+    menu = row_menu(1)
+    entries = [each for each in menu.actions() if not each.isSeparator()]
+    assert len(entries) < 19
+    names = {each.objectName() for each in entries}
+    assert {"renameCurve", "curveLocked", "duplicateCurve", "deleteCurve"} <= names
+    assert names.isdisjoint({"showAll", "unlockAll", "ungroupCurves", "combineCurves"})
+    submenus = [each.menu() for each in entries if each.menu() is not None]
+    assert all(each.isEnabled() for part in (menu, *submenus) for each in part.actions())
+
+
+def test_the_menu_of_a_row_has_what_is_done_to_shapes(row_menu, editor):
+    editor.session.selected.choose((0, 1))
+    editor.trigger("combineCurves")
+    menu = row_menu(1)
     (shape,) = [each.menu() for each in menu.actions() if plain(each.text()) == "Shape"]
-    names = {"combineCurves", "breakApart", "simplify"}
-    assert names <= {each.objectName() for each in shape.actions()}
+    assert {"breakApart", "simplify"} <= {each.objectName() for each in shape.actions()}
+
+
+def test_what_is_hidden_can_be_shown_again_by_the_menu_of_a_row(row_menu, editor):
+    assert not editor.action("showAll").isEnabled()
+    editor.trigger("curveVisible")
+    editor.settle()
+    row_menu(0)
+    editor.choose("showAll")
+    assert all(curve.visible for curve in editor.session.document.curves)
+    editor.key(Qt.Key.Key_H, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
+    assert editor.status == "Nothing is hidden."

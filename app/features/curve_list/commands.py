@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
-from ...actions.needs import SOME_CURVE
+from ...actions.needs import SOME_CURVE, Need
 from ...actions.sections import (
     CURVE_ALL_FREE,
     CURVE_COLOUR,
@@ -44,6 +44,9 @@ from .entries import Marks
 from .panel import CurveList
 from .row_edits import RowEdits
 
+_HIDDEN = Need("", lambda state: state.is_any_hidden, lambda _state: "Nothing is hidden.", is_so=True)
+_LOCKED = Need("", lambda state: state.is_any_locked, lambda _state: "Nothing is locked.", is_so=True)
+
 
 class CurveListCommands:
     """Actions on all selected curves, and the list where they are selected.
@@ -75,7 +78,7 @@ class CurveListCommands:
         return self.panel
 
     def _open_menu(self, place: QPoint) -> None:
-        strip_menu(self._context, CURVE_LIST_MENU).popup(place)
+        strip_menu(self._context, CURVE_LIST_MENU, is_short=True).popup(place)
 
     def render(self, view: CurveView) -> None:
         """Show the curves of the document."""
@@ -191,7 +194,7 @@ class CurveListCommands:
         "eye",
         full_name="Show All Hidden",
         keywords="unhide hidden visible reveal",
-        needs=SOME_CURVE,
+        needs=_HIDDEN,
     )
     @also(CURVE_LIST_MENU(16))
     def _show_all(self) -> None:
@@ -205,7 +208,7 @@ class CurveListCommands:
         icon="unlock",
         full_name="Unlock All Locked",
         keywords="free locked protect",
-        needs=SOME_CURVE,
+        needs=_LOCKED,
     )
     @also(CURVE_LIST_MENU(17))
     def _unlock_all(self) -> None:
@@ -227,7 +230,7 @@ class CurveListCommands:
         "Ctrl+Shift+A",
         needs=SOME_CURVE,
     )
-    @also(CANVAS_MENU(12), CURVE_LIST_MENU(24))
+    @also(CANVAS_MENU(12))
     def _choose_all(self) -> None:
         """Choose all curves that are seen and not locked, to move, scale, colour or delete them together."""
         session, document = self._session, self._session.document

@@ -50,7 +50,7 @@ class CurveCommands:
     # Number
 
     @action("newCurve", "New Curve", CURVE_NEW, "Ctrl+Shift+N", "plus")
-    @also(CANVAS_MENU(22), CURVE_LIST_MENU(30), CURVE_LIST_BUTTONS(10))
+    @also(CANVAS_MENU(22), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
         """Add a curve to the document."""
         session, place = self._session, len(self._session.document.curves)

@@ -52,7 +52,7 @@ class ShapeCommands:
         needs=Need("two chosen curves or more", lambda state: state.can_combine),
         keywords="compound path, hole, make shape, counter",
     )
-    @also(CURVE_MENU(40), CURVE_LIST_MENU(50))
+    @also(CURVE_MENU(40))
     def _combine(self) -> None:
         """Make one shape of the chosen curves: one fill, with holes where one lies within another."""
         session, curves = self._session, _meant(self._session)
@@ -74,7 +74,7 @@ class ShapeCommands:
         needs=Need("a shape of several curves", lambda state: state.is_any_in_shape),
         keywords="release compound path, uncombine",
     )
-    @also(CURVE_MENU(41), CURVE_LIST_MENU(51))
+    @also(CURVE_MENU(41))
     def _break_apart(self) -> None:
         """Make a curve of its own of each curve of the shape."""
         session, curves = self._session, _meant(self._session)
@@ -92,7 +92,6 @@ class ShapeCommands:
         needs=Need("a shape of several curves", lambda state: state.is_in_shape),
         keywords="remove hole, contour, subpath",
     )
-    @also(CURVE_LIST_MENU(52))
     def _delete_contour(self) -> None:
         """Delete the curve that is edited, and leave the others of its shape."""
         session, place = self._session, self._session.active_index
