@@ -26,6 +26,11 @@ _NAMES = {
     Qt.Key.Key_Period: ".",
     Qt.Key.Key_Comma: ".",
     Qt.Key.Key_Minus: "-",
+    Qt.Key.Key_Plus: "+",
+    Qt.Key.Key_Asterisk: "*",
+    Qt.Key.Key_Slash: "/",
+    Qt.Key.Key_ParenLeft: "(",
+    Qt.Key.Key_ParenRight: ")",
     Qt.Key.Key_Backspace: "backspace",
     Qt.Key.Key_Delete: "delete",
     Qt.Key.Key_Tab: "tab",
@@ -37,8 +42,14 @@ _NAMES = {
 }
 """Keys that tools hear of, and their names."""
 
-_WITH_SHIFT = {Qt.Key.Key_Backtab, Qt.Key.Key_Tab, Qt.Key.Key_Semicolon, Qt.Key.Key_Return, Qt.Key.Key_Enter}
-"""Keys that mean the same with Shift: some keyboards have the semicolon there, and a hand may hold it."""
+_WITH_SHIFT = {
+    Qt.Key.Key_Backtab,
+    Qt.Key.Key_Tab,
+    Qt.Key.Key_Return,
+    Qt.Key.Key_Enter,
+    *(key for key, name in _NAMES.items() if name in "+*/()" or key == Qt.Key.Key_Semicolon),
+}
+"""Keys that mean the same with Shift: some keyboards have the characters there, and a hand may hold it."""
 
 
 def key_name(event: QKeyEvent) -> str | None:

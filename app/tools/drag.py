@@ -48,6 +48,11 @@ class Drag(msgspec.Struct, frozen=True):
         return ""
 
     @property
+    def refusal(self) -> str:
+        """Why it cannot end now with a change; empty where it can."""
+        return ""
+
+    @property
     def remark(self) -> str:
         """What was meant, too, and stays as it is; empty for nothing."""
         return ""

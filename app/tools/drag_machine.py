@@ -311,7 +311,12 @@ class DragMachine:
         return press.drag.about(pointer) if press is not None and press.drag is not None else None
 
     def release(self, pointer: Pointer) -> None:
-        """End: commit what the drag made, or click."""
+        """End: commit what the drag made, or click; a drag that is refused is taken back."""
+        if self._press is not None and self._press.drag is not None and self._press.drag.refusal:
+            refusal = self._press.drag.refusal
+            self.cancel()
+            self._host.refuse(refusal)
+            return
         if self._press is not None and self._press.followed != pointer:
             self.move(pointer)
         press, self._press = self._press, None

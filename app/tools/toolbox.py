@@ -186,8 +186,12 @@ class Toolbox:
         return self.tool.claims(self.context, key)
 
     def key(self, key: str) -> bool:
-        """Give the tool a key; return whether it meant something."""
-        taken = self.tool.key(self.context, key)
+        """Give the tool a key; return whether it meant something, and was not refused."""
+        try:
+            taken = self.tool.key(self.context, key)
+        except EditError as reason:
+            self._host.refuse(str(reason))
+            taken = False
         self._give_way()
         return taken
 

@@ -111,6 +111,11 @@ class Transform(Drag, frozen=True):
         return self.group.stays
 
     @property
+    def refusal(self) -> str:
+        """Why what is typed is no number yet."""
+        return self.typed.refusal
+
+    @property
     def _is_all(self) -> bool:
         return self.everything and self.group.only_point is None
 
@@ -156,8 +161,8 @@ class Transform(Drag, frozen=True):
         return f"{note} · {words.point_at(one[1], self._moved(self._displacement(pointer)))}"
 
     def _amount_at(self, pointer: Pointer) -> str:
-        """Return the amount in words; while one is typed that is no number yet, with that."""
-        mark = f" ({self.typed.unfinished}…)" if self.typed.unfinished else ""
+        """Return the amount in words; with what is typed where that is an expression, or no number yet."""
+        mark = self.typed.mark
         if self.kind is TransformKind.ROTATE:
             return f"{words.angle(self._degrees(pointer))}{mark}"
         if self.kind is TransformKind.SKEW:

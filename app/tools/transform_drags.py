@@ -8,6 +8,7 @@ from collections.abc import Callable
 from msgspec.structs import replace
 
 from ..document import words
+from ..document.edits import EditError
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from .drag import along_axis, axis_held, plus
@@ -146,7 +147,7 @@ class MovePivot(Gesture):
         return with_snap(text, self._snapper.caught)
 
 
-_KEYS = frozenset("0123456789.-xygsr") | {"backspace", "tab", "enter"}
+_KEYS = frozenset("xygsr") | {"tab", "enter"}
 
 
 class TransformTool(Tool):
@@ -178,11 +179,13 @@ class TransformTool(Tool):
 
     def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for the transform: a digit, ".", "-", "x", "y" …."""
-        return key in _KEYS
+        return key in _KEYS or self._transform.typed.claims(key)
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Take a key: a digit, ".", "-", "tab", "x", "y", "g", "s", "r", "backspace" or "enter"."""
+        """Take a key of what is typed, "tab", "x", "y", "g", "s", "r" or "enter"."""
         if key == "enter":
+            if self._transform.refusal:
+                raise EditError(self._transform.refusal)
             context.drags.release(context.pointer)
             return True
         changed = self._transform.with_key(key)

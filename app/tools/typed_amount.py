@@ -1,16 +1,21 @@
-"""An amount typed into a drag: one number, or with Tab one for x and one for y."""
+"""An amount typed into a drag: one number or expression, or with Tab one for x and one for y."""
 
 from __future__ import annotations
 
-import math
+import re
 
 import msgspec
 from msgspec.structs import replace
 
+from ..document.expression import ExpressionError, parse_number
 from ..document.model import Vector
 from ..document.words import with_minus
 
 _AXES = "xy"
+_FIRST = frozenset("0123456789.-(")
+_FURTHER = frozenset("+*/)")
+_PLAIN = re.compile(r"-?[0-9.]*")
+_LAST_NUMBER = re.compile(r"[0-9.]*$")
 
 
 class TypedAmount(msgspec.Struct, frozen=True):
@@ -39,17 +44,21 @@ class TypedAmount(msgspec.Struct, frozen=True):
 
     # Keys
 
+    def claims(self, key: str) -> bool:
+        """Whether a key belongs to the amount, also where it means nothing now."""
+        return key in _FIRST or key == "backspace" or (self.counts and key in _FURTHER)
+
     def after(self, key: str) -> TypedAmount | None:
-        """Return the amount after a digit, ".", "-" or "backspace"; None for a key that is none of these."""
+        """Return the amount after a character of expressions or "backspace"; None for any other key."""
         text = self.fields[self.at]
         if key == "backspace":
             return self.joined() if self.is_pair and self.at == 1 and not text else self._with(text[:-1])
-        if key == "-":
-            # A minus sign turns the amount round, wherever it is typed.
+        if key == "-" and _PLAIN.fullmatch(text):
+            # A minus sign turns a number round, wherever it is typed.
             return self._with(text[1:] if text.startswith("-") else f"-{text}")
-        if (key == "." and "." not in text) or (len(key) == 1 and key in "0123456789"):
-            return self._with(text + key)
-        return None
+        if key == "." and "." in _LAST_NUMBER.findall(text)[0]:
+            return None
+        return self._with(text + key) if key in _FIRST or (text and key in _FURTHER) else None
 
     def _with(self, text: str) -> TypedAmount:
         fields = (*self.fields[: self.at], text, *self.fields[self.at + 1 :])
@@ -69,17 +78,43 @@ class TypedAmount(msgspec.Struct, frozen=True):
 
     def number(self, default: float) -> float:
         """Return the one number, `default` while it is none yet."""
-        return _number(self.fields[0], default)
+        return self._number(0, default)
 
     def pair(self, default: float) -> Vector:
         """Return the numbers for x and y, `default` for what is none yet."""
-        return (_number(self.fields[0], default), _number(self.fields[1], default))
+        return (self._number(0, default), self._number(1, default))
 
     @property
-    def unfinished(self) -> str:
-        """The text of one number that is none yet, such as "−"."""
+    def refusal(self) -> str:
+        """Why what is typed is no number yet; empty where it is one, or nothing is typed."""
+        for at, text in enumerate(self.fields):
+            try:
+                if text:
+                    self._read(at)
+            except ExpressionError as problem:
+                return f"“{with_minus(text)}”: {problem}"
+        return ""
+
+    def _number(self, at: int, default: float) -> float:
+        try:
+            return self._read(at)
+        except ExpressionError:
+            return default
+
+    def _read(self, at: int) -> float:
+        return parse_number(self.fields[at])
+
+    @property
+    def mark(self) -> str:
+        """The one text as typed: " (1/3)" for an expression, " (−…)" for no number yet, "" for a number."""
         text = self.fields[0]
-        return with_minus(text) if text and not self.is_pair and math.isnan(_number(text, math.nan)) else ""
+        if self.is_pair or not text:
+            return ""
+        try:
+            self._read(0)
+        except ExpressionError:
+            return f" ({with_minus(text)}…)"
+        return "" if _PLAIN.fullmatch(text) else f" ({with_minus(text)})"
 
     def told(self, default: str) -> str:
         """Return both numbers as typed, with a mark where the next digit goes: "x 1, y 2|"."""
@@ -93,11 +128,3 @@ class TypedAmount(msgspec.Struct, frozen=True):
     def keys(self) -> str:
         """The number of two that is typed, and the way to the other one."""
         return f"typing {_AXES[self.at]} · Tab: {_AXES[1 - self.at]}"
-
-
-def _number(text: str, default: float) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        return default
-    return value if math.isfinite(value) else default

@@ -125,8 +125,8 @@ class StatusLine(Guarded, QStatusBar):
         self._render()
 
     def refuse(self, text: str) -> None:
-        """Show for some seconds that something was not done, and why."""
-        self._refusal = text
+        """Show for some seconds that something was not done, and why, until a gesture in flight goes on."""
+        self._refusal, self._progress = text, ""
         self.say(text)
 
     def begin_gesture(self) -> None:

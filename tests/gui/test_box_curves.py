@@ -181,3 +181,25 @@ def test_width_and_height_are_typed_while_it_is_dragged(drawing):
     drawing.escape()
     drawing.release((5.0, 2.0))
     assert drawing.session.document is before
+
+
+def test_width_and_height_may_be_expressions_but_no_halves_of_them(drawing):
+    """A slash was left out: 1/3 was 13."""
+    drawing.trigger("rectangleTool")
+    drawing.press(FROM)
+    drawing.move((2.0, -2.0))
+    drawing.type_amount("1/4\t(1+2)*2")
+    assert drawing.status.startswith("1/4 × (1+2)*2| mm")
+    drawing.release((2.0, -2.0))
+    left, top = at(drawing, FROM)
+    assert box_of(drawing.curve) == pytest.approx([left, top - 6, left + 0.25, top], abs=1e-12)
+    before, count = drawing.session.document, steps(drawing)
+    drawing.press(FROM)
+    drawing.move((2.0, -2.0))
+    drawing.type_amount("1/")
+    drawing.key(Qt.Key.Key_Return)
+    assert drawing.status.endswith("This is not a complete number or expression.")
+    assert drawing.window.canvas.is_dragging
+    drawing.release((2.0, -2.0))
+    assert drawing.status.endswith("This is not a complete number or expression.")
+    assert (drawing.session.document, steps(drawing)) == (before, count)

@@ -129,7 +129,11 @@ TYPED = [
     (Key.Key_G, "\t2", "Move x 0, y 2|", (1, 4)),
     (Key.Key_G, "1\t", "Move x 1, y |", (2, 2)),
     (Key.Key_G, "1\t2\t5", "Move x 15|, y 2 · typing x · Tab: y", (16, 4)),
-    (Key.Key_G, "1\t-", "Move x 1, y −|", (2, 2)),
+    (Key.Key_G, "1/4", "Move 0.25, 0 (1/4) ", (1.25, 2)),
+    (Key.Key_G, "2*3", "Move 6, 0 (2*3) ", (7, 2)),
+    (Key.Key_G, "(1+2)/-4y", "Move −0.75 along y ((1+2)/−4)", (1, 1.25)),
+    (Key.Key_G, "1/2\t1.5+1.5", "Move x 1/2, y 1.5+1.5|", (1.5, 5)),
+    (Key.Key_G, "5-", "Move −5, 0 ", (-4, 2)),
     (Key.Key_G, "y3\t1", "Move x 1|, y 3", (2, 5)),
     (Key.Key_G, "x3\t1", "Move x 3, y 1|", (4, 3)),
     (Key.Key_G, "3\t1y", "Move 1 along y", (1, 3)),
@@ -139,7 +143,9 @@ TYPED = [
     (Key.Key_S, "2\t", "Scale x 2, y |", (0, 2)),
     (Key.Key_S, "\t3", "Scale x 1, y 3|", (1, 4)),
     (Key.Key_S, "2", "Scale 2", (0, 3)),
+    (Key.Key_S, "4/2", "Scale 2 (4/2)", (0, 3)),
     (Key.Key_R, "9\t0", "Rotate 90°", (1, 0)),
+    (Key.Key_R, "180/2", "Rotate 90° (180/2)", (1, 0)),
 ]
 
 
@@ -156,6 +162,42 @@ def test_tab_goes_from_x_to_y(arch, key):
         arch.key(Key.Key_Return)
         assert arch.point(1) == pytest.approx(second, abs=1e-12), typed
         assert arch.session.selection == {1, 3}
+
+
+@pytest.mark.parametrize(("typed", "shown"), [("1/", "Move 0, 0 (1/…)"), ("1\t-", "Move x 1, y −|")])
+def test_what_is_no_number_yet_is_refused_and_can_be_mended(arch, typed, shown):
+    arch.select([1])
+    arch.key(Key.Key_G)
+    arch.type_amount(typed)
+    assert arch.status.startswith(shown)
+    arch.key(Key.Key_Return)
+    assert arch.status.endswith("This is not a complete number or expression.")
+    assert arch.window.canvas.is_dragging
+    arch.type_amount("4")
+    assert arch.status.startswith("Move ")
+    arch.key(Key.Key_Return)
+    assert arch.point(1) == {"1/": (1.25, 2), "1\t-": (2, -2)}[typed]
+
+
+def test_a_click_takes_a_transform_back_by_what_is_no_number_yet(arch):
+    document, steps = arch.session.document, arch.session.undo_stack.count()
+    arch.key(Key.Key_G)
+    arch.type_amount("1/")
+    arch.click((-1, 3))
+    assert arch.status == "“1/”: This is not a complete number or expression."
+    assert (arch.session.document, arch.session.undo_stack.count()) == (document, steps)
+    assert not arch.window.canvas.is_dragging
+
+
+def test_operators_may_need_shift(arch):
+    arch.select([1])
+    arch.key(Key.Key_G)
+    for key, character in ((Key.Key_2, "2"), (Key.Key_Asterisk, "*"), (Key.Key_3, "3")):
+        held = SHIFT if character == "*" else Qt.KeyboardModifier.NoModifier
+        QTest.keyClick(arch.window.canvas, key, held)
+    assert arch.status.startswith("Move 6, 0 (2*3)")
+    arch.key(Key.Key_Return)
+    assert arch.point(1) == (7, 2)
 
 
 def test_both_numbers_can_be_mended_and_given_up(arch):

@@ -133,6 +133,7 @@ class Appended(msgspec.Struct):
 
     session: Session
     name: str = "Append"
+    refusal: str = ""
 
     def name_at(self, _pointer):
         return self.name

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import ClassVar, Self
+from typing import Self
 
 import msgspec
 from msgspec.structs import replace
@@ -81,8 +81,6 @@ class DrawInBox(Drag, frozen=True):
         Of what is drawn.
     typed
         Width and height as typed so far.
-    typed_keys
-        What can be typed: keys of `TypedAmount`, and "tab".
     """
 
     drawn: BoxCurve
@@ -92,8 +90,6 @@ class DrawInBox(Drag, frozen=True):
     unit: str
     style: Style
     typed: TypedAmount = TypedAmount()
-
-    typed_keys: ClassVar[frozenset[str]] = frozenset("0123456789.-") | {"backspace", "tab"}
 
     @property
     def name(self) -> str:
@@ -106,10 +102,13 @@ class DrawInBox(Drag, frozen=True):
         at = self.typed.at
         return f"{self.drawn.keys} · digits: {_SIDES[at]}, Tab: {_SIDES[1 - at]}"
 
+    @property
+    def refusal(self) -> str:
+        """Why what is typed is no number yet."""
+        return self.typed.refusal
+
     def with_key(self, key: str) -> Self | None:
         """Return the drag after a key that types; None for any other key."""
-        if key not in self.typed_keys:
-            return None
         typed = self.typed.after_tab(None) if key == "tab" else self.typed.after(key)
         return None if typed is None else replace(self, typed=typed)
 
@@ -192,7 +191,7 @@ class BoxCurveTool(Tool):
     def claims(self, context: ToolContext, key: str) -> bool:
         """Whether a key is for its numbers: a digit also after the drag, when it would be a shortcut."""
         drag = self._drag
-        return key.isdigit() or (drag is not None and (key == "enter" or key in drag.typed_keys))
+        return key.isdigit() or (drag is not None and (key in ("enter", "tab") or drag.typed.claims(key)))
 
     def key(self, context: ToolContext, key: str) -> bool:
         """Take what is typed of its numbers while it is dragged; "enter" ends that."""
@@ -201,6 +200,8 @@ class BoxCurveTool(Tool):
                 context.host.refuse(_TOO_LATE)
             return key.isdigit()
         if key == "enter":
+            if self._drag.refusal:
+                raise EditError(self._drag.refusal)
             context.drags.release(context.pointer)
             return True
         changed = self._drag.with_key(key)
