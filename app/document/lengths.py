@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from fractions import Fraction
+from typing import NoReturn
 
 from .expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
 from .units import MILLIMETRES, known_unit
@@ -12,6 +12,8 @@ _UNIT = re.compile(r"""(?<=[\d.,)\s])([^\W\d_]+|["″′])""")
 """A word after a number, or the mark of an inch or a foot."""
 
 _ALONE = re.compile(r"""(.*?)\s*([^\W\d_]+|["″′])""", re.DOTALL)
+
+_LETTERS = re.compile(r"[^\W\d_]*$")
 
 _IN_NUMBERS = {*FUNCTIONS, *CONSTANTS, "e", "E"}
 """Words of numbers and expressions."""
@@ -46,9 +48,22 @@ def typed_length(text: str, unit: str, now: float | None = None, locale_decimal:
         return part if not sign else now + part if sign == "+" else now - part
     alone = _ALONE.fullmatch(text.strip())
     if alone is not None and _is_unit(alone[2], unit) and not _UNIT.search(alone[1]):
-        factor = _factor(alone[2], unit)
-        return parse_number(alone[1], locale_decimal) * factor.numerator / factor.denominator
+        numerator, denominator = _factor(alone[2], unit)
+        return parse_number(alone[1], locale_decimal) * numerator / denominator
     return parse_number(_UNIT.sub(lambda found: _converted(found, unit), text), locale_decimal)
+
+
+def check_unit(text: str, unit: str) -> None:
+    """Raise ExpressionError where the letters at the end of a text begin no unit that may stand there."""
+    word = _LETTERS.findall(text)[0]
+    known = (*MILLIMETRES, unit) if known_unit(unit) else (unit,)
+    if not any(each.lower().startswith(word.lower()) for each in known):
+        _refuse_without_length(word, unit)
+        _refuse_word(word)
+
+
+def _refuse_word(word: str) -> NoReturn:
+    raise ExpressionError(f"“{word}” is no unit of length known here, such as mm, cm, in, pt and px.")
 
 
 def _converted(found: re.Match[str], unit: str) -> str:
@@ -58,10 +73,10 @@ def _converted(found: re.Match[str], unit: str) -> str:
         is_after_number = found.string[: found.start()].rstrip()[-1:].isdigit()
         if is_after_number and word not in _IN_NUMBERS:
             _refuse_without_length(word, unit)
-            raise ExpressionError(f"“{word}” is no unit of length known here, such as mm, cm, in, pt and px.")
+            _refuse_word(word)
         return word
-    factor = _factor(word, unit)
-    return f"*{factor.numerator}/{factor.denominator}"
+    numerator, denominator = _factor(word, unit)
+    return f"*{numerator}/{denominator}"
 
 
 def _is_unit(word: str, unit: str) -> bool:
@@ -69,12 +84,16 @@ def _is_unit(word: str, unit: str) -> bool:
     return bool(known_unit(word)) or (word == unit and word not in _IN_NUMBERS)
 
 
-def _factor(word: str, unit: str) -> Fraction:
-    """Return how many of the document's unit one of another is."""
+def _factor(word: str, unit: str) -> tuple[int, int]:
+    """Return how many of the document's unit one of another is, as a fraction: 127/360 mm are a point."""
     if word == unit:
-        return Fraction(1)
+        return 1, 1
     _refuse_without_length(word, unit)
-    return _exact(known_unit(word)) / _exact(known_unit(unit))
+    # The first unit is typed long after the start.
+    from fractions import Fraction  # noqa: PLC0415
+
+    one, other = (Fraction(MILLIMETRES[known_unit(name)]).limit_denominator(10**6) for name in (word, unit))
+    return (one / other).as_integer_ratio()
 
 
 def _refuse_without_length(word: str, unit: str) -> None:
@@ -85,8 +104,3 @@ def _refuse_without_length(word: str, unit: str) -> None:
         f"“{unit}”, the unit of the document, has no length" if unit else "The document has no unit of length"
     )
     raise ExpressionError(f"{why}; type a number without “{word}”.")
-
-
-def _exact(unit: str) -> Fraction:
-    """Return the millimetres of a unit as the fraction that they are: 127/360 of a point."""
-    return Fraction(MILLIMETRES[unit]).limit_denominator(10**6)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from string import ascii_lowercase
+
 from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QCursor, QKeyEvent
 from PySide6.QtWidgets import QWidget
@@ -38,7 +40,7 @@ _NAMES = {
     Qt.Key.Key_Semicolon: "tab",
     Qt.Key.Key_Return: "enter",
     Qt.Key.Key_Enter: "enter",
-    **{Qt.Key(getattr(Qt.Key, f"Key_{name.upper()}")): name for name in "xygsr"},
+    **{Qt.Key(ord(letter.upper())): letter for letter in ascii_lowercase},
 }
 """Keys that tools hear of, and their names."""
 
@@ -53,10 +55,12 @@ _WITH_SHIFT = {
 
 
 def key_name(event: QKeyEvent) -> str | None:
-    """Return what a tool calls a key, None for one that it never hears of."""
+    """Return what a tool calls a key, a letter with Shift a capital; None for one that it never hears of."""
     key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
     if key in _WITH_SHIFT:
         held &= ~Qt.KeyboardModifier.ShiftModifier
+    if held == Qt.KeyboardModifier.ShiftModifier and Qt.Key.Key_A <= key <= Qt.Key.Key_Z:
+        return chr(key)
     return _NAMES.get(key) if not held else None
 
 
@@ -262,7 +266,7 @@ class ToolPlot(PlotWidget):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            # While a transform is in flight, digits and letters are its own and no shortcuts.
+            # While an amount is typed, digits and letters are its own and no shortcuts.
             key = key_name(event)
             if key is not None and self.tools.claims(key):
                 event.accept()

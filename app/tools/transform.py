@@ -30,7 +30,8 @@ class TransformKind(Enum):
     title
         The word for it.
     key
-        What a tool calls the key that begins it, and goes on with it where another one is in flight.
+        What a tool calls the key that begins it, and goes on with it where another one is in flight: a
+        capital letter with Shift.
     keys
         What keys change meanwhile.
     """
@@ -39,7 +40,7 @@ class TransformKind(Enum):
     SCALE = ("Scale", "s", "X or Y: one axis · type a number, or x Tab y")
     ROTATE = ("Rotate", "r", f"{STEP_KEYS} · type a number")
 
-    SKEW = ("Skew", "skew", f"X or Y: along which axis · {STEP_KEYS} · type a number")
+    SKEW = ("Skew", "R", f"X or Y: along which axis · {STEP_KEYS} · type a number")
 
     def __init__(self, title: str, key: str, keys: str) -> None:
         self.title, self.key, self.keys = title, key, keys
@@ -48,6 +49,10 @@ class TransformKind(Enum):
     def is_angle(self) -> bool:
         """Whether its amount is an angle."""
         return self in (TransformKind.ROTATE, TransformKind.SKEW)
+
+    def amount(self, document: Document) -> TypedAmount:
+        """Return the amount while nothing is typed: a move goes by lengths."""
+        return TypedAmount(unit=document.unit if self is TransformKind.MOVE else None)
 
 
 _STEP = 15.0
@@ -129,10 +134,18 @@ class Transform(Drag, frozen=True):
         return f"{self.kind.keys} · Enter or click: done"
 
     def with_key(self, key: str) -> Transform | None:
-        """Return the transform that a key makes of it, of another kind, axis or amount, if it means one."""
+        """Return the transform that a key makes of it, of another kind, axis or amount, if it means one.
+
+        Raises
+        ------
+        EditError
+            For a letter that is none of a unit.
+        """
+        if self.typed.continues_unit(key):
+            return replace(self, typed=self.typed.after(key))
         kind = next((kind for kind in TransformKind if kind.key == key), None)
         if kind is not None:
-            return replace(self, kind=kind, typed=TypedAmount())
+            return replace(self, kind=kind, typed=kind.amount(self.document))
         if (key in ("x", "y") and self.kind is TransformKind.ROTATE) or (key == "tab" and self.kind.is_angle):
             return None
         if key in ("x", "y"):

@@ -43,6 +43,7 @@ def transforming(context: ToolContext, kind: TransformKind) -> Transform:
         context.pointer.position,
         context.snappers.for_group(group, grip),
         grip,
+        typed=kind.amount(context.host.document),
         everything=target.group is None,
     )
 
@@ -147,7 +148,7 @@ class MovePivot(Gesture):
         return with_snap(text, self._snapper.caught)
 
 
-_KEYS = frozenset("xygsr") | {"tab", "enter"}
+_KEYS = frozenset("xygsrR") | {"tab", "enter"}
 
 
 class TransformTool(Tool):
@@ -182,7 +183,7 @@ class TransformTool(Tool):
         return key in _KEYS or self._transform.typed.claims(key)
 
     def key(self, context: ToolContext, key: str) -> bool:
-        """Take a key of what is typed, "tab", "x", "y", "g", "s", "r" or "enter"."""
+        """Take a key of what is typed, "tab", "x", "y", "g", "s", "r", "R" or "enter"."""
         if key == "enter":
             if self._transform.refusal:
                 raise EditError(self._transform.refusal)

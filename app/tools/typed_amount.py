@@ -7,7 +7,9 @@ import re
 import msgspec
 from msgspec.structs import replace
 
+from ..document.edits import EditError
 from ..document.expression import ExpressionError, parse_number
+from ..document.lengths import check_unit, typed_length
 from ..document.model import Vector
 from ..document.words import with_minus
 
@@ -27,10 +29,13 @@ class TypedAmount(msgspec.Struct, frozen=True):
         The text of the one number, or those of x and y.
     at
         Which of them is typed.
+    unit
+        The unit of the document, which lengths are in; None for a factor or an angle.
     """
 
     fields: tuple[str, ...] = ("",)
     at: int = 0
+    unit: str | None = None
 
     @property
     def is_pair(self) -> bool:
@@ -45,20 +50,47 @@ class TypedAmount(msgspec.Struct, frozen=True):
     # Keys
 
     def claims(self, key: str) -> bool:
-        """Whether a key belongs to the amount, also where it means nothing now."""
-        return key in _FIRST or key == "backspace" or (self.counts and key in _FURTHER)
+        """Whether a key belongs to the amount, also where it means nothing: once begun, all do."""
+        return key in _FIRST or key == "backspace" or (self.counts and len(key) == 1)
+
+    def continues_unit(self, key: str) -> bool:
+        """Whether a key is a further letter of a unit, whatever else it means."""
+        if not self.fields[self.at][-1:].isalpha():
+            return False
+        try:
+            return self.after(key) is not None and key.isalpha()
+        except EditError:
+            return False
 
     def after(self, key: str) -> TypedAmount | None:
-        """Return the amount after a character of expressions or "backspace"; None for any other key."""
+        """Return the amount after a character or "backspace"; None for a key that means nothing here.
+
+        Raises
+        ------
+        EditError
+            For a letter that is none of a unit.
+        """
         text = self.fields[self.at]
         if key == "backspace":
             return self.joined() if self.is_pair and self.at == 1 and not text else self._with(text[:-1])
         if key == "-" and _PLAIN.fullmatch(text):
             # A minus sign turns a number round, wherever it is typed.
             return self._with(text[1:] if text.startswith("-") else f"-{text}")
+        if len(key) == 1 and key.isalpha() and self.counts:
+            return self._with(self._with_letter(text + key))
         if key == "." and "." in _LAST_NUMBER.findall(text)[0]:
             return None
         return self._with(text + key) if key in _FIRST or (text and key in _FURTHER) else None
+
+    def _with_letter(self, text: str) -> str:
+        """Return a text that ends with a letter of a unit; raise EditError where that has no place."""
+        if self.unit is None:
+            raise EditError(f"A factor or an angle has no unit; type a number without “{text[-1]}”.")
+        try:
+            check_unit(text, self.unit)
+        except ExpressionError as problem:
+            raise EditError(str(problem)) from None
+        return text
 
     def _with(self, text: str) -> TypedAmount:
         fields = (*self.fields[: self.at], text, *self.fields[self.at + 1 :])
@@ -68,11 +100,12 @@ class TypedAmount(msgspec.Struct, frozen=True):
         """Go on to the other number; one typed along a locked `axis` stays that of this axis."""
         if self.is_pair:
             return replace(self, at=1 - self.at)
-        return TypedAmount(("", self.fields[0]), 0) if axis == 1 else TypedAmount((self.fields[0], ""), 1)
+        fields = ("", self.fields[0]) if axis == 1 else (self.fields[0], "")
+        return replace(self, fields=fields, at=0 if axis == 1 else 1)
 
     def joined(self, axis: int = 0) -> TypedAmount:
         """Return the one number for an axis."""
-        return TypedAmount((self.fields[axis],)) if self.is_pair else self
+        return replace(self, fields=(self.fields[axis],), at=0) if self.is_pair else self
 
     # What it means
 
@@ -102,7 +135,8 @@ class TypedAmount(msgspec.Struct, frozen=True):
             return default
 
     def _read(self, at: int) -> float:
-        return parse_number(self.fields[at])
+        text = self.fields[at]
+        return parse_number(text) if self.unit is None else typed_length(text, self.unit)
 
     @property
     def mark(self) -> str:

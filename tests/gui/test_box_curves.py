@@ -203,3 +203,19 @@ def test_width_and_height_may_be_expressions_but_no_halves_of_them(drawing):
     drawing.release((2.0, -2.0))
     assert drawing.status.endswith("This is not a complete number or expression.")
     assert (drawing.session.document, steps(drawing)) == (before, count)
+
+
+def test_units_may_follow_width_and_height_and_other_letters_are_refused(drawing):
+    """The letter m dropped the rectangle and took the tool that measures."""
+    drawing.trigger("rectangleTool")
+    drawing.press(FROM)
+    drawing.move((2.0, -2.0))
+    drawing.type_amount("2 mm\t0.1cm")
+    assert drawing.status.startswith("2mm × 0.1cm| mm")
+    for key in (Qt.Key.Key_V, Qt.Key.Key_X, Qt.Key.Key_G):
+        drawing.key(key)
+        assert "is no unit of length known here" in drawing.status
+    assert drawing.action("rectangleTool").isChecked()
+    drawing.release((2.0, -2.0))
+    left, top = at(drawing, FROM)
+    assert box_of(drawing.curve) == pytest.approx([left, top - 1, left + 2, top], abs=1e-12)

@@ -89,8 +89,8 @@ _WITH_ANY_TOOL = (
     GestureRow("Escape, right button", "during a drag: take it back"),
     GestureRow(
         "Moving, scaling, rotating",
-        "G, S, R: what is selected, else all points. X or Y locks an axis, digits type the amount, "
-        "Tab (or ;) goes from x to y, Enter ends",
+        "G, S, R: what is selected, else all points. X or Y locks an axis, digits type the amount "
+        "(1/3, 2mm), Tab (or ;) goes from x to y, Enter ends",
     ),
     GestureRow(
         "Arrow keys",

@@ -108,7 +108,7 @@ class DrawInBox(Drag, frozen=True):
         return self.typed.refusal
 
     def with_key(self, key: str) -> Self | None:
-        """Return the drag after a key that types; None for any other key."""
+        """Return the drag after a key that types; None for any other, EditError for a letter of no unit."""
         typed = self.typed.after_tab(None) if key == "tab" else self.typed.after(key)
         return None if typed is None else replace(self, typed=typed)
 
@@ -176,9 +176,9 @@ class BoxCurveTool(Tool):
     def press(self, context: ToolContext) -> None:
         """Begin to draw."""
         host, snapper, drawn = context.host, context.snappers.for_new(-1), self._drawn
-        active, start = host.active_index, snapper.at(context.pointer)
+        active, start, unit = host.active_index, snapper.at(context.pointer), context.settings.unit
         self._drag = DrawInBox(
-            host.document, drawn, active, start, snapper, context.settings.unit, host.model.style
+            host.document, drawn, active, start, snapper, unit, host.model.style, TypedAmount(unit=unit)
         )
         place = drawn_place(host.document, active)
         context.drags.press(context.pointer, self._drag, lambda: host.say(f"{drawn.hint}."), active=place)
