@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
+from ..actions.keymap import key_or_name
 from ..state.window_state import WindowState
 from ..tools.tool import TOOLS
 from ..view_model.curve.curve_view import CurveView
 from ..workbench.context import WindowContext
 
-_GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
+_GREETING = "Drag a point and watch its functions below. {} adds points, {} shows all keys."
 _EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."
 _BEGINNINGS = frozenset(each.beginning or _EMPTY for each in TOOLS)
 
@@ -27,6 +28,7 @@ class Messages(QObject):
         super().__init__(context.window)
         self._bar, self._session = context.central.message_bar, context.session
         self._use_uniform, self._find_image = context.actions["useUniform"], context.actions["findImage"]
+        self._first_actions = context.actions["addTool"], context.actions["showShortcuts"]
         self._store = context.store
         self._store.changed.connect(self._show_state)
         self._greeting = ""
@@ -67,7 +69,7 @@ class Messages(QObject):
 
     def greet(self) -> None:
         """Show the hint of the first start, until it is put away or something has been done."""
-        self._greeting = _GREETING
+        self._greeting = _GREETING.format(*map(key_or_name, self._first_actions))
         self.render(self._session.active_view)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:

@@ -45,7 +45,7 @@ class ExportDialog(WorkDialog):
         self._active, self._chosen, self._with_estimates = 0, frozenset[int](), False
         self.form = ExportForm()
         self.picture = Label(name="exportPreview", label="Preview")
-        self.picture.setToolTip("What the picture will look like; squares stand for no paper")
+        self.picture.setToolTip("What the picture will look like; squares stand for no background")
         self.picture.setFixedSize(_WIDTH, _HEIGHT)
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_label = Label(name="exportSize", wordWrap=True)
@@ -144,7 +144,7 @@ class ExportDialog(WorkDialog):
 
 
 def _on_squares(image: QImage, ratio: float, colours: tuple[QColor, QColor]) -> QPixmap:
-    """Return a picture on a chessboard that shows where it has no paper."""
+    """Return a picture on a chessboard that shows where it has no background."""
     image.setDevicePixelRatio(ratio)
     result = QPixmap(image.size())
     result.setDevicePixelRatio(ratio)
