@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from kept_window import KeptEditor
 from PySide6.QtCore import QLocale
 
+from app.document import edits
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.testing import Editor
@@ -61,6 +62,24 @@ def waves(editor):
         return editor
 
     return draw
+
+
+@pytest.fixture
+def arch(editor):
+    """Four points of an arch, with room around them."""
+    editor.session.commit(Document((make_curve([(0, 0), (1, 2), (3, 2), (4, 0)]),)), "Begin")
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
+    editor.settle()
+    return editor
+
+
+@pytest.fixture
+def pen(editor):
+    """An empty Hermite curve, and the pen in hand."""
+    editor.new()
+    editor.session.commit(edits.set_family(editor.session.document, 0, HERMITE), "Begin")
+    editor.trigger("addTool")
+    return editor
 
 
 @pytest.fixture

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.features.curve_list.commands import CurveListCommands
+from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.curve_list.view import CurveListView
 from app.testing import Editor
 
@@ -34,4 +36,26 @@ def open_row_menu(editor: Editor, row: int) -> None:
     port, place = view.viewport(), view.parts.entry_rect(row).center()
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
     QApplication.sendEvent(port, event)
+    editor.settle()
+
+
+def row_named(editor: Editor, name: str) -> int:
+    """Return the row of this name, however deep."""
+    return [text.strip() for text in rows(editor)].index(name)
+
+
+def place_in(editor: Editor, name: str, spot: Spot = Spot.NAME) -> QPoint:
+    """Return the middle of a part of a row."""
+    return spot_rect(view_of(editor).parts.entry_rect(row_named(editor, name)), spot).center()
+
+
+def click_row(
+    editor: Editor,
+    name: str,
+    keys: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
+    spot: Spot = Spot.NAME,
+) -> None:
+    """Click a part of a row, with keys held."""
+    place = place_in(editor, name, spot)
+    QTest.mouseClick(view_of(editor).viewport(), Qt.MouseButton.LeftButton, keys, place)
     editor.settle()

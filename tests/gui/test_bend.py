@@ -28,15 +28,6 @@ INSERTS = "Double click: insert a point"
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 
 
-@pytest.fixture
-def arch(editor):
-    """Four points of an arch."""
-    editor.session.commit(Document((make_curve(POINTS),)), "Begin")
-    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
-    editor.settle()
-    return editor
-
-
 def with_everything_set(view):
     """The curve with the velocities and accelerations that the rules gave it set by hand."""
     points = tuple(

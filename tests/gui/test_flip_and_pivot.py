@@ -9,13 +9,13 @@ import pytest
 from extents import CLOSE, box_shown, sampled_bounds
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from app.document.model import Document, make_curve
+from app.document.style import Style
 from app.families import FAMILIES, HERMITE
 from app.tools.snapping import SnapKind, Snapping
-from tests.gui.editor_facts import transform, undo_text
+from tests.gui.editor_facts import retype, transform, undo_text
 
 Key = Qt.Key
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -49,6 +49,12 @@ def choose_both(editor):
     editor.session.selected.set_curves({0, 1})
 
 
+def angle_shown(editor):
+    """The angle in the Transform panel."""
+    editor.settle()
+    return float(editor.window.findChild(QLineEdit, "transformAngle").text().replace("−", "-"))
+
+
 # Flip
 
 
@@ -71,27 +77,16 @@ def test_a_mirror_image_is_no_rotation(two, degrees, flips, point_locale):
     choose_both(two)
     two.trigger("openTransform")
     angle = two.window.findChild(QLineEdit, "transformAngle")
-
-    def shown():
-        two.settle()
-        return float(angle.text().replace("−", "-"))
-
-    def enter(value):
-        angle.setFocus()
-        angle.selectAll()
-        two.type_text(angle, str(value))
-        QTest.keyClick(angle, Key.Key_Return)
-
-    enter(degrees)
+    retype(angle, str(degrees))
     before = points(two) - points(two)[0]
     two.trigger(f"flip{flips}")
-    assert math.remainder(shown() + degrees, 360.0) == pytest.approx(0.0, abs=1e-6)
+    assert math.remainder(angle_shown(two) + degrees, 360.0) == pytest.approx(0.0, abs=1e-6)
     two.trigger("rotateLeft")
-    assert math.remainder(shown() - (90.0 - degrees), 360.0) == pytest.approx(0.0, abs=1e-6)
-    enter(-degrees)
-    assert math.remainder(shown() + degrees, 360.0) == pytest.approx(0.0, abs=1e-6)
+    assert math.remainder(angle_shown(two) - (90.0 - degrees), 360.0) == pytest.approx(0.0, abs=1e-6)
+    retype(angle, str(-degrees))
+    assert math.remainder(angle_shown(two) + degrees, 360.0) == pytest.approx(0.0, abs=1e-6)
     two.trigger(f"flip{flips}")
-    assert shown() == pytest.approx(degrees, abs=1e-6)
+    assert angle_shown(two) == pytest.approx(degrees, abs=1e-6)
     # The quarter turn was about the middle of another box.
     assert points(two) - points(two)[0] == pytest.approx(before, abs=CLOSE)
 
@@ -100,25 +95,14 @@ def test_mirror_images_both_ways_turn_nothing(two, point_locale):
     """Half a turn was told: 180 for what stood at 0, and −165 for what stood at 15."""
     choose_both(two)
     two.trigger("openTransform")
-    angle = two.window.findChild(QLineEdit, "transformAngle")
-    told = []
-
-    def told_now():
-        two.settle()
-        told.append(float(angle.text().replace("−", "-")))
-
     for name in ("flipHorizontally", "flipVertically"):
         two.trigger(name)
-        told_now()
     transform(two, "R", "15")
-    told_now()
     for name in ("flipHorizontally", "flipVertically"):
         two.trigger(name)
-        told_now()
-    for _ in range(4):
+    for told in (-15.0, 15.0, 0.0, 0.0):
         two.trigger("undo")
-        told.append(float(angle.text().replace("−", "-")))
-    assert told[5:] == [-15.0, 15.0, 0.0, 0.0]
+        assert angle_shown(two) == told
 
 
 def test_selected_points_are_mirrored_alone(two):
@@ -235,12 +219,18 @@ def test_a_double_click_puts_it_back_to_the_middle(two):
     assert two.session.document is document
 
 
-@pytest.mark.parametrize("turns", [False, True])
-def test_it_is_taken_over_the_fill_of_what_is_chosen_once_the_grips_turn(two, turns):
+@pytest.mark.parametrize(
+    ("look", "turns"),
+    [
+        ({"closed": True, "style": Style(fill="#ffcc00")}, False),
+        ({"closed": True, "style": Style(fill="#ffcc00")}, True),
+        ({"points": make_curve([(0, 0), (4, 2)]).points}, True),
+    ],
+)
+def test_it_is_taken_over_the_fill_or_line_of_what_is_chosen_once_the_grips_turn(two, look, turns):
     """The curve was dragged instead; before that, who presses in the middle means what lies there."""
     document = two.session.document
-    filled = replace(document.curves[0], closed=True, style=replace(document.curves[0].style, fill="#ffcc00"))
-    two.session.commit(document.with_curve(0, filled), "Fill")
+    two.session.commit(document.with_curve(0, replace(document.curves[0], **look)), "Look")
     two.session.selected.choose({0})
     two.session.box.set_turns(turns)
     before, middle = two.session.document, pivot(two)
@@ -301,17 +291,6 @@ def test_a_cross_that_is_seen_is_one_that_a_drag_takes(two):
     before = two.session.document
     drag_pivot(two, (-10.0, 10.0))
     assert pivot(two) == pytest.approx((-10.0, 10.0), abs=two.pixel)
-    assert two.session.document is before
-
-
-def test_it_is_taken_over_a_line_of_what_is_chosen(two):
-    line = replace(two.session.document.curves[0], points=make_curve([(0, 0), (4, 2)]).points)
-    two.session.commit(two.session.document.with_curve(0, line), "Straight")
-    two.session.selected.choose({0})
-    two.session.box.set_turns(True)
-    before = two.session.document
-    drag_pivot(two, (-1.0, 1.0))
-    assert pivot(two) == pytest.approx((-1.0, 1.0), abs=two.pixel)
     assert two.session.document is before
 
 

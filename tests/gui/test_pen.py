@@ -10,21 +10,12 @@ from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.model import ParametrizationKind, Point
-from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
+from app.families import FAMILIES, QUINTIC_HERMITE
 from app.view_model.curve.handles import handles_of
 from tests.gui.editor_facts import at
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
-
-
-@pytest.fixture
-def pen(editor):
-    """An empty Hermite curve, and the pen in hand."""
-    editor.new()
-    begin(editor, edits.set_family(editor.session.document, 0, HERMITE))
-    editor.trigger("addTool")
-    return editor
 
 
 def begin(editor, document):

@@ -9,21 +9,12 @@ from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.lines import is_line
-from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.families import FAMILIES, LAGRANGE
 from tests.gui.editor_facts import at
 
 ALT = Qt.KeyboardModifier.AltModifier
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
 PLACES = ((20, 20), (160, 40), (140, 200), (40, 180))
-
-
-@pytest.fixture
-def pen(editor):
-    """An empty Hermite curve, and the pen in hand."""
-    editor.new()
-    editor.session.commit(edits.set_family(editor.session.document, 0, HERMITE), "Begin")
-    editor.trigger("addTool")
-    return editor
 
 
 def lines(editor):

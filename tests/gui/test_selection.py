@@ -25,16 +25,6 @@ Key = Qt.Key
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 
 
-@pytest.fixture
-def arch(editor):
-    """Four points of an arch."""
-    editor.session.commit(Document((make_curve(POINTS),)), "Begin")
-    editor.fit()
-    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
-    editor.settle()
-    return editor
-
-
 def points(editor) -> np.ndarray:
     return np.array([point.position for point in editor.curve.points])
 

@@ -6,15 +6,13 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
 from app.appearance.colours import point_colours
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
-from tests.gui.curve_rows import heard
+from tests.gui.curve_rows import heard, open_row_menu
 from tests.gui.editor_facts import names
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -58,7 +56,7 @@ def drag_row(editor, row, y, *, release=True):
 def test_a_click_in_the_list_edits_another_curve(three):
     three.select([1, 2])
     three.click_in_list(2)
-    assert three.curve.name == "C"
+    assert (three.session.selected.is_editing, three.curve.name) == (True, "C")
     assert three.session.selection == frozenset()
     assert three.window.point_table.model().rowCount() == 4
     assert list_of(three).model.marks.active == 2
@@ -154,13 +152,6 @@ def test_the_eye_and_the_lock_are_switches(three):
     three.trigger("undo")
     three.trigger("undo")
     assert three.session.document.curves[2] == replace(three.session.document.curves[2], visible=True)
-
-
-def test_a_colour_is_chosen_from_the_palette_by_mouse(three):
-    three.click_in_list(2, Spot.SWATCH)
-    three.choose("colour_Vermillion")
-    assert three.session.document.curves[2].style.stroke == "#d55e00"
-    assert three.session.undo_stack.undoText() == "Colour C"
 
 
 def test_a_colour_is_chosen_from_the_palette_by_keys(three):
@@ -336,10 +327,7 @@ def test_the_list_is_read_aloud(three):
 
 
 def test_the_menu_of_a_row_is_for_that_curve(three):
-    port, place = list_of(three).view.viewport(), row_place(three, 2)
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
-    QApplication.sendEvent(port, event)
-    three.settle()
+    open_row_menu(three, 0)
     assert three.curve.name == "C"
     three.choose("curveLocked")
     assert three.curve.locked
@@ -547,6 +535,8 @@ def test_a_point_is_inserted_at_the_scrub_line(three):
 def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something_changed(three):
     three.click_in_list(2, Spot.SWATCH)
     three.choose("colour_Vermillion")
+    assert three.session.document.curves[2].style.stroke == "#d55e00"
+    assert three.session.undo_stack.undoText() == "Colour C"
     layer = three.window.canvas.drawing.others
     picture = layer._picture
     assert picture is not None

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor, QContextMenuEvent, QImage
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 
 from app.actions.strips import CURVE_MENU
 from app.appearance.theme import LIGHT
@@ -19,7 +19,7 @@ from app.families import HERMITE
 from app.features.curve_list import dragging
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.workbench.strip_menu import strip_menu
-from tests.gui.curve_rows import heard, rows, view_of
+from tests.gui.curve_rows import click_row, heard, place_in, row_named, rows, view_of
 from tests.gui.editor_facts import undo_text
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -48,20 +48,6 @@ def rings(editor):
     editor.show_dock("curvesDock")
     editor.fit()
     return editor
-
-
-def row_named(editor, name):
-    return [text.strip() for text in rows(editor)].index(name)
-
-
-def place_in(editor, name, spot=Spot.NAME):
-    view = view_of(editor)
-    return spot_rect(view.parts.entry_rect(row_named(editor, name)), spot).center()
-
-
-def click_row(editor, name, keys=NO_KEYS, spot=Spot.NAME):
-    QTest.mouseClick(view_of(editor).viewport(), LEFT, keys, place_in(editor, name, spot))
-    editor.settle()
 
 
 def fold(editor, name):
@@ -680,12 +666,7 @@ def test_a_rubber_band_takes_shapes_and_groups_whole_or_not(whole):
 
 
 def test_the_menu_of_a_fill_is_about_the_whole_group(whole):
-    canvas = whole.window.canvas
-    place = canvas.to_pixel(2.2, 0.3)
-    port = canvas.viewport()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
-    QApplication.sendEvent(port, event)
-    whole.settle()
+    whole.open_menu((2.2, 0.3))
     assert chosen_as_wholes(whole) == ALL
     whole.choose("ungroupCurves")
     assert groups(whole) == [()] * 3

@@ -20,14 +20,6 @@ from app.window import MainWindow
 
 
 @pytest.fixture
-def arch(editor):
-    editor.session.commit(Document((make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))),)), "Begin")
-    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
-    editor.settle()
-    return editor
-
-
-@pytest.fixture
 def picture(tmp_path):
     image = QImage(60, 80, QImage.Format.Format_RGB32)
     image.fill(QColor("#ff0000"))

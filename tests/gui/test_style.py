@@ -485,16 +485,6 @@ def test_fill_and_stroke_have_their_place_and_width(editor):
     assert seen(editor, 0.25, 2.7) == BLUE
 
 
-def test_a_hole_is_a_hole(editor):
-    style = Style(stroke="none", fill=BLUE, fill_rule=FillRule.EVENODD)
-    outer, inner = (square(k, k, 6 - 2 * k, f"{k}", shape="o", style=style) for k in (0, 1))
-    begin(editor, outer, inner, make_curve([(8, 0), (9, 3)], name="Other"), active=2)
-    for active in (2, 0, 1):
-        editor.session.selected.activate(active)
-        editor.select([])
-        assert (seen(editor, 0.5, 3), seen(editor, 3.2, 3.2)) == (BLUE, LIGHT.paper.name())
-
-
 def test_an_open_curve_is_filled_to_the_straight_line_between_its_ends(editor):
     arc = replace(make_curve([(0, 0), (1, 2), (3, 2), (4, 0)], name="Arc"), style=Style(fill=BLUE))
     begin(editor, arc)
@@ -635,16 +625,6 @@ def test_the_list_fills_too(editor, panel):
     assert editor.session.undo_stack.undoText() == "Fill Root"
 
 
-def test_curves_that_are_copied_bring_their_style(editor, panel):
-    click(panel, "fillPaint_Blue")
-    editor.session.selected.set_curves([1, 2], 1)
-    editor.key(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
-    editor.session.selected.set_curves([0])
-    editor.key(Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
-    assert styles(editor)[0] == Style(fill=BLUE)
-    assert len(styles(editor)) == 3
-
-
 def test_a_curve_that_is_begun_looks_as_the_one_before(editor, panel):
     click(panel, "strokePaint_Blue")
     enter(editor, panel, "strokeWidth", "0.5")
@@ -754,11 +734,7 @@ def test_used_colours_stand_below_the_others_and_move_nothing(editor, panel):
     assert panel.findChild(QToolButton, "fillPaint_#102030") is None
     used = ["#102030", "#405060", "#708090", "#a0b0c0", "#d0e0f0"]
     for colour in used:
-        edit.setFocus()
-        edit.selectAll()
-        editor.type_text(edit, colour)
-        QTest.keyClick(edit, Qt.Key.Key_Return)
-        editor.settle()
+        enter(editor, panel, "fillPaintHex", colour)
     swatches = [panel.findChild(QToolButton, f"fillPaint_{colour}") for colour in used]
     always = panel.findChild(QToolButton, "fillPaint_Blue")
     level = always.mapTo(panel, QPoint()).y()

@@ -6,19 +6,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
-from app.document.model import Document, make_curve
 from app.document.transforms import clean_step
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 RIGHT, UP = Qt.Key.Key_Right, Qt.Key.Key_Up
-
-
-@pytest.fixture
-def arch(editor):
-    editor.session.commit(Document((make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))),)), "Begin")
-    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
-    editor.settle()
-    return editor
 
 
 def shown_place(editor):

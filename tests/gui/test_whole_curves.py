@@ -6,21 +6,22 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QContextMenuEvent, QImage
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 
 from app.appearance.colours import point_colours
 from app.canvas.other_curves_layer import loose_places, sections_of
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
-from app.features.curve_list.row_parts import Spot, spot_rect
-from tests.gui.curve_rows import heard, open_row_menu, rows, view_of
+from app.features.curve_list.row_parts import Spot
+from tests.gui.curve_rows import click_row, heard, open_row_menu, row_named
 from tests.gui.editor_facts import chosen, moved_by, on_curve, transform
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
+NO_KEYS = Qt.KeyboardModifier.NoModifier
 RETURN = Qt.Key.Key_Return
 
 
@@ -74,12 +75,7 @@ def test_escape_lets_go_of_points_then_of_the_curve_then_of_all(three):
 def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
     """It opened that of the canvas."""
     whole.session.selected.choose(places)
-    viewport = whole.window.canvas.viewport()
-    place = viewport.rect().center()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Keyboard, place, viewport.mapToGlobal(place))
-    QApplication.sendEvent(viewport, event)
-    whole.settle()
-    menu = QApplication.activePopupWidget()
+    menu = whole.press_menu_key()
     found = {entry.objectName() for entry in menu.actions()}
     menu.close()
     assert "deleteSelection" in found or "deleteCurve" in found
@@ -117,10 +113,10 @@ def test_enter_edits_all_that_are_chosen_and_escape_leaves_them_chosen(whole):
     assert whole.status.startswith("2 curves are chosen, and edited no longer")
     assert whole.status.endswith("Enter edits them.")
     # By the action it goes the same way.
-    whole.trigger("editCurve")
-    assert (selected.is_editing, chosen(whole)) == (True, "AC")
-    whole.trigger("editCurve")
-    assert (selected.is_editing, chosen(whole)) == (False, "AC")
+    for is_editing in (True, False):
+        whole.trigger("editCurve")
+        assert (selected.is_editing, chosen(whole)) == (is_editing, "AC")
+        assert whole.action("editCurve").isChecked() == is_editing
     whole.escape()
     assert (selected.is_editing, chosen(whole)) == (False, "")
 
@@ -155,7 +151,7 @@ def test_what_needs_points_edits_again(whole, how):
     if how == "table":
         whole.select([1])
     elif how == "menu of the list":
-        open_row_menu(whole, row_of(whole, "C"))
+        open_row_menu(whole, row_named(whole, "C"))
         whole.choose("editCurve")
         assert whole.curve.name == "C"
     elif how == "pen":
@@ -168,59 +164,26 @@ def test_what_needs_points_edits_again(whole, how):
     assert chosen(whole) == ""
 
 
-def row_of(editor, name):
-    return [text.strip() for text in rows(editor)].index(name)
-
-
-def click_in_list(editor, name, keys=Qt.KeyboardModifier.NoModifier):
-    view = view_of(editor)
-    place = spot_rect(view.parts.entry_rect(row_of(editor, name)), Spot.NAME).center()
-    QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, keys, place)
-    editor.settle()
-
-
 def test_a_click_in_the_list_chooses_as_the_arrow_does(whole):
     """Where nothing is edited it begins no editing, and panels show what was clicked."""
     whole.show_dock("curvesDock")
     found = []
     for name, keys in (
-        ("C", None),
-        ("A", None),
-        ("C", CTRL),
-        ("A", CTRL),
-        ("C", CTRL),
-        ("A", None),
-        ("C", SHIFT),
+        *(("C", NO_KEYS), ("A", NO_KEYS)),
+        *(("C", CTRL), ("A", CTRL), ("C", CTRL)),
+        *(("A", NO_KEYS), ("C", SHIFT)),
     ):
-        click_in_list(whole, name, keys or Qt.KeyboardModifier.NoModifier)
+        click_row(whole, name, keys)
         found.append(chosen(whole))
         assert not whole.session.selected.is_editing
         assert whole.session.active_index in whole.session.selected.curves
     assert found == ["C", "A", "AC", "C", "", "A", "ABC"]
-    click_in_list(whole, "C")
+    click_row(whole, "C")
     assert state(whole) == (False, "C", "C")
     assert whole.session.meant_view is whole.session.views[2]
     before = whole.session.document
     whole.drag(on_curve(whole, 2), np.add(on_curve(whole, 2), (0.5, 0.0)))
     assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
-
-
-def test_a_click_in_the_list_edits_while_a_curve_is_edited_as_one_on_the_canvas(three):
-    three.show_dock("curvesDock")
-    three.select([1])
-    click_in_list(three, "C")
-    assert (state(three), three.session.selection) == ((True, "", "C"), frozenset())
-    three.click(on_curve(three, 0))
-    assert state(three) == (True, "", "A")
-
-
-def test_the_action_goes_both_ways(three):
-    three.trigger("editCurve")
-    assert state(three) == (False, "B", "B")
-    assert not three.action("editCurve").isChecked()
-    three.trigger("editCurve")
-    assert state(three) == (True, "", "B")
-    assert three.action("editCurve").isChecked()
 
 
 def test_the_list_and_the_sheet_say_what_is_chosen(whole):
