@@ -50,7 +50,10 @@ aims = st.tuples(
     st.integers(0, 40),
     places,
 )
-keys = st.lists(st.sampled_from(["1", "5", "0", ".", "-", "x", "y", "g", "s", "r", "backspace"]), max_size=4)
+keys = st.lists(
+    st.sampled_from(["1", "5", "0", ".", "-", "/", "m", "x", "y", "g", "s", "r", "R", "backspace"]),
+    max_size=4,
+)
 
 
 def refused(_document):
@@ -283,6 +286,9 @@ class Gestures(RuleBasedStateMachine):
             self.tool.progress()
         if ending == "release":
             self.tool.key("enter")
+            if self.tool.is_pressed:
+                # What was typed is no number yet.
+                self.tool.cancel()
             self.note()
         else:
             self.end(self.tool, ending, self.pointer(at))
