@@ -13,7 +13,7 @@ RESERVED = {
     Qt.Key.Key_Escape: "steps back from whatever is going on",
     Qt.Key.Key_Tab: "walks from one thing to the next",
     Qt.Key.Key_Backtab: "walks from one thing to the one before",
-    Qt.Key.Key_Space: "held, makes the mouse pan; tapped, takes the Select tool and the one before",
+    Qt.Key.Key_Space: "held, makes the mouse pan",
     Qt.Key.Key_E: "held, takes the ticks of the t-rail along",
     Qt.Key.Key_Left: "moves what is selected",
     Qt.Key.Key_Right: "moves what is selected",

@@ -111,7 +111,6 @@ _WITH_ANY_TOOL = (
     GestureRow("Drop a file", "open a document, or trace a picture"),
     GestureRow("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
     GestureRow("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
-    GestureRow("Space, tapped", "the Select tool, and from there the tool used before"),
 )
 
 
