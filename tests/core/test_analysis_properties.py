@@ -1,13 +1,10 @@
 """What holds for every curve, on curves that hypothesis makes up; no warning is allowed."""
 
 import numpy as np
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from curvecore import (
-    HermiteCurve,
-    LagrangeCurve,
-    QuinticHermiteCurve,
     arc_length,
     bounding_box,
     curvature,
@@ -23,24 +20,11 @@ from curvecore import (
     self_intersections,
     worst_case_band,
 )
+from tests.core.made_curves import curves_of, numbers
 
 profile = settings(derandomize=True, deadline=None, max_examples=25)
-numbers = st.floats(-1e6, 1e6, allow_subnormal=False)
 few = st.sampled_from([-2.0, -1.0, 0.0, 0.5, 1.0])  # coincidences: lines, repeated points, points at rest
-
-
-@st.composite
-def curves(draw):
-    n = draw(st.integers(2, 8))
-    coordinate = draw(st.sampled_from([numbers, few]))
-    rows = [draw(st.lists(coordinate, min_size=2 * n, max_size=2 * n)) for _ in range(3)]
-    data = [np.array(row).reshape(n, 2) for row in rows]
-    gaps = np.array(draw(st.lists(st.floats(1e-3, 1e3), min_size=n - 1, max_size=n - 1)))
-    parameters = draw(st.floats(-1e3, 1e3)) + np.concatenate(([0.0], np.cumsum(gaps)))
-    assume((np.diff(parameters) > 0.0).all())
-    kind = draw(st.sampled_from([LagrangeCurve, HermiteCurve, QuinticHermiteCurve]))
-    count = {LagrangeCurve: 1, HermiteCurve: 2, QuinticHermiteCurve: 3}[kind]
-    return kind(*data[:count], parameters)
+curves = curves_of([numbers, few], most=8, least_gap=1e-3)
 
 
 def samples(curve, count=101):
@@ -53,7 +37,7 @@ def samples(curve, count=101):
 
 
 @profile
-@given(curves())
+@given(curves)
 def test_boxes_lengths_and_nearest_points(curve):
     _, points, noise = samples(curve)
     box = bounding_box(curve)
@@ -72,7 +56,7 @@ def test_boxes_lengths_and_nearest_points(curve):
 
 
 @profile
-@given(curves())
+@given(curves)
 def test_places_are_in_the_domain_and_ordered(curve):
     first, last = curve.domain
     t, _, _ = samples(curve)
@@ -89,7 +73,7 @@ def test_places_are_in_the_domain_and_ordered(curve):
 
 
 @profile
-@given(curves())
+@given(curves)
 def test_stability(curve):
     t, _, _ = samples(curve)
     assert lebesgue_function(curve, t).max() <= lebesgue_constant(curve) * (1.0 + 1e-11)

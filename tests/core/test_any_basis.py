@@ -1,8 +1,5 @@
 """Curves of which nothing is known but a basis: all that follows from it, against what is known otherwise."""
 
-from importlib import import_module
-from pkgutil import iter_modules
-
 import numpy as np
 import pytest
 
@@ -12,7 +9,6 @@ from curvecore import (
     CurveError,
     FrozenFlattening,
     LagrangeCurve,
-    ParametricCurve,
     Scheme,
     arc_length,
     bezier_stretch,
@@ -21,7 +17,6 @@ from curvecore import (
     cubic_path,
     curvature,
     ensemble,
-    families,
     flatten_pieces,
     inflections,
     joint_report,
@@ -33,6 +28,7 @@ from curvecore import (
     uniform,
     worst_case_band,
 )
+from tests.core.made_curves import core_families, hats
 
 
 def polynomials(t, parameters):
@@ -42,10 +38,6 @@ def polynomials(t, parameters):
         others = np.delete(parameters, i)
         columns.append(np.prod((t[:, None] - others) / (own - others), axis=1))
     return np.stack(columns, axis=1)
-
-
-def hats(t, parameters):
-    return np.stack([np.interp(t, parameters, unit) for unit in np.eye(len(parameters))], axis=1)
 
 
 def gaussians(t, parameters):
@@ -86,19 +78,9 @@ def twins(points):
 WHERE = np.linspace(0.01, 0.97, 37)
 
 
-def _families_of_points():
-    """The core's families whose data are points alone."""
-    modules = [import_module(f"curvecore.families.{each.name}") for each in iter_modules(families.__path__)]
-    found = {each for module in modules for each in vars(module).values() if isinstance(each, type)}
-    named = (
-        each
-        for each in found
-        if issubclass(each, ParametricCurve) and isinstance(vars(each).get("name"), str)
-    )
-    return sorted((each for each in named if not each.derivatives), key=lambda each: each.name)
-
-
-@pytest.mark.parametrize("kind", _families_of_points(), ids=lambda kind: kind.name)
+@pytest.mark.parametrize(
+    "kind", [each for each in core_families() if not each.derivatives], ids=lambda kind: kind.name
+)
 def test_every_family_seen_through_its_functions_alone_is_the_same_curve(kind, points):
     """What the core knows of it besides makes it faster, not another one."""
 

@@ -1,8 +1,5 @@
 """What is measured of basis functions: against faults that are put in on purpose, whose size is known."""
 
-from importlib import import_module
-from pkgutil import iter_modules
-
 import numpy as np
 import pytest
 
@@ -10,40 +7,22 @@ from curvecore import (
     BasisCurve,
     CardinalDefect,
     Miss,
-    ParametricCurve,
     Scheme,
     cardinal_defect,
     chebyshev,
-    families,
     slope_defect,
     sum_defect,
     uniform,
     worst_miss,
 )
+from tests.core.made_curves import core_families, hats
 
 POINTS = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0], [4.0, 3.0], [5.0, 0.0]])
 TIMES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
 
 
-def hats(t, parameters):
-    return np.stack([np.interp(t, parameters, unit) for unit in np.eye(len(parameters))], axis=1)
-
-
 def curve_of(basis, times=TIMES, points=POINTS, **more):
     return BasisCurve(points, times, Scheme("own", basis, breaks=lambda parameters: parameters, **more))
-
-
-def _classes():
-    modules = [import_module(f"curvecore.families.{each.name}") for each in iter_modules(families.__path__)]
-    found = {each for module in modules for each in vars(module).values() if isinstance(each, type)}
-    return sorted(
-        (
-            each
-            for each in found
-            if issubclass(each, ParametricCurve) and isinstance(vars(each).get("name"), str)
-        ),
-        key=lambda each: each.name,
-    )
 
 
 PARAMETERS = {
@@ -58,7 +37,7 @@ PARAMETERS = {
 }
 
 
-@pytest.mark.parametrize("kind", _classes(), ids=lambda kind: kind.name)
+@pytest.mark.parametrize("kind", core_families(), ids=lambda kind: kind.name)
 @pytest.mark.parametrize("times", PARAMETERS.values(), ids=PARAMETERS)
 def test_nothing_is_wrong_with_the_families_of_the_core(kind, times, rng):
     jets = rng.standard_normal((len(times), kind.derivatives + 1, 2))

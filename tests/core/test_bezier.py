@@ -15,15 +15,9 @@ from curvecore import (
     cubic_path,
     uniform,
 )
+from tests.core.made_curves import de_casteljau
 
 T = np.array([0.0, 0.25, 1.0, 1.5])
-
-
-def de_casteljau(controls, s):
-    level = [[Fraction(float(x)) for x in point] for point in controls]
-    while len(level) > 1:
-        level = [[(1 - s) * a + s * b for a, b in zip(p, q, strict=True)] for p, q in pairwise(level)]
-    return np.array([float(x) for x in level[0]])
 
 
 def curves(rng):

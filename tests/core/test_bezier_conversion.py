@@ -1,7 +1,6 @@
 """Control points of stretches of any curve, exactly."""
 
 from fractions import Fraction
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -19,13 +18,7 @@ from curvecore import (
     lagrange_to_bezier,
     uniform,
 )
-
-
-def de_casteljau(controls, s):
-    level = [[Fraction(float(x)) for x in point] for point in controls]
-    while len(level) > 1:
-        level = [[(1 - s) * a + s * b for a, b in zip(p, q, strict=True)] for p, q in pairwise(level)]
-    return np.array([float(x) for x in level[0]])
+from tests.core.made_curves import de_casteljau
 
 
 @pytest.mark.parametrize("by", [0, 1, 2, 7])

@@ -10,17 +10,15 @@ from curvecore import (
     Chain,
     HermiteCurve,
     LagrangeCurve,
-    QuinticHermiteCurve,
     ToleranceWarning,
     chebyshev,
     chord_length,
     flatten,
     flatten_parameters,
     flatten_pieces,
-    natural_spline_accelerations,
-    natural_spline_velocities,
     uniform,
 )
+from tests.core.made_curves import family
 from tests.effort import calls_of
 
 
@@ -40,17 +38,6 @@ def distances(curve, parameters, box=None, samples=40):
         inside = ((points >= box[:2]) & (points <= box[2:])).all(axis=-1)
         distance = np.where(inside, distance, 0.0)
     return distance.max()
-
-
-def family(name, points, parameters):
-    if name == "lagrange":
-        return LagrangeCurve(points, parameters)
-    velocities = natural_spline_velocities(points, parameters)
-    if name == "hermite":
-        return HermiteCurve(points, velocities, parameters)
-    return QuinticHermiteCurve(
-        points, velocities, natural_spline_accelerations(points, parameters), parameters
-    )
 
 
 every_family = pytest.mark.parametrize("name", ["lagrange", "hermite", "quintic_hermite"])

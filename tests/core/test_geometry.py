@@ -16,27 +16,16 @@ from curvecore import (
     curvature_extrema,
     curvature_of,
     inflections,
-    natural_spline_accelerations,
-    natural_spline_velocities,
     speed,
     uniform,
 )
 from curvecore.analysis.bounding_boxes import bounding_boxes
 from curvecore.analysis.lengths import arc_lengths
 from curvecore.bezier.pieces import bezier_pieces
+from tests.core.made_curves import family
 
 FAMILIES = ["lagrange", "hermite", "quintic_hermite"]
 every_family = pytest.mark.parametrize("name", FAMILIES)
-
-
-def family(name, points, parameters):
-    if name == "lagrange":
-        return LagrangeCurve(points, parameters)
-    velocities = natural_spline_velocities(points, parameters)
-    if name == "hermite":
-        return HermiteCurve(points, velocities, parameters)
-    accelerations = natural_spline_accelerations(points, parameters)
-    return QuinticHermiteCurve(points, velocities, accelerations, parameters)
 
 
 def circle(segments, radius=1.0):

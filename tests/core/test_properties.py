@@ -6,29 +6,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from curvecore import (
-    HermiteCurve,
-    LagrangeCurve,
-    QuinticHermiteCurve,
     flatten_parameters,
     natural_spline_velocities,
     power,
 )
+from tests.core.made_curves import curves_of, numbers
 
 profile = settings(derandomize=True, deadline=None, max_examples=40)
-numbers = st.floats(-1e6, 1e6, allow_subnormal=False)
-
-
-@st.composite
-def curves(draw):
-    n = draw(st.integers(2, 9))
-    rows = [draw(st.lists(numbers, min_size=2 * n, max_size=2 * n)) for _ in range(3)]
-    data = [np.array(row).reshape(n, 2) for row in rows]
-    gaps = np.array(draw(st.lists(st.floats(1e-9, 1e3), min_size=n - 1, max_size=n - 1)))
-    parameters = draw(st.floats(-1e3, 1e3)) + np.concatenate(([0.0], np.cumsum(gaps)))
-    assume((np.diff(parameters) > 0.0).all())
-    kind = draw(st.sampled_from([LagrangeCurve, HermiteCurve, QuinticHermiteCurve]))
-    count = {LagrangeCurve: 1, HermiteCurve: 2, QuinticHermiteCurve: 3}[kind]
-    return kind(*data[:count], parameters)
+curves = curves_of([numbers], most=9, least_gap=1e-9)
 
 
 def parameters_at(curve, places):
@@ -38,7 +23,7 @@ def parameters_at(curve, places):
 
 
 @profile
-@given(curves(), st.lists(st.floats(-0.5, 1.5), min_size=1, max_size=9), st.integers(0, 3))
+@given(curves, st.lists(st.floats(-0.5, 1.5), min_size=1, max_size=9), st.integers(0, 3))
 def test_the_curve_is_the_sum_of_its_functions(curve, places, order):
     t = parameters_at(curve, places)
     basis, values = curve.basis(t, order), curve.evaluate(t, order)
@@ -51,13 +36,13 @@ def test_the_curve_is_the_sum_of_its_functions(curve, places, order):
 
 
 @profile
-@given(curves())
+@given(curves)
 def test_points_are_met_exactly(curve):
     assert (curve.evaluate(curve.parameters) == curve.points).all()
 
 
 @profile
-@given(curves(), st.lists(st.floats(-0.2, 1.2), min_size=1, max_size=9))
+@given(curves, st.lists(st.floats(-0.2, 1.2), min_size=1, max_size=9))
 def test_position_functions_sum_to_one(curve, places):
     basis = curve.basis(parameters_at(curve, places))[:, :, 0]
     assert (np.abs(basis.sum(axis=1) - 1.0) <= 40.0 * 2.0**-53 * np.abs(basis).sum(axis=1)).all()
@@ -65,7 +50,7 @@ def test_position_functions_sum_to_one(curve, places):
 
 @pytest.mark.filterwarnings("ignore::curvecore.ToleranceWarning")
 @profile
-@given(curves(), st.floats(1e-6, 1e3))
+@given(curves, st.floats(1e-6, 1e3))
 def test_flattening_is_ordered_and_bounded(curve, tolerance):
     t = flatten_parameters(curve, tolerance)
     assert t.size <= 2**14

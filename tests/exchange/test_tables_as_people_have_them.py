@@ -43,10 +43,7 @@ FEATURES = {
         {
             "type": "Feature",
             "properties": {"name": "Elbe"},
-            "geometry": {
-                "type": "MultiLineString",
-                "coordinates": TWO_LINES,
-            },
+            "geometry": {"type": "MultiLineString", "coordinates": TWO_LINES},
         },
         {"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[5, 6], [7, 8]]}},
         {"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]}},

@@ -15,13 +15,7 @@ from app.cli import main
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE, Family, family_file, file_calls, time_limit
 from app.families.family import families_of_module
-from app.families.family_file import (
-    FamilyFileError,
-    families_in,
-    families_of_files,
-    forget_file,
-    use_file,
-)
+from app.families.family_file import FamilyFileError, families_in, families_of_files, forget_file, use_file
 from app.families.file_calls import PATIENCE, FileCalls
 from app.storage.format import encode
 from curvecore import CurveError, cardinal_defect, families

@@ -14,7 +14,7 @@ from app.families import FAMILIES, QUINTIC_HERMITE
 from app.view_model.curve.handles import handles_of
 from tests.gui.editor_facts import at
 
-SHIFT = Qt.KeyboardModifier.ShiftModifier
+SHIFT, ALT = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.AltModifier
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
 
 
@@ -295,3 +295,36 @@ def test_a_point_inserted_and_dragged_a_little_changes_the_curve_a_little(pen, k
     pen.escape()
     assert len(pen.curve.points) == 4
     pen.release(place)
+
+
+def test_a_point_being_added_says_where_and_how(pen):
+    pen.press((1.0, 2.0))
+    x, y = pen.window.canvas.to_plane(pen.window.canvas.to_pixel(1.0, 2.0))
+    assert pen.status.startswith(f"Add point 0 at {x:.4g}, {y:.4g}")
+    assert "velocity" not in pen.status
+    pen.move((1.0, 3.0))
+    assert "velocity at 90°" in pen.status
+    assert pen.status.endswith("Escape cancels")
+    pen.escape()
+    pen.release((1.0, 3.0))
+    assert not pen.curve.points
+
+
+def test_a_point_being_inserted_and_a_velocity_pulled_out_say_what_they_do(pen):
+    for x, y in ((1.0, 1.0), (3.0, 1.0), (3.0, 3.0)):
+        pen.add_point(x, y)
+    pen.trigger("addTool")
+    place = tuple(pen.session.active_view.curve.evaluate(0.2))
+    pen.press(place)
+    assert pen.status.startswith("Insert point 1 at t = 0.")
+    pen.move((2.0, 2.0))
+    assert pen.status.startswith("Insert point 1 at 2")
+    pen.escape()
+    pen.release((2.0, 2.0))
+    pen.trigger("selectTool")
+    pen.press(pen.point(1), keys=ALT)
+    pen.move((3.5, 1.5), keys=ALT)
+    assert pen.status.startswith("Velocity of point 1: ")
+    pen.escape()
+    pen.release((3.5, 1.5))
+    assert pen.curve.points[1].velocity is None

@@ -263,11 +263,7 @@ def test_the_curve_in_front_is_at_the_top_and_raise_goes_up(three):
     assert tops == sorted(tops, reverse=True)
     assert list_of(three).model.index(0).data() == "C"
     three.trigger("raiseCurve")
-    assert [list_of(three).model.index(row).data() for row in range(3)] == [
-        "B",
-        "C",
-        "A",
-    ]
+    assert [list_of(three).model.index(row).data() for row in range(3)] == ["B", "C", "A"]
     assert view.parts.row_rect(three.session.active_index).top() == 0
     assert not three.action("raiseCurve").isEnabled()
 

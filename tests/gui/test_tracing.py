@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.appearance.theme import theme_of
-from app.families import HERMITE, QUINTIC_HERMITE
+from app.families import QUINTIC_HERMITE
 from app.features.reference_image.commands import ImageCommands
 
 ALT = Qt.KeyboardModifier.AltModifier
@@ -98,38 +98,3 @@ def test_handles_and_numbers_stand_out_on_the_ink(traced, theme):
     assert abs(mark - ink) > 60
     # Paper lies around the mark, and ink around the paper.
     assert min(abs(each - paper) for each in column[:10]) < 10
-
-
-def test_a_point_being_added_says_where_and_how(traced):
-    traced.choose_family(HERMITE)
-    traced.trigger("addTool")
-    traced.press((1.0, 2.0))
-    x, y = traced.window.canvas.to_plane(traced.window.canvas.to_pixel(1.0, 2.0))
-    assert traced.status.startswith(f"Add point 0 at {x:.4g}, {y:.4g}")
-    assert "velocity" not in traced.status
-    traced.move((1.0, 3.0))
-    assert "velocity at 90°" in traced.status
-    assert traced.status.endswith("Escape cancels")
-    traced.escape()
-    traced.release((1.0, 3.0))
-    assert not traced.curve.points
-
-
-def test_a_point_being_inserted_and_a_velocity_pulled_out_say_what_they_do(traced):
-    for x, y in ((1.0, 1.0), (3.0, 1.0), (3.0, 3.0)):
-        traced.add_point(x, y)
-    traced.trigger("addTool")
-    place = tuple(traced.session.active_view.curve.evaluate(0.2))
-    traced.press(place)
-    assert traced.status.startswith("Insert point 1 at t = 0.")
-    traced.move((2.0, 2.0))
-    assert traced.status.startswith("Insert point 1 at 2")
-    traced.escape()
-    traced.release((2.0, 2.0))
-    traced.trigger("selectTool")
-    traced.press(traced.point(1), keys=ALT)
-    traced.move((3.5, 1.5), keys=ALT)
-    assert traced.status.startswith("Velocity of point 1: ")
-    traced.escape()
-    traced.release((3.5, 1.5))
-    assert traced.curve.points[1].velocity is None

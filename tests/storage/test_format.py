@@ -241,19 +241,11 @@ REFUSED_VALUES = [
         f'curves[0].family is not a choice that this version knows: "{"x" * 40}…"',
     ),
     (("curves", 0, "family"), 3, "curves[0].family must be text, not a whole number"),
-    (
-        ("curves", 0, "family"),
-        None,
-        "curves[0].family must be text, not null",
-    ),
+    (("curves", 0, "family"), None, "curves[0].family must be text, not null"),
     ((*RULE, "kind"), 3, "curves[0].parametrization.kind must be text, not a whole number"),
     ((*RULE, "alpha"), 1.5, "curves[0].parametrization.alpha must lie between 0 and 1, not 1.5"),
     ((*RULE, "alpha"), -0.1, "curves[0].parametrization.alpha must lie between 0 and 1, not -0.1"),
-    (
-        (*RULE, "start"),
-        1.0,
-        "curves[0].parametrization.end must be greater than 1.0, the start, not 1.0",
-    ),
+    ((*RULE, "start"), 1.0, "curves[0].parametrization.end must be greater than 1.0, the start, not 1.0"),
     (
         (*RULE, "end"),
         2e12,
