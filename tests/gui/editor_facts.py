@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 
 
@@ -56,3 +57,11 @@ def transform(editor, key, amount):
     editor.key(getattr(Qt.Key, f"Key_{key}"))
     editor.type_amount(amount)
     editor.key(Qt.Key.Key_Return)
+
+
+def picture(path, width=60, height=80, colour="#ff0000"):
+    """A picture of one colour, in a file."""
+    image = QImage(width, height, QImage.Format.Format_RGB32)
+    image.fill(QColor(colour))
+    assert image.save(str(path))
+    return path

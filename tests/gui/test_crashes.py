@@ -252,14 +252,19 @@ def test_save_and_quit_saves_what_has_a_file(guarded, qapp, tmp_path):
     assert list(snapshot_folder().iterdir()) == []
 
 
+def kept_work():
+    """The document of the only snapshot, which goes."""
+    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
+    snapshot.discard()
+    return snapshot.document
+
+
 def test_save_and_quit_keeps_what_has_no_file_for_the_next_start(guarded, qapp):
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
     assert run(guarded, qapp, fail, lambda: press("saveAndQuit")) == 0
     assert not is_open(guarded.window)
-    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
-    assert snapshot.document == document
-    snapshot.discard()
+    assert kept_work() == document
 
 
 def test_save_and_quit_goes_on_where_saving_fails(guarded, qtbot, tmp_path):
@@ -281,9 +286,7 @@ def test_ctrl_c_ends_the_program_and_keeps_the_work(guarded, qapp):
     assert run(guarded, qapp, interrupt) == 130
     assert dialogs() == []
     assert not is_open(guarded.window)
-    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
-    assert snapshot.document == document
-    snapshot.discard()
+    assert kept_work() == document
 
 
 def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
@@ -292,9 +295,7 @@ def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
     guarded.lifecycle.prepare_for_end()
     guarded.window.close()
     assert not is_open(guarded.window)
-    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
-    assert snapshot.document == document
-    snapshot.discard()
+    assert kept_work() == document
 
 
 def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):

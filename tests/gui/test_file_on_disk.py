@@ -367,9 +367,13 @@ def test_half_a_file_is_waited_for(saved, path, until):
     assert saved.file_bar.text.endswith("was changed on the disk by another program.")
 
 
-def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
+@pytest.fixture
+def few_checks(monkeypatch):
     monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
     monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
+
+
+def test_a_file_that_stays_broken_is_said(saved, path, until, few_checks):
     mine = saved.session.document
     path.write_bytes(b"not ours")
     until(lambda: saved.file_bar.text)
@@ -380,9 +384,7 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
     assert load(path) == mine
 
 
-def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
-    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
+def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, few_checks):
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_bar.text)
     assert "is gone from its folder" in saved.file_bar.text
@@ -394,9 +396,7 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
 
 
 @pytest.mark.parametrize("tries_to_save", [False, True])
-def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, monkeypatch, tries_to_save):
-    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
-    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
+def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, few_checks, tries_to_save):
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_bar.text)

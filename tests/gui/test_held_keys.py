@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenuBar
 
@@ -12,6 +11,7 @@ from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import HERMITE
 from app.features.reference_image.commands import ImageCommands
+from tests.gui.editor_facts import picture
 
 Key = Qt.Key
 FLAGS = {
@@ -177,10 +177,7 @@ def test_a_transform_begun_with_the_pointer_elsewhere_hears_them(arch):
 
 
 def test_the_picture_keeps_to_an_axis_at_once(arch, tmp_path):
-    image = QImage(60, 80, QImage.Format.Format_RGB32)
-    image.fill(QColor("#ff0000"))
-    assert image.save(str(tmp_path / "red.png"))
-    arch.window.commands[ImageCommands].trace(tmp_path / "red.png")
+    arch.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
     arch.trigger("moveImage")
     assert arch.window.canvas.tools.tool.finds_image
     before = arch.session.document.image

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
-from PySide6.QtGui import QColor, QImage, QMouseEvent
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
@@ -13,6 +13,7 @@ from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.reference_image.commands import ImageCommands
 from app.window.command_palette import CommandPalette
+from tests.gui.editor_facts import picture
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 Key = Qt.Key
@@ -83,10 +84,7 @@ def test_a_dialog_takes_the_gesture_back(arch, what):
 
 
 def test_a_dialog_takes_a_drag_of_the_picture_back(arch, tmp_path):
-    image = QImage(60, 80, QImage.Format.Format_RGB32)
-    image.fill(QColor("#ff0000"))
-    assert image.save(str(tmp_path / "red.png"))
-    arch.window.commands[ImageCommands].trace(tmp_path / "red.png")
+    arch.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
     arch.trigger("moveImage")
     before = arch.session.document.image
     arch.press((before.x + before.width / 2, before.y + before.height / 2))

@@ -22,14 +22,7 @@ from app.document.transforms import clean_step
 from app.features.reference_image.commands import ImageCommands
 from app.storage.files import load
 from app.testing import Editor
-from tests.gui.editor_facts import retype
-
-
-def picture(path, width=60, height=80, colour="#ff0000"):
-    image = QImage(width, height, QImage.Format.Format_RGB32)
-    image.fill(QColor(colour))
-    assert image.save(str(path))
-    return path
+from tests.gui.editor_facts import picture, retype
 
 
 @pytest.fixture

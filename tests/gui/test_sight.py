@@ -6,7 +6,7 @@ import math
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QGuiApplication, QImage
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
@@ -17,15 +17,12 @@ from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing import wait_for_rest
 from app.window import MainWindow
+from tests.gui.editor_facts import picture
 
 
 @pytest.fixture
-def picture(tmp_path):
-    image = QImage(60, 80, QImage.Format.Format_RGB32)
-    image.fill(QColor("#ff0000"))
-    path = tmp_path / "red.png"
-    assert image.save(str(path))
-    return path
+def red(tmp_path):
+    return picture(tmp_path / "red.png")
 
 
 # Fitting
@@ -38,9 +35,9 @@ def in_sight(editor, low, high):
     return x_min < low[0] < high[0] < x_max and y_min < low[1] < high[1] < y_max and fills > 0.5
 
 
-def test_fit_shows_the_picture_while_there_are_no_points(editor, picture):
+def test_fit_shows_the_picture_while_there_are_no_points(editor, red):
     editor.new()
-    editor.window.commands[ImageCommands].trace(picture)
+    editor.window.commands[ImageCommands].trace(red)
     image = editor.session.document.image
     corners = (image.x, image.y), (image.x + image.width, image.y + image.height)
     editor.window.canvas.camera.show_box((1000, 1010), (1000, 1010))
@@ -108,12 +105,12 @@ def test_the_first_words_fit_the_tool(editor):
     assert editor.message == ""
 
 
-def test_a_missing_picture_is_said_before_the_first_words(editor, picture, tmp_path):
+def test_a_missing_picture_is_said_before_the_first_words(editor, red, tmp_path):
     editor.new()
-    editor.window.commands[ImageCommands].trace(picture)
+    editor.window.commands[ImageCommands].trace(red)
     path = tmp_path / "a.curve.json"
     editor.session.save(path)
-    picture.unlink()
+    red.unlink()
     editor.window.open_file(path)
     assert editor.message.startswith("The reference image is not shown.")
     offer = editor.window.message_bar.findChild(QToolButton, "offeredAction")
@@ -124,8 +121,8 @@ def test_a_missing_picture_is_said_before_the_first_words(editor, picture, tmp_p
 # What is lit, and what is there
 
 
-def test_no_tool_for_points_is_lit_while_the_picture_is_moved(arch, picture):
-    arch.window.commands[ImageCommands].trace(picture)
+def test_no_tool_for_points_is_lit_while_the_picture_is_moved(arch, red):
+    arch.window.commands[ImageCommands].trace(red)
     arch.trigger("addTool")
     arch.trigger("moveImage")
     for name in ("selectTool", "addTool", "measureTool", "explainWiggle"):
@@ -136,8 +133,8 @@ def test_no_tool_for_points_is_lit_while_the_picture_is_moved(arch, picture):
 
 
 @pytest.mark.parametrize("name", ["selectTool", "addTool", "measureTool"])
-def test_a_tool_takes_the_mouse_back_from_the_picture(arch, picture, name):
-    arch.window.commands[ImageCommands].trace(picture)
+def test_a_tool_takes_the_mouse_back_from_the_picture(arch, red, name):
+    arch.window.commands[ImageCommands].trace(red)
     arch.trigger("moveImage")
     arch.trigger(name)
     assert not arch.action("moveImage").isChecked()
@@ -147,8 +144,8 @@ def test_a_tool_takes_the_mouse_back_from_the_picture(arch, picture, name):
     assert arch.action(name).isChecked()
 
 
-def test_escape_leaves_moving_the_picture_and_lights_the_tool_again(arch, picture):
-    arch.window.commands[ImageCommands].trace(picture)
+def test_escape_leaves_moving_the_picture_and_lights_the_tool_again(arch, red):
+    arch.window.commands[ImageCommands].trace(red)
     arch.trigger("addTool")
     arch.trigger("moveImage")
     arch.escape()
@@ -156,13 +153,13 @@ def test_escape_leaves_moving_the_picture_and_lights_the_tool_again(arch, pictur
     assert arch.action("addTool").isChecked()
 
 
-def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, picture, tmp_path):
+def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, red, tmp_path):
     preferences = tmp_path / "settings.ini"
     first = MainWindow(Session(), Preferences(preferences))
     qtbot.addWidget(first)
     with qtbot.waitExposed(first):
         first.show()
-    first.commands[ImageCommands].trace(picture)
+    first.commands[ImageCommands].trace(red)
     assert first.context.docks["imageDock"].isVisible()
     first.session.files.give_up_changes()
     first.close()
@@ -173,8 +170,8 @@ def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, pict
     assert second.context.docks["imageDock"].isHidden()
 
 
-def test_folding_the_side_does_not_bring_it_back(arch, picture):
-    arch.window.commands[ImageCommands].trace(picture)
+def test_folding_the_side_does_not_bring_it_back(arch, red):
+    arch.window.commands[ImageCommands].trace(red)
     arch.trigger("toggleSidePanel")
     arch.trigger("undo")
     arch.trigger("toggleSidePanel")
