@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -19,6 +18,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import CodeType, FrameType
 from typing import TYPE_CHECKING, NamedTuple
+
+from tests.effort import profile
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
@@ -56,12 +57,7 @@ def codes_called(work: Callable[[], object]) -> Counter[CodeType]:
         if event == "call":
             codes[frame.f_code] += 1
 
-    before = sys.getprofile()
-    sys.setprofile(note)
-    try:
-        work()
-    finally:
-        sys.setprofile(before)
+    profile(work, note)
     return codes
 
 

@@ -4,8 +4,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from types import FrameType
 
 import pytest
+
+
+def profile(work: Callable[[], object], note: Callable[[FrameType, str, object], None]) -> None:
+    """Do `work`, and tell `note` of each call and return in it."""
+    before = sys.getprofile()
+    sys.setprofile(note)
+    try:
+        work()
+    finally:
+        sys.setprofile(before)
 
 
 def calls_of(work: Callable[[], object]) -> int:
@@ -16,12 +27,7 @@ def calls_of(work: Callable[[], object]) -> int:
         nonlocal count
         count += event in ("call", "c_call")
 
-    before = sys.getprofile()
-    sys.setprofile(note)
-    try:
-        work()
-    finally:
-        sys.setprofile(before)
+    profile(work, note)
     return count
 
 

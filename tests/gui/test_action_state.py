@@ -3,19 +3,13 @@
 import random
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
-from random_person import RandomPerson
-from test_random_use import files_of
+from test_random_use import random_person
 
 from app.actions.keymap import is_so_already, why_not
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
-from app.session import Session
-from app.testing import Editor
-from app.window import MainWindow
 from app.window.connect import all_actions
 from tests.count_drag import codes_called
-from tests.gui.family_files import forget_family_files
 
 STEPS = 70
 
@@ -49,26 +43,11 @@ def assert_as_rendered_anew(editor):
 
 @pytest.mark.parametrize("seed", [3, 4])
 def test_actions_are_always_as_if_rendered_anew(qtbot, tmp_path, seed):
-    window = MainWindow(Session())
-    window.resize(1200, 800)
-    with qtbot.waitExposed(window):
-        window.show()
     (tmp_path / "files").mkdir()
-    editor = Editor.on(window)
-    person = RandomPerson(editor, seed, files_of(tmp_path / "files"), tmp_path / "steps.txt")
-    try:
+    with random_person(qtbot, seed, tmp_path / "files", tmp_path / "steps.txt") as person:
         for _ in range(STEPS):
             person.step()
-            assert_as_rendered_anew(editor)
-    except BaseException as problem:
-        problem.add_note("The last steps:\n" + "\n".join(person.steps))
-        raise
-    finally:
-        window.asks_before_closing = False
-        window.close()
-        window.deleteLater()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        forget_family_files()
+            assert_as_rendered_anew(person.editor)
 
 
 WAVE = make_curve([(0, 0), (1, 1), (2, 0), (3, 1)], name="Wave", family=HERMITE)

@@ -141,24 +141,16 @@ def patience(log: Path):
             faulthandler.cancel_dump_traceback_later()
 
 
-def use(qtbot, seed, folder, log, faults, odd_values) -> None:
-    """Use one window for a while; raise with the seed and the last steps where anything is wrong."""
+@contextmanager
+def random_person(qtbot, seed, folder, log):
+    """Put a random person in front of a new window; what is raised names the last steps."""
     window = MainWindow(Session())
     window.resize(1200, 800)
     with qtbot.waitExposed(window):
         window.show()
-    editor = Editor.on(window)
-    person = RandomPerson(editor, seed, files_of(folder), log)
-    person.note(f"— seed {seed}")
+    person = RandomPerson(Editor.on(window), seed, files_of(folder), log)
     try:
-        for number in range(STEPS):
-            with patience(log):
-                person.step()
-            faults.check()
-            assert_sound(editor, odd_values)
-            if number % ROUND_TRIP_EVERY == 0 and not editor.session.is_previewing:
-                assert_history_is_exact(editor.session)
-        editor.wait_for_work()
+        yield person
     except BaseException as problem:
         steps = "\n".join(person.steps)
         again = f"CURVEBENCH_RANDOM_SEED={seed} CURVEBENCH_RANDOM_STEPS={STEPS}"
@@ -170,6 +162,20 @@ def use(qtbot, seed, folder, log, faults, odd_values) -> None:
         window.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         forget_family_files()
+
+
+def use(qtbot, seed, folder, log, faults, odd_values) -> None:
+    """Use one window for a while; raise with the seed and the last steps where anything is wrong."""
+    with random_person(qtbot, seed, folder, log) as person:
+        person.note(f"— seed {seed}")
+        for number in range(STEPS):
+            with patience(log):
+                person.step()
+            faults.check()
+            assert_sound(person.editor, odd_values)
+            if number % ROUND_TRIP_EVERY == 0 and not person.editor.session.is_previewing:
+                assert_history_is_exact(person.editor.session)
+        person.editor.wait_for_work()
 
 
 @pytest.mark.timeout(0 if MINUTES else 240)

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
 from app.appearance.colours import CURVE_COLOURS
 from app.appearance.theme import LIGHT, ThemeMode
 from app.document.model import Document, make_curve
-from app.document.several_curves import with_appearance
 from app.document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from app.families import HERMITE
 from app.features.curve_list.row_parts import Spot
@@ -631,14 +630,6 @@ def test_a_curve_that_is_begun_looks_as_the_one_before(editor, panel):
     editor.trigger("newCurve")
     assert styles(editor)[editor.session.active_index] == Style(stroke=BLUE, width=0.5)
     assert len(styles(editor)) == 4
-
-
-def test_the_last_good_curve_is_faint_and_in_no_picture(editor):
-    leaf = square(0, 0, 4, "Leaf", style=Style(fill=BLUE, stroke=RED, width=0.4))
-    begin(editor, leaf, make_curve([(8, 0), (9, 3)], name="Other"))
-    assert seen(editor, 2, 2.5) == BLUE
-    editor.session.change("Hide", lambda document: with_appearance(document, [0], visible=False))
-    assert seen(editor, 2, 2.5) == LIGHT.paper.name()
 
 
 def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor, panel):
