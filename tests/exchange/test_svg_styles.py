@@ -6,15 +6,13 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, empty_document, make_curve
-from app.document.plane_edits import place_words
+from app.document.model import Document, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange.options import Options
 from app.exchange.rescaled import in_unit
 from app.exchange.svg.matrices import fitted_box
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.features.import_export.intake import intake
 from app.storage.validation import validate
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -384,35 +382,6 @@ def test_lengths_are_the_same_in_another_unit():
     assert new == pytest.approx(tuple(25.4 * each for each in old))
     assert in_unit(found, "s") is found
     assert in_unit(replace(found, unit=""), "mm").curves is found.curves
-
-
-def test_level_and_upright_guides_of_inkscape_come_in_and_go_out_again_and_leaning_ones_are_told():
-    """As Inkscape 1.2 writes them for the edges of the rectangle: in user units, from the lower left."""
-    guides = "".join(
-        f'<sodipodi:guide position="{place}" orientation="{normal}"/>'
-        for place, normal in [
-            ("20,89.999999", "75.590552,0"),
-            ("20,49.999999", "0,113.38583"),
-            ("80,49.999999", "-75.590552,0"),
-            ("80,89.999999", "0,-113.38583"),
-            ("20,49.999999", "0,1"),
-            ("0,0", "0.7071,-0.7071"),
-            ("nan,1", "1,0"),
-        ]
-    )
-    found = read(
-        f"<sodipodi:namedview>{guides}</sodipodi:namedview>"
-        '<rect id="r" x="20" y="10" width="60" height="40" fill="red"/>',
-        'width="100mm" height="50mm" viewBox="0 0 200 100"',
-    )
-    x, y = zip(*(point.position for point in found.document.curves[0].points), strict=True)
-    drawn = [(guide.axis.value, guide.position) for guide in found.document.guides]
-    assert drawn == [("x", min(x)), ("y", min(y)), ("x", max(x)), ("y", max(y))]
-    again = read_svg(svg_of(found.document, Options(unit="mm")).text.encode()).document
-    told = [{place_words(guide) for guide in each.guides} for each in (again, found.document)]
-    assert told[0] == told[1]
-    assert intake(empty_document(), found.document).document.guides == found.document.guides
-    assert found.remarks == ("1 leaning guide left out.", "1 guide without a position left out.")
 
 
 @pytest.mark.parametrize(

@@ -151,26 +151,24 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
     assert (document.curves[0].name, document.unit) == ("Sketch", "")
 
 
-GUIDED = (
-    '<svg xmlns="http://www.w3.org/2000/svg" width="48mm" height="48mm" viewBox="0 0 48 48" '
-    'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><sodipodi:namedview>'
-    '<sodipodi:guide position="3,0" orientation="1,0"/><sodipodi:guide position="0,5" orientation="0,1"/>'
-    '</sodipodi:namedview><path d="M0 0L4 0" stroke="#ff0000"/></svg>'
+MEASURED = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="48mm" height="48mm" viewBox="0 0 48 48">'
+    '<path d="M0 0L4 0" stroke="#ff0000"/></svg>'
 )
 
 
 @pytest.mark.parametrize(
     ("unit", "said"),
     [
-        ("", "Its unit mm and 2 guides stay behind."),
-        ("in", "Lengths are converted from mm to in. 2 guides stay behind."),
+        ("", "Its unit mm stays behind."),
+        ("in", "Lengths are converted from mm to in."),
     ],
 )
 def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_path, unit, said):
-    """Unit and guides were dropped without a word."""
+    """The unit was dropped without a word."""
     blank(editor)
-    path = tmp_path / "guided.svg"
-    path.write_text(GUIDED, encoding="utf-8")
+    path = tmp_path / "measured.svg"
+    path.write_text(MEASURED, encoding="utf-8")
     dialog = opened(editor, path)
     # To a document without curves all of it comes along.
     assert dialog.rest.isHidden()
@@ -185,9 +183,9 @@ def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_pa
     assert dialog.rest.isVisible()
     QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
     editor.settle()
-    assert editor.status == f"Imported guided.svg: 1 curve, 2 points, exact. {said}"
+    assert editor.status == f"Imported measured.svg: 1 curve, 2 points, exact. {said}"
     document = editor.session.document
-    assert (document.unit, document.guides) == (unit, ())
+    assert document.unit == unit
 
 
 def test_what_open_shows_is_opened_and_into_this_document_imported(editor, tmp_path, monkeypatch):
@@ -310,9 +308,8 @@ def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_pat
 LAYERS = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm" viewBox="0 0 60 40"'
     ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
-    ' xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><sodipodi:namedview>'
-    '<sodipodi:guide position="15,0" orientation="1,0"/><sodipodi:guide position="0,10" orientation="0,-1"/>'
-    '</sodipodi:namedview><g inkscape:groupmode="layer" inkscape:label="Back" id="a"'
+    ' xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd">'
+    '<g inkscape:groupmode="layer" inkscape:label="Back" id="a"'
     ' sodipodi:insensitive="true" style="display:none"><path id="ground" d="M0 0H60V40H0Z" fill="#eee"/></g>'
     '<g inkscape:groupmode="layer" inkscape:label="Art work" id="b"><path id="left" d="M5 5H20V20H5Z"'
     ' fill="#00aa00"/><path id="right" d="M40 5H55V20H40Z" fill="#aa0000"/><g id="pair"><path id="one"'
@@ -320,7 +317,7 @@ LAYERS = (
 )
 
 
-def test_layers_of_inkscape_come_in_as_groups_of_their_names_and_its_guides_come_and_go(editor, tmp_path):
+def test_layers_of_inkscape_come_in_as_groups_of_their_names(editor, tmp_path):
     blank(editor)
     path = tmp_path / "layers.svg"
     path.write_text(LAYERS)
@@ -334,6 +331,4 @@ def test_layers_of_inkscape_come_in_as_groups_of_their_names_and_its_guides_come
     assert text.count("insensitive") == text.count("display") == 1
     again = read_svg(text.encode()).document
     assert [curve.groups for curve in again.curves] == [curve.groups for curve in document.curves]
-    assert len(again.guides) == 2
-    assert set(again.guides) == set(document.guides)
     assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4

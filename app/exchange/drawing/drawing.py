@@ -13,7 +13,7 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 from curvecore.bezier.control_points import cubic_path
 
-from ...document.model import Curve, Document, Guide
+from ...document.model import Curve, Document
 from ...document.style import USUAL_WIDTH, Style
 from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve.curve_view import ParametricCurve, view_of
@@ -83,8 +83,6 @@ class Drawing(msgspec.Struct, frozen=True):
         What else is drawn.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
-    guides
-        As in `Document`.
     """
 
     outlines: tuple[Outline, ...]
@@ -93,7 +91,6 @@ class Drawing(msgspec.Struct, frozen=True):
     left_out: tuple[str, ...] = ()
     annotations: tuple[Annotation, ...] = ()
     hidden: tuple[tuple[int, Outline], ...] = ()
-    guides: tuple[Guide, ...] = ()
 
     @property
     def shapes(self) -> list[tuple[Outline, ...]]:
@@ -193,7 +190,6 @@ def drawing_of(
         allowed,
         tuple(remarks),
         hidden=hidden,
-        guides=document.guides,
     )
 
 

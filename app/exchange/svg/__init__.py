@@ -5,7 +5,6 @@
 - ``reader``: SVG as Hermite curves, and what of a file is lost.
   ``xml_tree``: elements, without DTD and entities, with their names.  ``groups``: what holds them.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
-- ``guides``: those of Inkscape.
 - ``shapes``, ``path_data``: outlines.  ``clips``: boxes that cut.
 - ``cascade``, ``properties``, ``paint``: the style of an element, from attributes and rules.
 - ``fragments``: SVG as people copy it.

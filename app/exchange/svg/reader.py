@@ -15,7 +15,6 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import Guide
 from ...document.shapes import tidy_shapes
 from ...document.style import Style
 from ...view_model.geometry.extents import extent_of
@@ -27,7 +26,6 @@ from ..rescaled import shifted
 from .cascade import Cascade
 from .clips import Window, clip_box
 from .groups import Drawn, Group, is_seen, settled, with_line
-from .guides import guides_of
 from .lengths import Viewport
 from .matrices import (
     Box,
@@ -131,9 +129,8 @@ def _read(data: bytes, tolerance: float | None) -> tuple[Imported, _Reader]:
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
-    paths, guides = reader.all_paths(), reader.guides()
-    found = imported(paths, reader.missed)
-    document = msgspec.structs.replace(found.document, unit=reader.sheet.unit, guides=guides)
+    found = imported(reader.all_paths(), reader.missed)
+    document = msgspec.structs.replace(found.document, unit=reader.sheet.unit)
     return replace(found, document=tidy_shapes(document)), reader
 
 
@@ -207,16 +204,6 @@ class _Reader:
         for number in dict.fromkeys(each.element for each in unseen):
             self.missed.note_of(self._shapes[number - 1], flaw)
         return settled(seen or [with_line(each) for each in drawn])
-
-    def guides(self) -> tuple[Guide, ...]:
-        """Return the guides of the file, each once."""
-        found: dict[Guide, None] = {}
-        for element, guide in guides_of(self._root, self.sheet):
-            if isinstance(guide, Flaw):
-                self.missed.note_of(element, guide)
-            else:
-                found[guide] = None
-        return tuple(found)
 
     def _drawn(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
         """Yield the paths of an element and those in it."""

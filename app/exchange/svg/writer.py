@@ -20,7 +20,6 @@ from ..options import DEFAULT, Options
 from ..parts import rounded_up
 from ..rescaled import in_unit, shifted
 from ..units import css_length
-from .guides import view_elements
 from .numbers import escaped, number
 from .our_own import MARK
 from .tree import Tree, dash_style, pair
@@ -40,7 +39,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
     part of a document they may be those from its upper left corner. A piece of a cubic Hermite curve is
     exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as the tolerance
     takes; the largest deviation stands in a comment and in the metadata. The curves of a shape are one path,
-    in their groups and with its style; hidden ones are there, and not displayed. Guides are Inkscape's.
+    in their groups and with its style; hidden ones are there, and not displayed.
     Points are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
 
     Raises
@@ -98,7 +97,6 @@ def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options:
         f'<svg xmlns="http://www.w3.org/2000/svg" {_SPACES} width="{wide}" height="{high}" viewBox="{box}">',
         # No <desc>: Inkscape takes that for the description of a layer.
         f"  <metadata>{escaped(' '.join([note, *drawing.left_out]))}</metadata>",
-        *view_elements(drawing.guides, frame),
         *([_paper(frame, style.paper)] if style.paper else []),
         *_annotations(drawing, style, "grid"),
         *curves,
@@ -185,6 +183,4 @@ def svg_for_clipboard(document: Document, report: Report = silent) -> Written:
     ExchangeError
         As `svg_of`.
     """
-    # Who pastes it has guides of his own.
-    plain = replace(document, guides=())
-    return svg_of(in_unit(plain, "px"), Options(unit="px", report=report))
+    return svg_of(in_unit(document, "px"), Options(unit="px", report=report))
