@@ -15,13 +15,13 @@ from app.cli import main
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.document.units import MILLIMETRES, known_unit
-from app.exchange.choice import ExportChoice, choice_from
+from app.exchange.choice import ExportChoice
 from app.exchange.drawing.drawing import drawing_of, trimmed
 from app.exchange.drawing.image import png_preview
 from app.exchange.errors import ExchangeError
 from app.exchange.files import export, import_file
 from app.exchange.formats import FORMATS, format_of
-from app.exchange.options import BY_DPI, Options
+from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
@@ -277,6 +277,3 @@ def test_of_pixels_across_and_for_each_inch_the_command_line_takes_one(tmp_path,
     with pytest.raises(SystemExit):
         main(["render", str(path), "-o", str(tmp_path / "a.png"), "--dpi", "30", "--width", "90"])
     assert "not allowed with" in capsys.readouterr().err
-    assert choice_from('{"ending": ".png", "true_size": false}')[BY_DPI] is False, (
-        "as it was remembered before"
-    )

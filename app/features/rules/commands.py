@@ -200,6 +200,8 @@ class RuleCommands:
             CURVE_RULES,
             tip=f"Use {kind.phrase} parameters" + (f": {kind.spaced}" if kind.spaced else ""),
             full_name=f"{kind.label} Parameters",
+            checked=lambda state: state.parametrization is kind,
+            group="parametrization",
         ),
     )
     def _use_parametrization(self, kind: ParametrizationKind) -> None:
