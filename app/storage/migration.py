@@ -87,6 +87,8 @@ class Dropped(msgspec.Struct, frozen=True):
     is_loss
         Whether a value, or an item, counts; by default all that are not empty, zero or false. Several rows
         may count what one field holds by different nouns.
+    concerns
+        Whether an object that has the field counts; by default all do.
     is_shared
         Whether equal values count once, such as one of a group that each of its curves holds.
     mend
@@ -98,6 +100,7 @@ class Dropped(msgspec.Struct, frozen=True):
     noun: str = ""
     plural: str = ""
     is_loss: Callable[[Any], bool] = _is_there
+    concerns: Callable[[Values], bool] = _is_there
     is_shared: bool = False
     mend: Callable[[Values, Any], object] | None = None
 
@@ -119,6 +122,11 @@ def _fade_with_groups(curve: Values, looks: object) -> None:
     for look in _dicts(looks):
         if isinstance(style, dict):
             _fade(style, look.get("opacity", 1.0))
+
+
+def _paints_twice(style: Values) -> bool:
+    """Whether a style has both a stroke and a fill."""
+    return bool(style.get("stroke", "") != "none" and style.get("fill", "none") != "none")
 
 
 def _is_clear(look: object) -> bool:
@@ -182,7 +190,15 @@ DROPPED: list[Dropped] = [
     Dropped(Place.STYLE, "blur", "blur"),
     Dropped(Place.STYLE, "masks", "mask", is_shared=True),
     Dropped(Place.STYLE, "clips", "clip", is_loss=lambda _clip: True, is_shared=True),
-    Dropped(Place.STYLE, "opacity", mend=_fade),
+    Dropped(
+        Place.STYLE,
+        "opacity",
+        "opacity of fill and stroke together",
+        "opacities of fill and stroke together",
+        is_loss=lambda share: share != 1.0,
+        concerns=_paints_twice,
+        mend=_fade,
+    ),
     Dropped(
         Place.CURVE,
         "group_looks",
@@ -255,7 +271,7 @@ def _reduced(values: Values) -> Migrated:
         holders = [each for each in _objects(values, place) if field in each]
         for row in rows:
             if row.noun:
-                counts[row.noun] += _count(row, [each[field] for each in holders])
+                counts[row.noun] += _count(row, [each[field] for each in holders if row.concerns(each)])
         for holder in holders:
             value = holder.pop(field)
             for mend in (row.mend for row in rows if row.mend is not None):

@@ -300,6 +300,11 @@ def test_the_opacities_of_a_curve_and_of_its_groups_are_those_of_stroke_and_fill
     assert found.left_out.words == ("1 opacity of a group",)
 
 
+def test_an_opacity_of_fill_and_stroke_together_is_told_where_both_are_painted():
+    styles = {"opacity": 0.5, "fill": "#ff0000"}, {"opacity": 0.5}, {"opacity": 1.0, "fill": "#ff0000"}
+    assert decode_counting(styled(*styles)).left_out.words == ("1 opacity of fill and stroke together",)
+
+
 @pytest.mark.parametrize("opacity", [1.5, -1, "half"])
 def test_an_opacity_that_is_none_is_refused(opacity):
     with pytest.raises(FormatError, match=r"curves\[0\]\.style\.stroke_opacity must"):
