@@ -31,6 +31,8 @@ from hypothesis import settings
 
 from app.families import FAMILIES, ChosenSettings, Family
 
+pytest_plugins = ["tests.time_limit"]
+
 settings.register_profile("curvebench", deadline=None, derandomize=True, max_examples=60)
 settings.load_profile("curvebench")
 

@@ -14,7 +14,7 @@ import targets
 def pytest_collection_modifyitems(items):
     """Let a benchmark take as long as it takes."""
     for item in items:
-        item.add_marker(pytest.mark.timeout(0))
+        item.add_marker(pytest.mark.time_limit(0))
 
 
 def pytest_terminal_summary(terminalreporter):

@@ -80,7 +80,7 @@ def run(guarded, qapp, *steps):
     """Do `steps`, one after the other, in the event loop that `curvebench` runs, and return its code.
 
     Each begins when what the one before has raised is told. A loop that never ends is left to
-    pytest-timeout: a timer that calls `exit` would outlive its test and end the loops of later ones.
+    the time limit of tests: a timer that calls `exit` would outlive its test and end the loops of later ones.
     """
     to_do, crashes = list(steps), guarded.lifecycle.crashes
 
