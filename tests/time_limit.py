@@ -1,19 +1,18 @@
 """The time limit of each phase of a test: set-up, call and teardown.
 
-A phase that exceeds it ends its process with the traceback of all threads; pytest-xdist reports the crash as the
-failure of that test and goes on in a new process. The thread that watches is one of C: it needs neither the
-interpreter nor an event loop that comes back.
+A phase that exceeds it ends its process with the traceback of all threads; pytest-xdist reports the crash as
+the failure of that test and goes on in a new process. The thread that watches is one of C: it needs neither
+the interpreter nor an event loop that comes back.
 
-The limit is pytest's own option ``faulthandler_timeout``, for a test with the marker ``time_limit(seconds)`` the
-marker's; 0 is none. pytest itself sets it once a test, and takes it back as soon as something has failed: the
-teardown of a failed test could last for ever.
+The limit is pytest's own option ``faulthandler_timeout``, for a test with the marker ``time_limit(seconds)``
+the marker's; 0 is none. pytest itself sets it once a test, and takes it back as soon as something has failed:
+the teardown of a failed test could last for ever.
 """
 
 from __future__ import annotations
 
 import faulthandler
 import os
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
