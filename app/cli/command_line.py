@@ -12,6 +12,7 @@ from contextlib import nullcontext
 from .. import __version__, cli, exchange, storage
 from ..diagnostics.log import LEVELS, logged
 from ..exchange import READER_PROCESS
+from ..tasks.processor_limit import PROCESSOR_LIMIT, limit_processor_time
 from .refusals import RefusalError, one_line, reason_of, say
 
 _INTERRUPTED = 130
@@ -51,6 +52,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         options, words = common_options().parse_known_args(words)
         families = cli.families.families_of_files(options.families) if options.families else nullcontext()
+        if options.processor_limit:
+            limit_processor_time(options.processor_limit)
         with logged(options.log), families:
             code = _run(words)
         say(end="")  # what was printed by others
@@ -92,6 +95,7 @@ def common_options() -> argparse.ArgumentParser:
         metavar="FILE.py",
         help="run this file and have the curve families that it defines; may be given more than once",
     )
+    parser.add_argument(PROCESSOR_LIMIT, type=float, default=0.0, help=argparse.SUPPRESS)
     return parser
 
 

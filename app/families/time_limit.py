@@ -18,8 +18,8 @@ _AGAIN_S = 0.02
 _BUSY = 0.8
 """Share of the limit that must have gone by at work, not waiting for other programs."""
 
-_WAITING_S = 1.0
-"""Seconds beyond the limit after which code that waits is stopped, too."""
+_WAITING = 10.0
+"""Multiple of the limit after which code that waits is stopped, too."""
 
 
 class OverdueError(BaseException):
@@ -69,7 +69,7 @@ class _Clock:
 
     def _is_over(self, seconds: float) -> bool:
         worked = time.thread_time() - self._worked
-        return worked >= _BUSY * seconds or time.monotonic() - self._began >= seconds + _WAITING_S
+        return worked >= _BUSY * seconds or time.monotonic() - self._began >= _WAITING * seconds
 
 
 _clock = _Clock()
@@ -79,7 +79,7 @@ class stopped_after:  # noqa: N801 - reads as a word of the language
     """Raise `OverdueError` in what runs within as soon as the time is over.
 
     That bounds every loop of Python's; one in C is bounded by the size of its arrays. Time that the machine
-    gives to other programs does not count, up to a second.
+    gives to other programs does not count, up to `_WAITING` times the limit.
     """
 
     def __init__(self, seconds: float) -> None:

@@ -3,5 +3,6 @@
 - ``progress``: how long work reports how far it is, and hears that it was cancelled. No Qt.
 - ``task``: one piece of work in a thread; its end, and all garbage, in the window's thread.
 - ``single_task``: what a person starts, one at a time.  ``debounced_task``: what follows a value.
+- ``processor_limit``: processor time that a child process may use. No Qt.
 - ``owner``: what both share, and how all of them end.
 """

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import re
+import time
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -329,12 +331,20 @@ def test_a_loop_that_passes_over_mistakes_is_stopped_as_well(write, short_limits
 
 
 def test_a_call_that_waits_is_stopped_too(write, short_limits, monkeypatch):
-    monkeypatch.setattr(time_limit, "_WAITING_S", 0.1)
+    monkeypatch.setattr(time_limit, "_WAITING", 1.5)
     path = write(
         GAUSSIAN.replace("    return _bells(t", "    import time; time.sleep(60)\n    return _bells(t")
     )
     with pytest.raises(FamilyFileError, match=r"line 18: it ran for longer than 0\.2 s and was stopped"):
         families_in(path)
+
+
+def test_time_that_the_machine_gives_to_others_does_not_count(write, short_limits, monkeypatch):
+    """Beside busy programs a file was stopped 1 s after its limit, however little it had worked."""
+    slow = SimpleNamespace(monotonic=lambda: 10.0 * time.monotonic(), thread_time=time.thread_time)
+    monkeypatch.setattr(time_limit, "time", slow)
+    monkeypatch.setattr(time_limit, "_WAITING", 1000.0)
+    families_in(write(f"import time\ntime.sleep(0.3)\n{GAUSSIAN}"))
 
 
 NEW = GAUSSIAN.replace("my_gaussian", "my_bells").replace('"Gaussian"', '"bells"')

@@ -498,10 +498,24 @@ def test_what_a_file_may_do_to_its_process_does_nothing_to_this_one(path, text, 
     assert str(caught.value).startswith(f"“{NAME}.py”")
 
 
+# In C, where no alarm of Python's is heard.
+BUSY = "import re\nre.fullmatch('(a+)+', 'a' * 60 + 'b')\n"
+
+
 def test_a_trial_that_takes_too_long_is_ended(path, monkeypatch):
     monkeypatch.setattr(trial, "SECONDS", 0.3)
-    path.write_text("import time\ntime.sleep(60)\n")
+    path.write_text(BUSY)
     with pytest.raises(family_file.FamilyFileError, match=r"ran for longer than 0\.3 s and was stopped"):
+        trial.try_out(path, lambda _share, _word: None)
+
+
+def test_a_trial_counts_processor_time_alone_and_still_ends(path, monkeypatch):
+    """Beside eight busy programs each was stopped that took 4 s of the processor."""
+    monkeypatch.setattr(trial, "SECONDS", 1.0)
+    path.write_text(f"import time\ntime.sleep(1.5)\n{template(path)}")
+    trial.try_out(path, lambda _share, _word: None)
+    monkeypatch.setattr(trial, "longest_wait", lambda _seconds: 0.2)
+    with pytest.raises(family_file.FamilyFileError, match=r"has not ended after 0\.2 s and was stopped"):
         trial.try_out(path, lambda _share, _word: None)
 
 

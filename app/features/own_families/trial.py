@@ -19,10 +19,11 @@ from ...families import FAMILIES
 from ...families.family_file import FamilyFileError, use_file
 from ...families.file_calls import PATIENCE, Call
 from ...storage.format import encode
+from ...tasks.processor_limit import PROCESSOR_LIMIT, longest_wait, was_overdue
 from ...tasks.progress import Report
 
 SECONDS = 15.0
-"""The longest that a file may take to be run and tried out; what it runs has shorter limits of its own."""
+"""Processor time, in seconds, for a file to be run and tried; what it runs has shorter limits of its own."""
 
 _JSON_BEGINS = '{\n  "file"'
 _MOST_PRINTED = 2**20
@@ -83,6 +84,7 @@ def try_call(call: Call, report: Report) -> float:
 def _printed_by(path: Path, arguments: tuple[str, ...], report: Report) -> str:
     """Return what the program prints that is started with these arguments and runs the file at `path`."""
     frozen = getattr(sys, "frozen", False)
+    arguments = (*arguments, PROCESSOR_LIMIT, str(SECONDS))
     start = () if frozen else ("-c", _START, str(len(arguments)))
     command = [sys.executable, *start, *arguments, *(() if frozen else sys.path)]
     # One thread: each would take time to begin. No limit by a pipe: it would fill up, or the memory would.
@@ -102,6 +104,8 @@ def _printed_by(path: Path, arguments: tuple[str, ...], report: Report) -> str:
         printed, said = (_end_of(each.fileno()) for each in (output, errors))
     if process.returncode == 0:
         return printed
+    if was_overdue(process.returncode):
+        raise FamilyFileError(f"“{path.name}” ran for longer than {SECONDS:g} s and was stopped.")
     said = said.rstrip().rpartition("\n")[2]
     if said.startswith(_SAYS):
         raise FamilyFileError(said.removeprefix(_SAYS).replace(str(path), path.name))
@@ -109,8 +113,8 @@ def _printed_by(path: Path, arguments: tuple[str, ...], report: Report) -> str:
 
 
 def _refuse_endless(path: Path, began: float, files: tuple[int, ...]) -> None:
-    if time.monotonic() - began > SECONDS:
-        raise FamilyFileError(f"“{path.name}” ran for longer than {SECONDS:g} s and was stopped.")
+    if time.monotonic() - began > (longest := longest_wait(SECONDS)):
+        raise FamilyFileError(f"“{path.name}” has not ended after {longest:.3g} s and was stopped.")
     if any(os.fstat(each).st_size > _MOST_PRINTED for each in files):
         raise FamilyFileError(f"“{path.name}” printed more than a megabyte and was stopped.")
 
