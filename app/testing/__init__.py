@@ -18,13 +18,18 @@ and a test reads as what a person does::
 It does what a person can do, and raises `ImpossibleError`, with the reason, where there is no such thing: an
 action is disabled, a panel is hidden, a place lies outside the plot or under something, a dialog waits.
 
+Where the application has been told to quit, Qt ends every event loop at once; whoever waits then gets an
+`ApplicationQuitError` instead of a test that hangs or asks a window that has handled no event.
+
 - ``editor``: one window with all that can be done in it.  ``parts``: its t-rail, and the line about its file.
 - ``input_driver``: mouse, wheel and keys as events.
 - ``reach``: which of them a person could send.
+- ``waiting``: event loops that end, and the time that a window needs to catch up.
 """
 
 from .editor import Editor
-from .input_driver import InputDriver, spin, wait_for_rest
+from .input_driver import InputDriver
 from .reach import ImpossibleError
+from .waiting import ApplicationQuitError, spin, wait_for_rest
 
-__all__ = ["Editor", "ImpossibleError", "InputDriver", "spin", "wait_for_rest"]
+__all__ = ["ApplicationQuitError", "Editor", "ImpossibleError", "InputDriver", "spin", "wait_for_rest"]

@@ -27,9 +27,10 @@ from ..tools.transform import TransformKind
 from ..view_model.curve.handle_arms import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow
-from .input_driver import InputDriver, spin, type_keys
+from .input_driver import InputDriver, type_keys
 from .parts import FileBar, Rail
 from .reach import require_enabled, require_reachable, require_under_mouse
+from .waiting import WAIT_S, spin
 
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
@@ -285,12 +286,12 @@ class Editor(InputDriver):
         require_reachable(widget)
         type_keys(widget, text)
 
-    def wait_for_work(self, seconds: float = 30.0) -> None:
-        """Wait until nothing is read or written beside the window."""
-        deadline = time.monotonic() + seconds
+    def wait_for_work(self) -> None:
+        """Wait until nothing is read or written beside the window; `TimeoutError` after `WAIT_S` seconds."""
+        deadline = time.monotonic() + WAIT_S
         while self.window.context.work.jobs.is_busy:
             if time.monotonic() > deadline:
-                raise TimeoutError(f"{self.window.context.work.jobs.title} takes longer than {seconds:g} s.")
+                raise TimeoutError(f"{self.window.context.work.jobs.title} takes longer than {WAIT_S:g} s.")
             spin(5)
         self.settle()
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import time
-
-from PySide6.QtCore import QEvent, QEventLoop, QPoint, QPointF, Qt, QTimer
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
@@ -13,37 +11,12 @@ from ..document.model import Vector
 from ..plotting.plot_widget import PlotWidget
 from ..window.main_window import MainWindow
 from .reach import require_enabled, require_reachable, require_under_mouse
+from .waiting import SHORT_MS, deliver_events, spin, wait_for_rest
 
 _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
-_SHORT_MS = 300
 _SUBMENU_MS = 60
-
-
-def wait_for_rest(widget: QWidget, seconds: float = 10.0, *, up_to_ms: int = _SHORT_MS) -> None:
-    """Wait until what follows the hand at a pace of its own has caught up: numbers, panels, the table, discs.
-
-    What has a slower pace than `up_to_ms` is not waited for.
-
-    Raises
-    ------
-    TimeoutError
-        If it does not within so many seconds.
-    """
-
-    def is_busy() -> bool:
-        # Asked anew each time: a timer may go with the widget that it belongs to.
-        timers = widget.findChildren(QTimer)
-        return any(
-            timer.isSingleShot() and timer.isActive() and timer.interval() <= up_to_ms for timer in timers
-        )
-
-    deadline = time.monotonic() + seconds
-    while is_busy():
-        if time.monotonic() > deadline:
-            raise TimeoutError(f"The window does not come to rest within {seconds:g} s.")
-        spin(5)
 
 
 def type_keys(widget: QWidget, text: str) -> None:
@@ -55,16 +28,6 @@ def type_keys(widget: QWidget, text: str) -> None:
             for kind in (QEvent.Type.KeyPress, QEvent.Type.KeyRelease):
                 event = QKeyEvent(kind, 0, Qt.KeyboardModifier.NoModifier, letter)
                 QApplication.sendEvent(widget, event)
-
-
-def spin(milliseconds: int) -> None:
-    """Let the window's events come and go for a while, and what is computed beside it get on.
-
-    QTest.qWait keeps the interpreter to itself while it waits.
-    """
-    loop = QEventLoop()
-    QTimer.singleShot(milliseconds, loop, loop.quit)
-    loop.exec()
 
 
 class InputDriver:
@@ -250,12 +213,12 @@ class InputDriver:
 
     def settle(self) -> None:
         """Let Qt deliver what is pending and paint, and the status line say what a gesture has come to."""
-        for _ in range(2):
-            QGuiApplication.processEvents()
+        QGuiApplication.processEvents()
+        deliver_events()
         for plot in filter(None, (self.window.canvas, self.window.basis_panel)):
             plot.tell()
 
-    def wait_for_rest(self, *, up_to_ms: int = _SHORT_MS) -> None:
+    def wait_for_rest(self, *, up_to_ms: int = SHORT_MS) -> None:
         """Wait until numbers, panels and the table have followed the hand: those of this pace or quicker."""
         wait_for_rest(self.window, up_to_ms=up_to_ms)
         self.settle()

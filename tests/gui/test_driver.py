@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QAbstractEventDispatcher, QEvent, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QLabel, QMessageBox
+from shiboken6 import getAllValidWrappers
 
-from app.testing import ImpossibleError
+from app.testing import ApplicationQuitError, ImpossibleError, spin, wait_for_rest, waiting
 
 
 def impossible(reason):
@@ -82,3 +83,79 @@ def test_nothing_is_reached_under_a_dialog_that_waits(editor):
     box.close()
     editor.trigger("selectAll")
     assert len(editor.session.selection) == len(editor.curve.points)
+
+
+@pytest.fixture
+def told_to_quit(qapp):
+    """Tell the application to quit while nobody runs it: every later event loop ends at once."""
+    qapp.exit(3)
+    yield qapp
+    repair_loops(qapp)
+
+
+def repair_loops(qapp):
+    """Let event loops run again, as the message says; `quit` would close the windows, too."""
+    QTimer.singleShot(0, lambda: qapp.exit(0))
+    assert qapp.exec() == 0
+    spin(1)
+
+
+@pytest.mark.parametrize(
+    "wait",
+    [
+        lambda editor: editor.settle(),
+        lambda _editor: spin(1),
+        lambda editor: editor.wait_for_rest(),
+        lambda editor: wait_for_rest(editor.window),
+    ],
+)
+def test_waiting_in_an_application_that_was_told_to_quit_raises(editor, told_to_quit, wait):
+    late = QTimer(editor.window, singleShot=True, interval=100)
+    late.start()
+    before = timers_of_nobody()
+    with pytest.raises(ApplicationQuitError, match="was told to quit"):
+        wait(editor)
+    assert timers_of_nobody() == before
+    late.deleteLater()
+
+
+def test_a_loop_that_is_ended_early_is_told(qapp, told_to_quit):
+    with pytest.raises(ApplicationQuitError):
+        spin(1)
+    repair_loops(qapp)
+    QTimer.singleShot(0, lambda: qapp.exit(0))
+    with pytest.raises(ApplicationQuitError):
+        spin(60_000)
+
+
+def timers_of_nobody():
+    """Return how many active timers have no parent; those of `QTimer.singleShot` are the dispatcher's."""
+    timers = [each for each in getAllValidWrappers() if isinstance(each, QTimer) and each.isActive()]
+    return sum(each.parent() is None for each in timers) + len(QAbstractEventDispatcher.instance().children())
+
+
+def test_a_window_at_rest_is_asked_for_its_timers_once_a_timer(editor, monkeypatch):
+    asked = []
+    find = waiting._milliseconds_to_rest
+    monkeypatch.setattr(waiting, "_milliseconds_to_rest", lambda *them: asked.append(1) or find(*them))
+    editor.wait_for_rest()
+    asked.clear()
+    done = []
+    slow = QTimer(editor.window, singleShot=True, interval=200, timerType=Qt.TimerType.PreciseTimer)
+    slow.timeout.connect(lambda: done.append(1))
+    slow.start()
+    editor.wait_for_rest()
+    assert done
+    assert len(asked) < 10
+    slow.deleteLater()
+
+
+def test_what_never_rests_is_told(editor, monkeypatch):
+    monkeypatch.setattr(waiting, "WAIT_S", 0.05)
+    restless = QTimer(editor.window, singleShot=True, interval=1)
+    restless.timeout.connect(restless.start)
+    restless.start()
+    with pytest.raises(TimeoutError, match=r"does not come to rest within 0.05 s"):
+        editor.wait_for_rest()
+    restless.stop()
+    restless.deleteLater()

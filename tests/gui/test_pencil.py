@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES
-from app.testing.input_driver import spin
+from app.testing import spin
 from app.view_model.curve.curve_view import view_of
 
 PLACES = {
