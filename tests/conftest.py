@@ -28,8 +28,14 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import msgspec
 import pytest
 from hypothesis import settings
+from pytestqt.qtbot import QtBot
 
 from app.families import FAMILIES, ChosenSettings, Family
+from tests.waiting import LIMIT_MS
+
+# Those of pytest-qt are 5 s.
+for _wait in (QtBot.waitActive, QtBot.waitExposed, QtBot.waitSignal, QtBot.waitUntil):
+    _wait.__kwdefaults__["timeout"] = LIMIT_MS
 
 pytest_plugins = ["tests.time_limit"]
 

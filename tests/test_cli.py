@@ -23,6 +23,7 @@ from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
 from app.workbench.file_names import file_stem, title_of
+from tests.waiting import until
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "resources" / "examples"
@@ -688,13 +689,13 @@ def test_a_drawing_or_a_table_alone_is_the_document(qtbot, tmp_path, name, conte
     qtbot.addWidget(window)
     session = window.session
     if dialog:
-        qtbot.waitUntil(lambda: window.findChild(QDialog, dialog) is not None)
+        until(lambda: window.findChild(QDialog, dialog) is not None)
         assert session.files.is_untouched
         asked = window.findChild(QDialog, dialog)
-        qtbot.waitUntil(lambda: asked.ok.isEnabled() and not asked.jobs.is_busy)
+        until(lambda: asked.ok.isEnabled() and not asked.jobs.is_busy)
         asked.ok.click()
     else:
-        qtbot.waitUntil(lambda: not session.files.is_untouched)
+        until(lambda: not session.files.is_untouched)
     document, stem = session.document, path.stem
     assert ([len(curve.points) for curve in document.curves], document.unit) == ([2], unit)
     assert (title_of(session), file_stem(session), session.files.path) == (stem, stem, None)
@@ -819,7 +820,7 @@ def test_a_file_that_is_refused_at_the_start_leaves_an_empty_window(qtbot, tmp_p
     (window,) = open_windows([str(path)])
     qtbot.addWidget(window)
     bar = window.context.central.message_bar
-    qtbot.waitUntil(lambda: name in bar.text)
+    until(lambda: name in bar.text)
     assert [len(curve.points) for curve in window.session.document.curves] == [0]
     assert window.session.files.is_untouched
     assert not window.session.undo_stack.canUndo()

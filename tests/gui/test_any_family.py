@@ -24,6 +24,7 @@ from app.families.family_file import families_in
 from app.tools.tool import TOOLS
 from app.view_model.curve.nearest import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
+from tests.waiting import until
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
 NO_FILM = ("playMotion", "motionLoop", "motionOnce", "motionPingPong")
@@ -419,12 +420,12 @@ def test_everything_that_can_be_switched_on_goes_on_through_a_drag(drawn):
     assert is_true(editor)
 
 
-def test_the_laboratory_says_that_it_computes_other_curves(drawn, own, qtbot):
+def test_the_laboratory_says_that_it_computes_other_curves(drawn, own):
     editor = drawn(own)
     editor.trigger("toggleLaboratory")
     said = f"{FAMILIES.named(own).a_curve} is made of other functions"
     panel = editor.window.findChild(object, "laboratoryPanel")
-    qtbot.waitUntil(lambda: any(said in text for text in texts_of(panel)))
+    until(lambda: any(said in text for text in texts_of(panel)))
     for box in panel.findChildren(QComboBox):
         for index in range(box.count()):
             box.setCurrentIndex(index)

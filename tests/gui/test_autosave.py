@@ -29,9 +29,9 @@ from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
 from app.workbench.file_names import file_stem, title_of
+from tests.waiting import until
 
 SKETCH = Document((make_curve([(0, 0), (1, 2), (3, 1 / 3)], name="Left over"),))
-WAIT_MS = 20_000
 SOON_MS = 100
 
 
@@ -64,7 +64,7 @@ def is_kept():
     return bool(files())
 
 
-def wait_until_idle(kept, qtbot):
+def wait_until_idle(kept):
     """Wait until nothing is to be written or deleted, and what was written is reported."""
     autosave = kept.autosave
 
@@ -72,7 +72,7 @@ def wait_until_idle(kept, qtbot):
         last = autosave._last
         return not autosave._soon.isActive() and (last is None or last not in last._keeper.running)
 
-    qtbot.waitUntil(is_idle, timeout=WAIT_MS)
+    until(is_idle)
 
 
 def document_kept():
@@ -118,7 +118,7 @@ def test_tests_write_into_a_home_of_their_own(own_home):
     assert state_folder().is_relative_to(own_home)
 
 
-def test_steps_that_never_pause_are_kept(editor, qtbot):
+def test_steps_that_never_pause_are_kept(editor):
     """A second after the first of them: a further step puts nothing off."""
     autosave = Autosave(editor.session, snapshot_folder())
     soon = autosave._soon
@@ -129,31 +129,31 @@ def test_steps_that_never_pause_are_kept(editor, qtbot):
     step()
     assert soon.isActive()
     assert soon.interval() == DELAY_MS == 1000
-    qtbot.waitUntil(lambda: soon.remainingTime() < DELAY_MS - 20)
+    until(lambda: soon.remainingTime() < DELAY_MS - 20)
     left = soon.remainingTime()
     step()
     assert soon.remainingTime() <= left
     soon.start(1)  # it is due
-    qtbot.waitUntil(lambda: step() or is_kept(), timeout=WAIT_MS)
+    until(lambda: step() or is_kept())
     autosave.finish()
 
 
-def test_a_step_is_kept(kept, qtbot):
+def test_a_step_is_kept(kept):
     kept.drag_point(1, to=(2, 3))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     assert document_kept() == kept.session.document
 
 
-def test_a_drag_in_flight_is_kept(kept, qtbot):
+def test_a_drag_in_flight_is_kept(kept):
     committed = kept.session.committed
     kept.press(kept.point(2))
     kept.move((1.0, 1.0))
     kept.move((0.7, 0.6))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     assert document_kept() == kept.session.document != committed
     kept.escape()
     kept.release((0.7, 0.6))
-    qtbot.waitUntil(lambda: not files(), timeout=WAIT_MS)
+    until(lambda: not files())
     assert kept.session.document == committed
 
 
@@ -165,40 +165,40 @@ def test_without_a_change_nothing_is_written(kept):
 
 
 @pytest.mark.parametrize("how", ["save", "new", "open", "undo"])
-def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, monkeypatch, how):
+def test_what_is_saved_given_up_or_undone_is_not_kept(kept, tmp_path, monkeypatch, how):
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     other = tmp_path / "other.curve.json"
     save(other, SKETCH)
     move_point(kept, (2.0, 3.0))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     if how == "save":
         kept.session.save(tmp_path / "mine.curve.json")
     elif how == "open":
         kept.window.open_file(other)
     else:
         kept.trigger({"new": "newDocument", "undo": "undo"}[how])
-    qtbot.waitUntil(lambda: not files(), timeout=WAIT_MS)
-    wait_until_idle(kept, qtbot)
+    until(lambda: not files())
+    wait_until_idle(kept)
     assert files() == []
 
 
-def test_what_another_program_has_emptied_is_kept(kept, qtbot, tmp_path, monkeypatch):
+def test_what_another_program_has_emptied_is_kept(kept, tmp_path, monkeypatch):
     """There was no snapshot: to the program nothing was unsaved."""
     monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 1)
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     path.write_bytes(b"")
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     assert document_kept() == kept.session.document
     save(path, kept.session.document)  # as good as before
-    qtbot.waitUntil(lambda: not files(), timeout=WAIT_MS)
+    until(lambda: not files())
 
 
-def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path):
+def test_the_snapshot_says_which_file_and_that_it_changed(kept, tmp_path):
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     move_point(kept, (2.0, 3.0))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     record = files()[0].read_bytes()
     (snapshot_folder() / "copy").mkdir()
     (snapshot_folder() / "copy" / files()[0].name).write_bytes(record)
@@ -207,7 +207,7 @@ def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path)
     assert snapshot.origin.is_unchanged
 
 
-def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, qtbot, monkeypatch):
+def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, monkeypatch):
     threads, reached, answers = set(), threading.Event(), threading.Event()
 
     def fsync(_descriptor):
@@ -224,21 +224,21 @@ def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, qtbo
     points = [(i / 3, (i % 17) / 7) for i in range(500)]
     large = Document((make_curve(points, family=HERMITE),))
     kept.session.commit(large, "Many points")
-    qtbot.waitUntil(reached.is_set, timeout=WAIT_MS)
+    until(reached.is_set)
     # The disk does not answer; the window does.
     assert not files()
     kept.trigger("undo")
     kept.trigger("redo")
     assert kept.session.document == large
     answers.set()
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
-    wait_until_idle(kept, qtbot)
+    until(is_kept)
+    wait_until_idle(kept)
     assert document_kept() == large
     assert threads
     assert threading.main_thread() not in threads
 
 
-def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtbot):
+def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept):
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     sentences = []
@@ -247,33 +247,33 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtb
     )
     for place in ((2.0, 3.0), (1.0, 3.0)):
         move_point(kept, place)
-        wait_until_idle(kept, qtbot)
+        wait_until_idle(kept)
     backups = [each for each in sentences if "backed up" in each]
     assert len(backups) == 1
     assert "save often" in backups[0]
     assert kept.point(1) == pytest.approx((1, 3), abs=kept.pixel)
     state_folder().unlink()
     move_point(kept, (2.0, 2.0))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
 
 
-def test_what_a_disk_refused_is_tried_again_without_another_change(editor, qtbot):
+def test_what_a_disk_refused_is_tried_again_without_another_change(editor):
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     autosave = Autosave(editor.session, snapshot_folder(), delay=10, retry=50)
     move_point(editor, (2.0, 3.0))
-    qtbot.waitUntil(lambda: "backed up" in editor.status, timeout=WAIT_MS)
+    until(lambda: "backed up" in editor.status)
     state_folder().unlink()
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     autosave.finish()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs limits of POSIX")
-def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
+def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept):
     import resource
 
     move_point(kept, (2.0, 3.0))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     before = document_kept()
     sentences = []
     kept.session.message.connect(
@@ -284,26 +284,26 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     try:
         points = [(i / 3, (i % 17) / 7) for i in range(500)]
         kept.session.commit(Document((make_curve(points, family=HERMITE),)), "Large")
-        qtbot.waitUntil(lambda: any("backed up" in each for each in sentences), timeout=WAIT_MS)
+        until(lambda: any("backed up" in each for each in sentences))
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert document_kept() == before
     assert [each.name for each in snapshot_folder().glob("*.tmp")] == []
 
 
-def test_closing_after_a_question_leaves_nothing(editor, qtbot, monkeypatch):
+def test_closing_after_a_question_leaves_nothing(editor, monkeypatch):
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
     editor.window.closed.connect(autosave.finish)
     move_point(editor, (2.0, 3.0))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     editor.window.close()
     assert list(snapshot_folder().iterdir()) == []
 
 
 def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
     move_point(kept, (2.0, 3.0))
-    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    until(is_kept)
     second = Editor(qtbot, Session(), Preferences(tmp_path / "settings.ini"))
     second.window.commands[RecoveryCommands].offer_unsaved_work()
     assert bar(second) is None
@@ -314,7 +314,7 @@ def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
 # Offering
 
 
-def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
+def test_what_was_left_is_offered_and_restored(kept, tmp_path):
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=Origin(path, stamp))
@@ -460,7 +460,7 @@ def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
     assert len(files()) == 1
 
 
-def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, qtbot):
+def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept):
     leave_behind()
     leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
     move_point(kept, (2.0, 3.0))
@@ -472,10 +472,10 @@ def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, q
     assert other.session.document == SKETCH
     assert other.session.files.is_modified
     assert bar(kept).text == "A document with unsaved work from last time:"
-    qtbot.waitUntil(lambda: len(files()) == 3, timeout=WAIT_MS)  # here, there, and the one not decided
+    until(lambda: len(files()) == 3)  # here, there, and the one not decided
 
 
-def test_closing_the_window_decides_nothing(qtbot, editor):
+def test_closing_the_window_decides_nothing(editor):
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     editor.window.close()

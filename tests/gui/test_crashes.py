@@ -24,8 +24,7 @@ from app.features.recovery.autosave import snapshot_folder
 from app.storage import files
 from app.storage.recovery import list_snapshots
 from app.testing import Editor
-
-WAIT_MS = 20_000
+from tests.waiting import until
 
 
 @pytest.fixture
@@ -63,7 +62,7 @@ def has_told(crashes):
     return not crashes._soon.isActive()
 
 
-def raise_soon(guarded, qtbot, problem, count=1):
+def raise_soon(guarded, problem, count=1):
     """Raise `problem` so often from within the event loop, and wait until the handler has told of it."""
     raised = []
 
@@ -73,7 +72,7 @@ def raise_soon(guarded, qtbot, problem, count=1):
 
     for _ in range(count):
         QTimer.singleShot(0, fail)
-    qtbot.waitUntil(lambda: len(raised) == count and has_told(guarded.lifecycle.crashes), timeout=WAIT_MS)
+    until(lambda: len(raised) == count and has_told(guarded.lifecycle.crashes))
 
 
 def run(guarded, qapp, *steps):
@@ -117,9 +116,9 @@ def report():
     return dialog.findChild(QPlainTextEdit, "crashReport").toPlainText()
 
 
-def test_the_work_is_kept_before_anything_is_said(guarded, qtbot):
+def test_the_work_is_kept_before_anything_is_said(guarded):
     guarded.drag_point(1, to=(2, 3))
-    raise_soon(guarded, qtbot, ZeroDivisionError("a fault of ours"))
+    raise_soon(guarded, ZeroDivisionError("a fault of ours"))
     assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
     (dialog,) = dialogs()
     assert any("Your work is safe" in each.text() for each in dialog.findChildren(QLabel))
@@ -130,11 +129,11 @@ def test_the_work_is_kept_before_anything_is_said(guarded, qtbot):
     assert guarded.point(1) == pytest.approx((1, 3), abs=guarded.pixel)
 
 
-def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
+def test_without_a_backup_it_says_what_to_do(guarded):
     snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
     snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
-    raise_soon(guarded, qtbot, ZeroDivisionError())
+    raise_soon(guarded, ZeroDivisionError())
     (dialog,) = dialogs()
     assert any("Save your work under another name" in each.text() for each in dialog.findChildren(QLabel))
     press("saveAndQuit")
@@ -142,15 +141,15 @@ def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
     guarded.session.files.give_up_changes()
 
 
-def test_the_same_fault_is_shown_once(guarded, qtbot):
-    raise_soon(guarded, qtbot, ZeroDivisionError("again"), count=100)
+def test_the_same_fault_is_shown_once(guarded):
+    raise_soon(guarded, ZeroDivisionError("again"), count=100)
     assert len(dialogs()) == 1
     press("goOn")
-    raise_soon(guarded, qtbot, ZeroDivisionError("again"), count=10)
+    raise_soon(guarded, ZeroDivisionError("again"), count=10)
     assert dialogs() == []
 
 
-def test_a_fault_that_keeps_the_window_open_is_told_each_time(guarded, qtbot, qapp, monkeypatch):
+def test_a_fault_that_keeps_the_window_open_is_told_each_time(guarded, qapp, monkeypatch):
     """It was told once; from then on the × did nothing, without a word."""
     guarded.drag_point(1, to=(2, 3))
     monkeypatch.setattr(guarded.window.context.files, "may_discard", lambda: int("x"))
@@ -158,36 +157,36 @@ def test_a_fault_that_keeps_the_window_open_is_told_each_time(guarded, qtbot, qa
     for _ in range(3):
         assert not guarded.window.close()
         assert not guarded.window.close()  # asked again before it was told: once is enough
-        qtbot.waitUntil(lambda: has_told(crashes), timeout=WAIT_MS)
+        until(lambda: has_told(crashes))
         assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
         assert "closeEvent" in report()
         press("goOn")
-        qtbot.waitUntil(lambda: has_told(crashes), timeout=WAIT_MS)
+        until(lambda: has_told(crashes))
         assert dialogs() == []
     assert run(guarded, qapp, guarded.window.close, lambda: press("saveAndQuit")) == 0
     assert not is_open(guarded.window)
     assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
 
 
-def test_another_fault_waits_until_the_first_is_put_away(guarded, qtbot):
-    raise_soon(guarded, qtbot, ZeroDivisionError("one"))
+def test_another_fault_waits_until_the_first_is_put_away(guarded):
+    raise_soon(guarded, ZeroDivisionError("one"))
     sys.excepthook(*raised(KeyError("two")))
     assert "one" in report()
     press("goOn")
-    qtbot.waitUntil(lambda: len(dialogs()) == 1, timeout=WAIT_MS)
+    until(lambda: len(dialogs()) == 1)
     assert "two" in report()
     press("goOn")
 
 
-def test_escape_goes_on(guarded, qtbot):
-    raise_soon(guarded, qtbot, ZeroDivisionError())
+def test_escape_goes_on(guarded):
+    raise_soon(guarded, ZeroDivisionError())
     (dialog,) = dialogs()
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert dialogs() == []
     assert guarded.window.isVisible()
 
 
-def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, qtbot, monkeypatch):
+def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, monkeypatch):
     layer = next(
         layer for layer in guarded.window.canvas.layers._layers if layer.is_visible and not layer.is_still
     )
@@ -201,22 +200,22 @@ def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, qtbot, mon
         patch.setattr(layer, "paint", fail)
         for times in range(1, 6):
             guarded.window.canvas.viewport().update()
-            qtbot.waitUntil(lambda times=times: len(failed) >= times, timeout=WAIT_MS)
-        qtbot.waitUntil(lambda: has_told(guarded.lifecycle.crashes), timeout=WAIT_MS)
+            until(lambda times=times: len(failed) >= times)
+        until(lambda: has_told(guarded.lifecycle.crashes))
     assert "cannot paint" in report()
     press("goOn")
     guarded.drag_point(1, to=(2, 3))
     assert dialogs() == []
 
 
-def test_a_fault_in_a_thread_is_told_by_the_window(guarded, qtbot):
+def test_a_fault_in_a_thread_is_told_by_the_window(guarded):
     def fail():
         raise RuntimeError("in a thread")
 
     thread = threading.Thread(target=fail)
     thread.start()
     thread.join()
-    qtbot.waitUntil(lambda: len(dialogs()) == 1, timeout=WAIT_MS)
+    until(lambda: len(dialogs()) == 1)
     assert "in a thread" in report()
     press("goOn")
 
@@ -232,8 +231,8 @@ def test_what_fails_while_it_is_thrown_away_is_no_matter_for_a_dialog(guarded, c
     assert "thrown away" in capsys.readouterr().err
 
 
-def test_the_report_can_be_copied(guarded, qtbot):
-    raise_soon(guarded, qtbot, ZeroDivisionError())
+def test_the_report_can_be_copied(guarded):
+    raise_soon(guarded, ZeroDivisionError())
     shown = report()
     press("copyReport")
     assert QGuiApplication.clipboard().text() == shown
@@ -267,13 +266,13 @@ def test_save_and_quit_keeps_what_has_no_file_for_the_next_start(guarded, qapp):
     assert kept_work() == document
 
 
-def test_save_and_quit_goes_on_where_saving_fails(guarded, qtbot, tmp_path):
+def test_save_and_quit_goes_on_where_saving_fails(guarded, tmp_path):
     path = tmp_path / "folder" / "mine.curve.json"
     path.parent.mkdir()
     guarded.session.save(path)
     guarded.drag_point(1, to=(2, 3))
     shutil.rmtree(path.parent)
-    raise_soon(guarded, qtbot, ZeroDivisionError())
+    raise_soon(guarded, ZeroDivisionError())
     press("saveAndQuit")
     assert guarded.window.isVisible()
     assert "was not saved" in guarded.file_bar.text
@@ -323,7 +322,7 @@ def test_at_most_five_different_faults_are_shown(qtbot):
         shown = 0
         for number in range(8):
             sys.excepthook(*raised(type(f"Fault{number}", (Exception,), {})()))
-            qtbot.waitUntil(lambda: has_told(handler), timeout=WAIT_MS)
+            until(lambda: has_told(handler))
             shown += len(dialogs())
             if dialogs():
                 press("goOn")
@@ -409,8 +408,8 @@ def test_last_words_go_to_a_file_where_there_is_no_terminal(own_home, monkeypatc
             faulthandler.enable(sys.__stderr__)
 
 
-def test_the_dialog_is_spoken_of_in_full(guarded, qtbot):
-    raise_soon(guarded, qtbot, ZeroDivisionError())
+def test_the_dialog_is_spoken_of_in_full(guarded):
+    raise_soon(guarded, ZeroDivisionError())
     (dialog,) = dialogs()
     assert isinstance(dialog, QDialog)
     for name in ("goOn", "saveAndQuit", "copyReport"):

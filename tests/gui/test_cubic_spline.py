@@ -15,6 +15,7 @@ from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.analysis.wiggle import explain
 from app.view_model.basis.growth import growth_of_points
+from tests.waiting import until
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
 SMALL = "of small moves, the mean of x and y"
@@ -92,7 +93,7 @@ def test_a_closed_curve_has_periodic_ends_whatever_was_chosen(spline):
     assert is_scipys(spline, "clamped")
 
 
-def test_the_lebesgue_constant_of_a_closed_curve_counts_its_first_point_once(spline, qtbot):
+def test_the_lebesgue_constant_of_a_closed_curve_counts_its_first_point_once(spline):
     """Both functions of the seam were counted each for itself."""
     spline.trigger("closeCurve")
     view = spline.session.active_view
@@ -104,7 +105,7 @@ def test_the_lebesgue_constant_of_a_closed_curve_counts_its_first_point_once(spl
     basis = spline.window.basis_panel.drawing.basis
     assert growth_of_points(view, basis) == pytest.approx(truth, rel=1e-6)
     shown = spline.window.findChild(QLabel, "lebesgueConstant")
-    qtbot.waitUntil(lambda: shown.text() == f"Λ {truth:.3g}")
+    until(lambda: shown.text() == f"Λ {truth:.3g}")
 
 
 @pytest.fixture(params=[VelocityRule.MONOTONE, VelocityRule.AKIMA])
@@ -129,11 +130,11 @@ def test_the_panel_says_that_its_functions_are_those_of_small_moves(bent):
     assert SMALL not in bent.window.findChild(QLabel, "basisTitle").toolTip()
 
 
-def test_the_band_the_bend_and_the_explanation_say_it(bent, qtbot):
+def test_the_band_the_bend_and_the_explanation_say_it(bent):
     bent.show_dock("analysisDock")
     bent.trigger("overlayBand")
     note = bent.window.findChild(QLabel, "overlayBandNote")
-    qtbot.waitUntil(lambda: note.text().endswith(f"; the effects of points are those {SMALL}."))
+    until(lambda: note.text().endswith(f"; the effects of points are those {SMALL}."))
     rows = [row.text for row in bent.window.canvas.drawing.annotations.legend.rows]
     assert any(text.startswith("Worst case to first order") for text in rows)
     assert explain(bent.session.active_view, 0.3).sentences[-1] == f"The weights are those {SMALL}."

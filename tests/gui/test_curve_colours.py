@@ -29,6 +29,7 @@ from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.export_dialog import ExportDialog
 from app.view_model.look.palette import adjustment_of, colour_on
 from tests.gui.test_theme import contrast, oklab
+from tests.waiting import until
 
 PAPERS = [(LIGHT, LIGHT_STYLE), (DARK, DARK_STYLE)]
 CUSTOM = ["#1b5e20", "#000000", "#ffffff", "#0000ff", "#ffff00", "#808080"]
@@ -152,10 +153,10 @@ def test_the_export_dialog_tells_of_colours_that_cannot_be_seen_as_chosen(qtbot)
     transparent = dialog.form.fields["transparent"].widget
     assert transparent.isChecked()
     transparent.click()
-    qtbot.waitUntil(lambda: bool(dialog.told.text()))
+    until(dialog.told.text)
     assert dialog.told.text() == "“<b>Sun” is drawn darker than its #f0e442, to be seen on this paper."
     transparent.click()
-    qtbot.waitUntil(lambda: not dialog.told.text())
+    until(lambda: not dialog.told.text())
 
 
 @pytest.mark.parametrize(("theme", "style"), PAPERS)

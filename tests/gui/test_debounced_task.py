@@ -8,6 +8,7 @@ import pytest
 
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Cancelled
+from tests.waiting import until
 
 
 @pytest.fixture
@@ -40,7 +41,7 @@ def test_running_work_learns_that_nobody_waits_for_it(qtbot, debounced):
             raise
 
     debounced.ask(endless)
-    qtbot.waitUntil(began.is_set)
+    until(began.is_set)
     with qtbot.waitSignal(debounced.ready) as answer:
         debounced.ask(lambda _report: "second")
     assert was_stale.is_set()
@@ -64,5 +65,5 @@ def test_an_exception_reaches_the_window(qtbot, debounced):
 
     with qtbot.captureExceptions() as caught:
         debounced.ask(fails)
-        qtbot.waitUntil(lambda: not debounced.is_busy and bool(caught))
+        until(lambda: not debounced.is_busy and bool(caught))
     assert str(caught[0][1]) == "seven"

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QTabBar, QToolButton
 
 from app.appearance.theme import ThemeMode
 from app.testing import Editor
+from tests.waiting import until
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -166,12 +167,12 @@ def test_a_panel_that_is_opened_takes_the_room_it_needs_and_gives_it_back(qtbot,
     before = points.height()
     for _ in range(2):
         editor.key(Qt.Key.Key_M, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
-        qtbot.waitUntil(lambda: not transform.widget().verticalScrollBar().maximum())
+        until(lambda: not transform.widget().verticalScrollBar().maximum())
         spare = transform.widget().viewport().height() - transform.widget().content.sizeHint().height()
         # In a high window its share is enough, and nothing is taken for it.
         assert 0 <= spare <= 2 or (spare > 0 and abs(points.height() - before) <= 2)
         transform.close()
-        qtbot.waitUntil(lambda: abs(points.height() - before) <= 2)
+        until(lambda: abs(points.height() - before) <= 2)
 
 
 def test_titles_of_many_panels_are_whole(qtbot):

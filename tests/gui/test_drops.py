@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent, QImage
@@ -14,6 +12,7 @@ from app.cli.lifecycle import Lifecycle
 from app.document.model import Document, make_curve
 from app.storage.files import save
 from app.window import MainWindow
+from tests.waiting import until
 
 COPY, MOVE = Qt.DropAction.CopyAction, Qt.DropAction.MoveAction
 LEFT, NO_KEYS = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -221,13 +220,6 @@ def only_dialog(editor):
     if found[0].objectName() == "importTableDialog":
         until(lambda: not found[0].jobs.is_busy)
     return found[0]
-
-
-def until(is_so):
-    deadline = time.monotonic() + 10
-    while not is_so():
-        assert time.monotonic() < deadline
-        QTest.qWait(2)
 
 
 def press(editor, dialog, name):

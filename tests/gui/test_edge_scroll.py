@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.plotting.edge_scroll import EdgeScroll
+from tests.waiting import until
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 BESIDE = ((0.0, -2.0), (2.0, -1.0), (4.0, -2.0))
@@ -69,13 +70,13 @@ def start_of(editor, what):
 
 
 @pytest.mark.parametrize("what", ["point", "handle", "bend", "curve", "band"])
-def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch, qtbot, what):
+def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch, what):
     steps, committed = arch.session.undo_stack.count(), arch.session.committed
     start, seen = start_of(arch, what), left_edge(arch)
     arch.press(start)
     place = edge(arch, "right", 20)
     move_to(arch, place)
-    qtbot.waitUntil(lambda: left_edge(arch) > seen + 3.0)
+    until(lambda: left_edge(arch) > seen + 3.0)
     # What is dragged has gone along, with no further event of the mouse.
     canvas = arch.window.canvas
     arch.settle()
@@ -93,7 +94,7 @@ def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch, qt
 
 
 @pytest.mark.parametrize("where", ["right", "left", "top", "bottom"])
-def test_it_goes_towards_the_edge_where_the_pointer_is(arch, qtbot, where):
+def test_it_goes_towards_the_edge_where_the_pointer_is(arch, where):
     shown = arch.window.canvas.camera.pixel_map
     arch.press(POINTS[1])
     move_to(arch, edge(arch, where, 5))
@@ -102,23 +103,23 @@ def test_it_goes_towards_the_edge_where_the_pointer_is(arch, qtbot, where):
         now = arch.window.canvas.camera.pixel_map
         return now.x0 - shown.x0, now.box[1] - shown.box[1]
 
-    qtbot.waitUntil(lambda: any(abs(each) > 0.2 for each in way()))
+    until(lambda: any(abs(each) > 0.2 for each in way()))
     x, y = way()
     assert {"right": x > 0, "left": x < 0, "top": y > 0, "bottom": y < 0}[where]
     assert (abs(x) > 0.2) != (abs(y) > 0.2)
     arch.escape()
 
 
-def test_back_inside_it_stops_and_escape_leaves_no_trace(arch, qtbot):
+def test_back_inside_it_stops_and_escape_leaves_no_trace(arch):
     document, steps, seen = arch.session.document, arch.session.undo_stack.count(), left_edge(arch)
     arch.press(POINTS[1])
     move_to(arch, edge(arch, "right", 20))
-    qtbot.waitUntil(lambda: left_edge(arch) > seen + 1.0)
+    until(lambda: left_edge(arch) > seen + 1.0)
     move_to(arch, edge(arch, "right", -100))
     assert not is_scrolling(arch)
     stopped = left_edge(arch)
     move_to(arch, edge(arch, "right", 20))
-    qtbot.waitUntil(lambda: left_edge(arch) > stopped)
+    until(lambda: left_edge(arch) > stopped)
     arch.escape()
     assert arch.session.document is document
     move_to(arch, edge(arch, "right", 30))
@@ -127,7 +128,7 @@ def test_back_inside_it_stops_and_escape_leaves_no_trace(arch, qtbot):
     assert arch.session.undo_stack.count() == steps
 
 
-def test_a_press_at_the_edge_scrolls_nothing_until_it_is_dragged_outwards(arch, qtbot):
+def test_a_press_at_the_edge_scrolls_nothing_until_it_is_dragged_outwards(arch):
     canvas, seen = arch.window.canvas, left_edge(arch)
     at = edge(arch, "right", -5)
     arch.send(canvas, QEvent.Type.MouseButtonPress, at)
@@ -135,7 +136,7 @@ def test_a_press_at_the_edge_scrolls_nothing_until_it_is_dragged_outwards(arch, 
     move_to(arch, at + QPoint(0, 40))
     assert not is_scrolling(arch)
     move_to(arch, at + QPoint(20, 40))
-    qtbot.waitUntil(lambda: left_edge(arch) > seen)
+    until(lambda: left_edge(arch) > seen)
     release_at(arch, at + QPoint(20, 40))
 
 

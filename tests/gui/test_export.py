@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import re
-import time
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -28,6 +27,7 @@ from app.storage.files import load
 from app.testing import Editor
 from app.workbench.document_files import DocumentFiles
 from tests.gui.editor_facts import retype
+from tests.waiting import until
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -48,10 +48,7 @@ def dialog(editor):
 
 
 def settled(editor, dialog):
-    deadline = time.monotonic() + 20
-    while dialog.jobs.is_busy or dialog._soon.isActive():
-        assert time.monotonic() < deadline
-        QTest.qWait(5)
+    until(lambda: not (dialog.jobs.is_busy or dialog._soon.isActive()))
     editor.settle()
     return dialog
 

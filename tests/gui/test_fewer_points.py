@@ -10,6 +10,7 @@ from app.document.model import Document, make_curve
 from app.families import FAMILIES
 from app.testing import Editor
 from tests.gui.editor_facts import retype
+from tests.waiting import until
 
 X = np.linspace(0.0, 6.0, 400)
 ROWS = np.stack([X, np.sin(X)], axis=1)
@@ -33,14 +34,14 @@ def opened(editor):
     return panel(editor)
 
 
-def wait(editor, qtbot):
-    qtbot.waitUntil(panel(editor).apply_button.isEnabled, timeout=20_000)
+def wait(editor):
+    until(panel(editor).apply_button.isEnabled)
 
 
-def test_it_is_shown_and_then_takes_the_place_of_the_curve(editor, qtbot):
+def test_it_is_shown_and_then_takes_the_place_of_the_curve(editor):
     before = editor.session.document
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     assert editor.session.document is before
     assert form.result.text().startswith("400 points become ")
     groups = editor.window.canvas.drawing.annotations.trace_layer.groups
@@ -60,10 +61,10 @@ def test_it_is_shown_and_then_takes_the_place_of_the_curve(editor, qtbot):
     assert editor.session.document == before
 
 
-def test_cancel_leaves_no_trace(editor, qtbot):
+def test_cancel_leaves_no_trace(editor):
     before, count = editor.session.document, editor.session.undo_stack.count()
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     QTest.mouseClick(form.cancel_button, Qt.MouseButton.LeftButton)
     editor.settle()
     assert editor.session.document is before
@@ -72,13 +73,13 @@ def test_cancel_leaves_no_trace(editor, qtbot):
     assert not form.isVisible()
 
 
-def test_number_and_family_are_chosen(editor, qtbot):
+def test_number_and_family_are_chosen(editor):
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     for box, index in ((form.goal, 1), (form.family, form.family.findText("Lagrange"))):
         choose(box, index)
     retype(form.count, "9")
-    qtbot.waitUntil(lambda: "become 9 points" in form.result.text(), timeout=20_000)
+    until(lambda: "become 9 points" in form.result.text())
     QTest.mouseClick(form.apply_button, Qt.MouseButton.LeftButton)
     curve = editor.session.active_curve
     assert (curve.family.name, len(curve.points)) == ("lagrange", 9)
@@ -91,22 +92,22 @@ def choose(box: QComboBox, index: int) -> None:
         QTest.keyClick(box, Qt.Key.Key_Down if box.currentIndex() < index else Qt.Key.Key_Up)
 
 
-def test_what_is_impossible_is_said(editor, qtbot):
+def test_what_is_impossible_is_said(editor):
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     choose(form.goal, 1)
     retype(form.count, "900")
     assert form.result.text() == "Points: from 2 to 500."
     assert not form.apply_button.isEnabled()
 
 
-def test_another_curve_is_fitted_when_the_curve_changes(editor, qtbot):
+def test_another_curve_is_fitted_when_the_curve_changes(editor):
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     few = make_curve([(0.0, 0.0), (1.0, 2.0), (2.0, 0.0)], family=FAMILIES.named("hermite"))
     editor.session.change("Other", lambda _: Document((few,)))
     assert not form.apply_button.isEnabled()
-    qtbot.waitUntil(lambda: form.result.text().startswith("3 points become "), timeout=20_000)
+    until(lambda: form.result.text().startswith("3 points become "))
 
 
 @pytest.fixture
@@ -123,7 +124,7 @@ def long_fit(qtbot):
 
 
 @pytest.mark.parametrize("place", ["tolerance", "family", "cancel_button", "canvas"])
-def test_escape_ends_a_fit_as_cancel_does(long_fit, qtbot, place):
+def test_escape_ends_a_fit_as_cancel_does(long_fit, place):
     editor, form = long_fit, panel(long_fit)
     choose(form.family, form.family.findText("B-spline"))
     before = editor.session.document
@@ -138,9 +139,9 @@ def test_escape_ends_a_fit_as_cancel_does(long_fit, qtbot, place):
 
 
 @pytest.mark.parametrize("place", ["tolerance", "canvas"])
-def test_escape_puts_a_result_away(editor, qtbot, place):
+def test_escape_puts_a_result_away(editor, place):
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     before = editor.session.document
     widget = editor.window.canvas if place == "canvas" else form.tolerance
     widget.setFocus()
@@ -151,29 +152,29 @@ def test_escape_puts_a_result_away(editor, qtbot, place):
     assert "fewer_points" not in editor.window.canvas.drawing.annotations.trace_layer.groups
 
 
-def test_a_number_that_suits_the_curve_is_there(editor, qtbot):
+def test_a_number_that_suits_the_curve_is_there(editor):
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     choose(form.goal, 1)
     assert form.count.value() == max(len(editor.curve.points) // 2, 2)
-    wait(editor, qtbot)
+    wait(editor)
     assert form.apply_button.isEnabled()
 
 
 @pytest.mark.parametrize("name", ["lagrange", "hermite"])
-def test_a_deviation_at_the_points_alone_is_said_to_be(editor, qtbot, name):
+def test_a_deviation_at_the_points_alone_is_said_to_be(editor, name):
     wave = [(k, np.sin(k).item()) for k in range(12)]
     curve = make_curve(wave, family=FAMILIES.named(name))
     editor.session.change("Wave", lambda _: Document((curve,)))
     form = opened(editor)
-    wait(editor, qtbot)
+    wait(editor)
     is_said = form.result.text().endswith("Measured at the points, not between them.")
     assert is_said is (name == "lagrange")
 
 
-def test_data_that_scatter_farther_are_said_to(long_fit, qtbot):
+def test_data_that_scatter_farther_are_said_to(long_fit):
     form = panel(long_fit)
-    qtbot.waitUntil(form.apply_button.isEnabled, timeout=20_000)
+    until(form.apply_button.isEnabled)
     text = form.result.text()
     assert " largest deviation stays at 0.0" in text
     assert text.endswith("The data scatter so far; more points would follow that alone.")

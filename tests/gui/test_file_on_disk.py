@@ -32,9 +32,9 @@ from app.storage.open_file import LockedError
 from app.testing import Editor
 from app.workbench.disk_watch import DiskWatch
 from app.workbench.notice_bar import NoticeBar
+from tests import waiting
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
-WAIT_MS = 20_000
 SOON_MS = 10
 OTHERS = Document((make_curve([(0.0, 0.0), (5.0, 5.0)]),))
 
@@ -70,12 +70,12 @@ def look_soon(monkeypatch):
 
 
 @pytest.fixture
-def until(qtbot, look_soon):
+def until(look_soon):
     """Wait until something is so."""
 
     def wait(condition):
         look_soon()
-        qtbot.waitUntil(lambda: bool(condition()), timeout=WAIT_MS)
+        waiting.until(condition)
 
     return wait
 
@@ -86,7 +86,7 @@ def save_loudly(qtbot):
 
     def save_it(path, document):
         watcher = QFileSystemWatcher([str(path.parent)])
-        with qtbot.waitSignal(watcher.directoryChanged, timeout=WAIT_MS):
+        with qtbot.waitSignal(watcher.directoryChanged):
             save(path, document)
 
     return save_it
@@ -426,7 +426,7 @@ def test_own_saves_are_no_news(saved, qtbot, look_soon):
     look_soon()
     watch = saved.window.findChild(DiskWatch)
     for _ in range(3):
-        with qtbot.waitSignal(watch.triggered, timeout=WAIT_MS):
+        with qtbot.waitSignal(watch.triggered):
             saved.trigger("saveDocument")
         assert saved.file_bar.text == ""
 
@@ -458,7 +458,7 @@ def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(
     qtbot.addWidget(other)
     other.show()
     other.activateWindow()
-    qtbot.waitUntil(other.isActiveWindow)
+    until(other.isActiveWindow)
     watcher = saved.window.findChild(QFileSystemWatcher)
     watcher.removePaths([*watcher.files(), *watcher.directories()])
     save_loudly(path, THEIRS)

@@ -17,6 +17,7 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, ChosenSettings
 from app.plotting.pens import colour_of, dashed
 from app.view_model.analysis.ghost import Ghost, all_ghosts
+from tests.waiting import until
 
 
 def shown(editor):
@@ -129,12 +130,9 @@ def test_a_ghost_has_the_settings_that_the_curve_has_or_had_of_its_family(editor
     assert shown(editor)[Ghost(family=family)].curve.chosen == {"degree": 3}
 
 
-def test_one_legend_explains_ghosts_and_the_laboratory(editor, qtbot):
+def test_one_legend_explains_ghosts_and_the_laboratory(editor):
     editor.trigger("toggleLaboratory")
-    qtbot.waitUntil(
-        lambda: bool(editor.window.canvas.drawing.annotations.trace_layer.groups.get("laboratory")),
-        timeout=20_000,
-    )
+    until(lambda: editor.window.canvas.drawing.annotations.trace_layer.groups.get("laboratory"))
     editor.trigger("ghostUniform")
     ghosts, computed = ["Lagrange · Chord length", "Uniform"], ["Monomials", "Lagrange"]
     # Whatever came first: the curve itself never stands under the heading of another group.
@@ -277,7 +275,7 @@ def covered(editor):
 
 
 @pytest.mark.parametrize("size", [(1024, 640), (1280, 800), (1440, 900)])
-def test_the_legend_of_all_families_covers_no_curve(editor, qtbot, size):
+def test_the_legend_of_all_families_covers_no_curve(editor, size):
     """It lay over the end of the curve at 1280."""
     editor.window.resize(*size)
     uniform = Parametrization(ParametrizationKind.UNIFORM)
@@ -286,7 +284,7 @@ def test_the_legend_of_all_families_covers_no_curve(editor, qtbot, size):
     editor.trigger("ghostAllFamilies")
     legend = editor.window.canvas.drawing.annotations.legend
     editor.fit()
-    qtbot.waitUntil(lambda: covered(editor) == 0)
+    until(lambda: covered(editor) == 0)
     tip = editor.window.findChild(QToolButton, "legendChoose_floater_hormann").toolTip()
     assert tip == "Make this the curve: Barycentric rational (Λ 3.7)"
     assert editor.window.canvas.viewport().rect().contains(legend.geometry())
@@ -298,7 +296,7 @@ def in_corner(editor):
     return legend.center().x() > room.center().x(), legend.center().y() > room.center().y()
 
 
-def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor, qtbot):
+def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor):
     editor.session.commit(Document((make_curve([(0, 0), (2, 0), (4, 0.0), (6, 0)]),)), "Line")
     editor.fit()
     editor.trigger("ghostHermite")
@@ -312,7 +310,7 @@ def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor, qtbot)
     assert in_corner(editor) == (True, True)
     assert covered(editor)
     editor.release(end)
-    qtbot.waitUntil(lambda: not covered(editor))
+    until(lambda: not covered(editor))
     assert in_corner(editor) == (True, False)
     # And it stays there, as long as it is not in the way.
     editor.trigger("undo")

@@ -6,7 +6,6 @@ import gc
 import math
 import sys
 import threading
-import time
 from contextlib import contextmanager
 
 import numpy as np
@@ -35,10 +34,10 @@ from app.families import HERMITE
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.export_commands import ExportCommands
 from app.storage.files import save
-from app.testing import spin
 from app.view_model.curve.curve_view import view_of
 from app.widgets.field_edit import FieldEdit
 from tests.gui.editor_facts import retype
+from tests.waiting import until
 
 SVG = (
     '<svg xmlns="http://www.w3.org/2000/svg"><flowRoot>hi</flowRoot>'
@@ -79,11 +78,8 @@ def opened(editor, path, name="importTableDialog"):
     return dialog
 
 
-def settle(editor, dialog, seconds=30):
-    deadline = time.monotonic() + seconds
-    while dialog.jobs.is_busy or dialog._soon.isActive():
-        assert time.monotonic() < deadline
-        spin(5)
+def settle(editor, dialog):
+    until(lambda: not (dialog.jobs.is_busy or dialog._soon.isActive()))
     editor.settle()
 
 
@@ -648,19 +644,11 @@ def busy(tmp_path):
 
 
 def shown_bar(editor):
-    deadline = time.monotonic() + 10
-    while (bar := editor.window.findChild(object, "jobBar")) is None or not bar.isVisible():
-        assert time.monotonic() < deadline
-        spin(5)
-    return bar
+    def bar():
+        return editor.window.findChild(object, "jobBar")
 
-
-def until_collected():
-    """Wait until work that was taken back has noticed: only then is garbage collected again."""
-    deadline = time.monotonic() + 20
-    while not gc.isenabled():
-        assert time.monotonic() < deadline
-        spin(10)
+    until(lambda: bar() is not None and bar().isVisible())
+    return bar()
 
 
 def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
@@ -672,10 +660,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     # It is no higher than what stands beside it: the drawing stays where it is (it lost two pixels).
     editor.settle()
     assert editor.window.canvas.height() == height
-    deadline = time.monotonic() + 10
-    while bar.bar.value() == 0:
-        assert time.monotonic() < deadline
-        spin(5)
+    until(lambda: bar.bar.value() > 0)
     # Meanwhile the window works on.
     editor.select_point(0)
     assert editor.session.selected.points == {0}
@@ -709,7 +694,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     editor.trigger("cancelWork")
     assert not editor.window.context.work.jobs.is_busy
     assert "nothing has changed" in editor.status
-    until_collected()
+    until(gc.isenabled)  # work that was taken back has noticed
     assert old.read_text(encoding="utf-8") == "mine"
     assert [each.name for each in tmp_path.iterdir()] == ["out.csv"]
 
@@ -722,7 +707,7 @@ def test_closing_the_window_drops_the_work(new_editor, busy):
     task = editor.window.context.work.jobs._task
     assert editor.window.close()
     assert not editor.window.context.work.jobs.is_busy
-    until_collected()
+    until(gc.isenabled)  # work that was taken back has noticed
     assert not task.thread.is_alive()
     assert task.result is task.problem is None
 
@@ -773,7 +758,7 @@ def test_very_many_rows_never_block_the_window(editor, tmp_path, monkeypatch):
         editor.window.commands[ImportCommands].import_files([path])
         editor.wait_for_work()
         dialog = dialog_of(editor, "importTableDialog")
-        settle(editor, dialog, 60)
+        settle(editor, dialog)
         prepared = dialog._prepared
         press(dialog, "importTable")
         editor.settle()

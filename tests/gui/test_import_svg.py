@@ -16,8 +16,8 @@ from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.features.import_export.commands import ImportCommands
 from app.storage.files import load
-from app.testing import spin
 from app.workbench.file_names import title_of
+from tests.waiting import until
 
 SVG = Path(__file__).parents[1] / "data" / "svg"
 INCH = (
@@ -39,8 +39,7 @@ def opened(editor, path):
 
 def drawn(editor, dialog):
     """Wait until the picture of a dialog is there."""
-    while dialog.jobs.is_busy:
-        spin(5)
+    until(lambda: not dialog.jobs.is_busy)
     editor.settle()
 
 

@@ -20,6 +20,7 @@ from app.view_model.analysis import joints
 from app.view_model.analysis.joints import JointKind
 from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of, noted_calls
+from tests.waiting import until
 
 
 @pytest.fixture
@@ -101,12 +102,12 @@ def test_selecting_a_point_chooses_its_row(bessel):
     assert table(bessel).currentIndex().row() == 4
 
 
-def test_it_follows_a_drag_at_the_pace_of_the_panels_and_escape_goes_back(bessel, qtbot):
+def test_it_follows_a_drag_at_the_pace_of_the_panels_and_escape_goes_back(bessel):
     before = panel(bessel).rows
     x, y = bessel.point(3)
     bessel.press((x, y))
     bessel.move((x + 0.4, y + 0.4))
-    qtbot.waitUntil(lambda: panel(bessel).rows != before, timeout=20_000)
+    until(lambda: panel(bessel).rows != before)
     bessel.escape()
     assert panel(bessel).rows == before
 

@@ -30,6 +30,7 @@ from app.features.laboratory.commands import LaboratoryCommands
 from app.tasks.debounced_task import SETTLE_MS
 from app.view_model.analysis.laboratory_settings import Calculation
 from tests.gui.editor_facts import retype
+from tests.waiting import until
 
 LEFT = Qt.MouseButton.LeftButton
 NEVER_MS = 600_000
@@ -48,12 +49,12 @@ def quick(editor):
 
 
 @pytest.fixture
-def lab(editor, quick, qtbot):
+def lab(editor, quick):
     """The editor with six points and the laboratory open."""
     editor.session.commit(Document((make_curve(POINTS),)), "Begin")
     editor.fit()
     editor.trigger("toggleLaboratory")
-    settled(editor, qtbot)
+    settled(editor)
     return editor
 
 
@@ -61,11 +62,11 @@ def commands(editor):
     return editor.window.commands[LaboratoryCommands]
 
 
-def settled(editor, qtbot):
+def settled(editor):
     """Wait until the laboratory has answered."""
     editor.settle()
     lab = commands(editor)
-    qtbot.waitUntil(lambda: not (lab._task.is_busy or lab._digits_task.is_busy or lab._cost_task.is_busy))
+    until(lambda: not (lab._task.is_busy or lab._digits_task.is_busy or lab._cost_task.is_busy))
     editor.settle()
 
 
@@ -84,16 +85,16 @@ def shown(editor):
     return {trace.label: trace for trace in groups.get("laboratory", ((), False))[0]}
 
 
-def press_key(editor, qtbot, widget, key):
+def press_key(editor, widget, key):
     QTest.keyClick(widget, key)
-    settled(editor, qtbot)
+    settled(editor)
 
 
-def click(editor, qtbot, widget):
+def click(editor, widget):
     # A check box hears clicks on its box and text only.
     place = QPoint(8, widget.height() // 2)
     QTest.mouseClick(widget, LEFT, pos=place)
-    settled(editor, qtbot)
+    settled(editor)
 
 
 # An independent k-digit computation: plain Decimal operators, results rounded by hand.
@@ -142,12 +143,12 @@ def rows(editor):
 
 
 @pytest.mark.parametrize("digits", [3, 7])
-def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtbot, digits):
+def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, digits):
     slider = find(lab, QSlider, "digitsSlider")
     while slider.value() != digits:
-        press_key(lab, qtbot, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
+        press_key(lab, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
     lab.session.scrub.set(0.3)
-    settled(lab, qtbot)
+    settled(lab)
     xs, ys = zip(*POINTS, strict=True)
     by_hand = [lagrange_by_hand(lab.parameters, each, 0.3, digits) for each in (xs, ys)]
     assert rows(lab)["Lagrange"] == tuple(float(each) for each in by_hand)
@@ -156,13 +157,13 @@ def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtb
     assert [each.strip().replace("−", "-") for each in shown_text[1:]] == [str(each) for each in by_hand]
 
 
-def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab, qtbot):
+def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab):
     trace = shown(lab)["Lagrange"]
     trial = commands(lab).trial
     truth = lab.session.active_view.curve.evaluate(trial.t)
     away = np.hypot(*(np.vstack(trace.pieces) - truth).T)
     find(lab, QToolButton, "plotErrorsButton").click()
-    settled(lab, qtbot)
+    settled(lab)
     (plot,) = lab.window.analysis.added_plots.values()
     line = next(each for each in plot.lines if each.name == "Lagrange")
     assert line.values == pytest.approx(away, abs=1e-14)
@@ -170,7 +171,7 @@ def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab, 
     assert float(text(lab, "place_lagrange")) == pytest.approx(trial.t[np.argmax(away)], abs=0.006)
 
 
-def test_fewer_digits_ruin_the_monomials_first(lab, qtbot):
+def test_fewer_digits_ruin_the_monomials_first(lab):
     slider = find(lab, QSlider, "digitsSlider")
     assert slider.value() == 4
     errors = {}
@@ -178,30 +179,30 @@ def test_fewer_digits_ruin_the_monomials_first(lab, qtbot):
         assert text(lab, "digitsValue") == f"<b>{digits}</b> digits"
         errors[digits] = float(text(lab, "error_monomial"))
         assert errors[digits] > float(text(lab, "error_lagrange"))
-        press_key(lab, qtbot, slider, Qt.Key.Key_Left)
+        press_key(lab, slider, Qt.Key.Key_Left)
     assert errors[2] > errors[3] > errors[4]
-    press_key(lab, qtbot, slider, Qt.Key.Key_End)
+    press_key(lab, slider, Qt.Key.Key_End)
     assert slider.value() == 16
     assert text(lab, "digitsValue") == "<b>16</b> digits"
 
 
-def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab, qtbot):
+def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab):
     before, document = text(lab, "error_lagrange"), lab.session.document
     button = find(lab, QPushButton, "shiftButton")
-    click(lab, qtbot, button)
+    click(lab, button)
     assert float(text(lab, "lost_monomial")) == 4.0
     assert text(lab, "error_lagrange") == before
     assert lab.session.document is document
     assert not lab.session.files.is_modified or lab.session.undo_stack.count() == 1
     assert button.text() == "Shift t back"
-    click(lab, qtbot, button)
+    click(lab, button)
     assert float(text(lab, "lost_monomial")) < 4.0
 
 
-def test_another_shift_can_be_typed(lab, qtbot):
+def test_another_shift_can_be_typed(lab):
     field = find(lab, QLineEdit, "shiftField")
     retype(field, "1000")
-    settled(lab, qtbot)
+    settled(lab)
     assert commands(lab)._settings.shift == 1000
     assert "κ" in text(lab, "condition_monomial")
     field.selectAll()
@@ -211,55 +212,55 @@ def test_another_shift_can_be_typed(lab, qtbot):
     assert commands(lab)._settings.shift == 1000
 
 
-def test_methods_are_chosen_by_their_boxes(lab, qtbot):
+def test_methods_are_chosen_by_their_boxes(lab):
     assert set(shown(lab)) == {"Monomials", "Lagrange"}
-    click(lab, qtbot, find(lab, QCheckBox, "method_barycentric"))
-    click(lab, qtbot, find(lab, QCheckBox, "method_monomial"))
+    click(lab, find(lab, QCheckBox, "method_barycentric"))
+    click(lab, find(lab, QCheckBox, "method_monomial"))
     assert set(shown(lab)) == {"Lagrange", "Barycentric"}
     styles = [(trace.style.colour, trace.style.dashes) for trace in shown(lab).values()]
     assert len(set(styles)) == 2
     assert text(lab, "lost_monomial") == "–"
 
 
-def test_hermite_curves_have_methods_of_their_own(lab, qtbot):
+def test_hermite_curves_have_methods_of_their_own(lab):
     lab.choose_family(HERMITE)
-    settled(lab, qtbot)
+    settled(lab)
     assert set(shown(lab)) == {"Monomials", "Hermite basis"}
     assert not find(lab, QCheckBox, "method_newton").isVisible()
-    click(lab, qtbot, find(lab, QCheckBox, "method_monomial"))
+    click(lab, find(lab, QCheckBox, "method_monomial"))
     assert set(shown(lab)) == {"Hermite basis"}
     # What was chosen for the other family is still chosen.
     lab.choose_family(LAGRANGE)
-    settled(lab, qtbot)
+    settled(lab)
     assert set(shown(lab)) == {"Lagrange"}
 
 
-def test_the_data_can_be_rounded(lab, qtbot):
+def test_the_data_can_be_rounded(lab):
     lab.session.commit(Document((make_curve([(x + 0.123456, y) for x, y in POINTS]),)), "Move")
     box = find(lab, QComboBox, "roundData")
     box.setFocus()
-    press_key(lab, qtbot, box, Qt.Key.Key_Down)
-    press_key(lab, qtbot, box, Qt.Key.Key_Down)
+    press_key(lab, box, Qt.Key.Key_Down)
+    press_key(lab, box, Qt.Key.Key_Down)
     assert commands(lab)._settings.decimals == 1
     first = shown(lab)["Lagrange"].pieces[0][0]
     assert first == pytest.approx((0.1, 0.0))
-    press_key(lab, qtbot, box, Qt.Key.Key_Up)
+    press_key(lab, box, Qt.Key.Key_Up)
     assert "neighbouring t are the same number" in text(lab, "laboratoryWords")
     assert not shown(lab)
-    press_key(lab, qtbot, box, Qt.Key.Key_Home)
+    press_key(lab, box, Qt.Key.Key_Home)
     assert shown(lab)
 
 
-def test_what_is_rounded_can_be_chosen(lab, qtbot):
+def test_what_is_rounded_can_be_chosen(lab):
     """Only every step could be: the error of the monomials along t was flat, whatever lesson 6 said of it."""
     clock = Parametrization(ParametrizationKind.UNIFORM, end=8.0)
     nine = [(i, y) for i, y in enumerate((0.0, 1.1, 1.6, 1.3, 0.5, 0.2, 0.8, 1.7, 1.9))]
     lab.session.commit(Document((replace(make_curve(nine), parametrization=clock),)), "Nine")
-    settled(lab, qtbot)
+    settled(lab)
     box = find(lab, QComboBox, "roundWhat")
     assert [box.itemText(row) for row in range(3)] == ["every step", "the coefficients", "the data"]
     box.setFocus()
-    press_key(lab, qtbot, box, Qt.Key.Key_Down)
+    press_key(lab, box, Qt.Key.Key_Down)
     trial = commands(lab).trial
     errors = trial.outcome(Calculation.MONOMIAL).errors
     assert errors[trial.t < 0.5].max() < 1e-3 * errors[trial.t > 7.5].max()
@@ -268,21 +269,21 @@ def test_what_is_rounded_can_be_chosen(lab, qtbot):
     assert lab.window.canvas.drawing.annotations.trace_layer.groups["laboratory"][0]
     # Rounded to four digits the points are what they were.
     assert text(lab, "lost_lagrange") == "0.0"
-    press_key(lab, qtbot, box, Qt.Key.Key_Down)
+    press_key(lab, box, Qt.Key.Key_Down)
     assert text(lab, "error_monomial") == text(lab, "error_lagrange")
     assert "every method gives the same curve" in text(lab, "laboratoryWords")
     assert text(lab, "condition_monomial") == text(lab, "condition_lagrange") == "Λ 11"
     lab.window.analysis.change(
         laboratory=replace(lab.window.analysis.settings.laboratory, digits=2, shift=1000.0)
     )
-    settled(lab, qtbot)
+    settled(lab)
     assert "To 2 digits, neighbouring t are the same number" in text(lab, "laboratoryWords")
     assert not shown(lab)
-    press_key(lab, qtbot, box, Qt.Key.Key_Home)
+    press_key(lab, box, Qt.Key.Key_Home)
     assert shown(lab)
 
 
-def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab, qtbot):
+def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab):
     # However slow the machine is, the hand does not rest before it is let go.
     settling = commands(lab)._task._timer
     settling.setInterval(NEVER_MS)
@@ -296,14 +297,14 @@ def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab, qtbot):
     assert text(lab, "laboratoryState") == "computing…"
     lab.release((x + 0.5, y + 0.5))
     settling.setInterval(SETTLE_MS)
-    settled(lab, qtbot)
+    settled(lab)
     traces, faded = lab.window.canvas.drawing.annotations.trace_layer.groups["laboratory"]
     assert not faded
     assert traces[1].pieces is not trace.pieces
     assert text(lab, "laboratoryState") == ""
 
 
-def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(new_editor, qtbot):
+def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(new_editor):
     editor = new_editor
     assert not commands(editor)._settings.on
     assert commands(editor)._panel is None
@@ -314,13 +315,13 @@ def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(new_editor, q
     assert commands(editor)._asked is None
     assert commands(editor)._panel is None
     editor.trigger("toggleLaboratory")
-    settled(editor, qtbot)
+    settled(editor)
     assert editor.action("toggleLaboratory").isChecked()
     assert shown(editor)
     # Another tab in front leaves the curves where they are.
     editor.show_dock("curveDock")
     editor.drag_point(1, to=(2, 3.5))
-    settled(editor, qtbot)
+    settled(editor)
     assert shown(editor)
     dock = find(editor, QDockWidget, "laboratoryDock")
     dock.close()
@@ -328,29 +329,29 @@ def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(new_editor, q
     assert not shown(editor)
 
 
-def test_many_points_are_refused_in_words(lab, qtbot):
+def test_many_points_are_refused_in_words(lab):
     wave = [(0.1 * i, np.sin(i)) for i in range(61)]
     lab.session.commit(Document((make_curve(wave),)), "More")
-    settled(lab, qtbot)
+    settled(lab)
     assert set(shown(lab)) == {"Monomials"}
     assert "Lagrange is left out" in text(lab, "laboratoryNote")
     lab.session.commit(Document((make_curve([(i, i % 2) for i in range(201)]),)), "Most")
-    settled(lab, qtbot)
+    settled(lab)
     assert not shown(lab)
     assert "too many" in text(lab, "laboratoryWords")
 
 
-def test_without_a_curve_it_says_why(lab, qtbot):
+def test_without_a_curve_it_says_why(lab):
     lab.session.commit(Document((make_curve(POINTS[:1]),)), "One")
-    settled(lab, qtbot)
+    settled(lab)
     assert not shown(lab)
     assert text(lab, "laboratoryWords") == "A curve needs at least two points."
 
 
-def test_the_cost_page_counts_measures_and_marks_n(lab, qtbot):
+def test_the_cost_page_counts_measures_and_marks_n(lab):
     tabs = find(lab, QTabWidget, "laboratoryPanel")
     QTest.mouseClick(tabs.tabBar(), LEFT, pos=tabs.tabBar().tabRect(1).center())
-    settled(lab, qtbot)
+    settled(lab)
     # Elimination, by hand for n = 6 and two coordinates: the powers, 15 factors, 2·55 updates of the matrix,
     # 2·2·15 of the right-hand sides, back substitution, then Horner.
     solving = 6 * 4 + 15 + 2 * 55 + 4 * 15 + 2 * (2 * 15 + 6) + 2 * 2 * 5
@@ -363,7 +364,7 @@ def test_the_cost_page_counts_measures_and_marks_n(lab, qtbot):
     assert [line.values[-1] > 1e6 for line in chart.lines] == [True, True]
     lab.fit()
     lab.add_point(5.5, 3)
-    settled(lab, qtbot)
+    settled(lab)
     assert chart._marker == 7
     assert "With 7 points" in text(lab, "costWords")
 
@@ -380,9 +381,9 @@ def test_the_curves_are_drawn_in_both_themes(lab):
         assert with_curves == lab.screenshot().copy(canvas)
 
 
-def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
+def test_the_errors_are_plotted_below_the_functions(lab):
     lab.trigger("plotErrors")
-    settled(lab, qtbot)
+    settled(lab)
     (plot,) = lab.window.analysis.added_plots.values()
     assert plot.title == "Errors of the methods"
     drawn = {line.name: line.values for line in plot.lines}
@@ -394,31 +395,31 @@ def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
     assert lab.window.analysis.added_plots == {}
     lab.trigger("plotErrors")
     lab.trigger("plotErrors")
-    settled(lab, qtbot)
+    settled(lab)
     assert lab.action("toggleLaboratory").isChecked()
     assert len(lab.window.analysis.added_plots) == 1
     lab.trigger("plotErrors")
     assert lab.window.analysis.added_plots == {}
 
 
-def test_sixteen_digits_fit_the_dock(lab, qtbot):
+def test_sixteen_digits_fit_the_dock(lab):
     """The y values, the condition and the shift field used to be cut off at the right."""
     lab.window.analysis.change(laboratory=replace(lab.window.analysis.settings.laboratory, digits=16))
-    settled(lab, qtbot)
+    settled(lab)
     page = find(lab, QScrollArea, "accuracyPage")
     assert page.widget().width() <= page.viewport().width()
 
 
 @pytest.mark.parametrize("family", [LAGRANGE, QUINTIC_HERMITE])
 @pytest.mark.usefixtures("quick")
-def test_the_dock_is_as_wide_as_the_laboratory(editor, qtbot, family):
+def test_the_dock_is_as_wide_as_the_laboratory(editor, family):
     """In a window 1280 pixels wide it was 4 pixels wider than its dock, and scrolled sideways by them."""
     editor.window.resize(1280, 860)
     editor.choose_family(family)
     editor.trigger("toggleLaboratory")
-    settled(editor, qtbot)
+    settled(editor)
     dock = editor.window.findChild(QDockWidget, "laboratoryDock")
-    qtbot.waitUntil(lambda: dock.widget().horizontalScrollBar().maximum() == 0)
+    until(lambda: dock.widget().horizontalScrollBar().maximum() == 0)
     page = find(editor, QScrollArea, "accuracyPage")
     assert page.horizontalScrollBar().maximum() == 0
     words = find(editor, QLabel, "laboratoryWords").text()

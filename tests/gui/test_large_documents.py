@@ -21,6 +21,7 @@ from app.storage import files, validation
 from app.testing import Editor
 from app.tools import target
 from tests.effort import calls_of, noted_calls
+from tests.waiting import until
 
 COUNT = 450
 
@@ -154,7 +155,7 @@ def test_a_large_document_named_at_the_start_is_read_beside_its_window(large, tm
     second.wait_for_work()
     assert "cut.curve.json was not opened" in second.message
     # It waits for its document, and is not lost with the sketch that is shown before.
-    qtbot.waitUntil(lambda: first.window.findChild(QDialog, "importTableDialog") is not None)
+    until(lambda: first.window.findChild(QDialog, "importTableDialog") is not None)
     assert first.session.files.path == large
 
 

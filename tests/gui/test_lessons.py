@@ -32,6 +32,7 @@ from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve.curve_view import view_of
 from app.window import MainWindow
 from app.window.connect import all_actions
+from tests.waiting import until
 
 NAMES = lesson_names()
 NAMED = {each.name for each in all_actions()}
@@ -436,7 +437,7 @@ def test_a_start_with_a_lesson_shows_all_of_its_functions(qtbot, is_shown_first)
     window.commands[LessonCommands].open("03_chord_length")
     window.show()
     qtbot.waitExposed(window)
-    qtbot.waitUntil(lambda: not [each for each in window.children() if type(each).__name__ == "_FirstShow"])
+    until(lambda: not [each for each in window.children() if type(each).__name__ == "_FirstShow"])
     assert window.context.docks["lessonsDock"].isVisible()
     low, high = window.basis_panel.drawing.basis.extent(frozenset((0, 1, 2)))
     _, bottom, _, top = window.basis_panel.pixel_map.box

@@ -25,9 +25,9 @@ from app.storage.files import load, save
 from app.storage.format_error import FormatError
 from app.storage.open_file import OpenFile
 from app.tasks.task import Task
+from tests.waiting import until
 
 SECRET = ("mallory", "heirloom", "letters", "71.25", "-0.375", "tax2031")
-WAIT_MS = 15_000
 
 
 class Lines(logging.Handler):
@@ -63,7 +63,7 @@ def folder(tmp_path):
     return folder
 
 
-def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatch):
+def test_nothing_of_the_person_is_in_it(editor, folder, debug, monkeypatch):
     """Everything that names something: files that are there or not, locks, drawings, exceptions, backups."""
     window, session = editor.window, editor.session
     # The window may know already that another one has the file, and ask where else to save.
@@ -116,7 +116,7 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
     except FormatError as problem:
         crashes._take(FormatError, problem, problem.__traceback__)
     Task(lambda _report: int(f"{folder}"), lambda _task: None)
-    qtbot.waitUntil(lambda: any("failed (ValueError)" in line for line in debug), timeout=WAIT_MS)
+    until(lambda: any("failed (ValueError)" in line for line in debug))
     text = "\n".join(debug).lower()
 
     for word in SECRET:

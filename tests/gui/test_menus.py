@@ -13,6 +13,7 @@ from app.settings.preferences import Preferences
 from app.window import MainWindow
 from app.window.window_layout import first_size
 from tests.gui.curve_rows import open_row_menu
+from tests.waiting import until
 
 _ROOM = 540 - 30
 """Height of a window of 960 × 540 below its menu bar."""
@@ -148,7 +149,7 @@ def test_an_undocked_panel_is_shown_after_the_window_at_the_next_start(qtbot, tm
     order = ShowOrder(second, dock)
     with qtbot.waitExposed(second):
         second.show()
-    qtbot.waitUntil(lambda: order.shown[-1:] == ["historyDock"])
+    until(lambda: order.shown[-1:] == ["historyDock"])
     assert dock.isFloating()
     assert dock.isVisible()
 

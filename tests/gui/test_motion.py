@@ -32,6 +32,7 @@ from app.features.motion.bar import MotionBar
 from app.features.motion.commands import MotionCommands
 from app.features.motion.player import Player
 from app.view_model.animation.motion_picture import OWN
+from tests.waiting import until
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -105,11 +106,11 @@ def test_k_plays_and_pauses(editor, motion):
     assert motion.t == pytest.approx(0.75)
 
 
-def test_the_real_clock_moves_the_dot(editor, qtbot):
+def test_the_real_clock_moves_the_dot(editor):
     began = time.perf_counter()
     editor.trigger("playMotion")
     player = editor.window.findChild(Player)
-    qtbot.waitUntil(lambda: editor.session.scrub.t > 0.05)
+    until(lambda: editor.session.scrub.t > 0.05)
     # Frames may be dropped; the dot is never ahead of the clock.
     assert player.seconds <= time.perf_counter() - began
 
@@ -403,18 +404,18 @@ def export(editor, motion, path, **fields):
     QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
 
 
-def test_a_motion_is_exported(editor, motion, qtbot, tmp_path):
+def test_a_motion_is_exported(editor, motion, tmp_path):
     path = tmp_path / "film.gif"
     export(editor, motion, path, filmWidth=160, filmFps=10, filmSeconds=2)
     assert editor.window.context.work.jobs.title == "Writing film.gif"
-    qtbot.waitUntil(lambda: not editor.window.context.work.jobs.is_busy)
+    until(lambda: not editor.window.context.work.jobs.is_busy)
     with Image.open(path) as film:
         assert (film.n_frames, film.width, film.info["duration"]) == (20, 160, 100)
     assert "Wrote film.gif, 20 frames." in editor.status
     assert motion.bar.isHidden()
 
 
-def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_path, monkeypatch):
+def test_the_window_goes_on_while_a_film_is_written(editor, motion, tmp_path, monkeypatch):
     beat, frames = threading.Event(), []
 
     def write_to_the_beat(document, path, film, report):
@@ -431,7 +432,7 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
     timer.timeout.connect(beat.set)
     timer.start()
     export(editor, motion, tmp_path / "film.apng", filmWidth=64, filmSeconds=1)
-    qtbot.waitUntil(lambda: not editor.window.context.work.jobs.is_busy, timeout=60_000)
+    until(lambda: not editor.window.context.work.jobs.is_busy)
     timer.stop()
     assert len(frames) > 10
     assert (tmp_path / "film.apng").exists()
@@ -447,7 +448,7 @@ def shown_at_once(editor):
     patience.setInterval(usual)
 
 
-def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, qtbot, tmp_path):
+def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, tmp_path):
     export(editor, motion, tmp_path / "film.gif", filmWidth=200, filmSeconds=40)
 
     def is_offered():
@@ -455,7 +456,7 @@ def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, qtbot,
         stop = editor.window.findChild(QToolButton, "cancelJobButton")
         return stop is not None and stop.isVisible()
 
-    qtbot.waitUntil(is_offered)
+    until(is_offered)
     stop = editor.window.findChild(QToolButton, "cancelJobButton")
     QTest.mouseClick(stop, LEFT)
     assert not editor.window.context.work.jobs.is_busy
@@ -464,9 +465,9 @@ def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, qtbot,
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_failed_export_says_why(editor, motion, qtbot, tmp_path):
+def test_a_failed_export_says_why(editor, motion, tmp_path):
     export(editor, motion, tmp_path / "no" / "film.gif", filmWidth=64, filmSeconds=1)
-    qtbot.waitUntil(lambda: not editor.window.context.work.jobs.is_busy)
+    until(lambda: not editor.window.context.work.jobs.is_busy)
     assert editor.message.startswith("film.gif was not written. The folder of")
 
 
@@ -537,11 +538,11 @@ def test_its_choices_are_named_as_in_the_menu_but_for_the_underlined_letters(new
     assert [box.itemText(index) for index in range(box.count())] == ["By t", "By Arc Length"]
 
 
-def test_weights_make_room_for_the_dot_and_come_back(editor, qtbot):
+def test_weights_make_room_for_the_dot_and_come_back(editor):
     editor.scrub(0.4)
     assert editor.window.canvas.drawing.points.weights is not None
     editor.trigger("playMotion")
-    qtbot.waitUntil(lambda: bool(editor.window.canvas.drawing.dots))
+    until(lambda: editor.window.canvas.drawing.dots)
     assert editor.window.canvas.drawing.points.weights is None
     editor.trigger("stopMotion")
     assert editor.window.canvas.drawing.points.weights is not None

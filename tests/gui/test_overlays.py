@@ -28,6 +28,7 @@ from app.view_model.analysis.overlays import (
     vectors,
 )
 from tests.gui.editor_facts import retype
+from tests.waiting import until
 
 NEVER_MS = 600_000
 
@@ -60,10 +61,10 @@ def panel(editor, kind, name):
     return found
 
 
-def note(editor, qtbot, name):
+def note(editor, name):
     """The words below a switch, once they have settled."""
     label = panel(editor, QLabel, f"{name}Note")
-    qtbot.waitUntil(lambda: label.text() not in ("", "…"))
+    until(lambda: label.text() not in ("", "…"))
     return label.text()
 
 
@@ -130,10 +131,10 @@ HEAVY = {
 
 
 @pytest.mark.parametrize("name", list(HEAVY))
-def test_what_is_heavy_settles_after_a_drag(dock, qtbot, name):
+def test_what_is_heavy_settles_after_a_drag(dock, name):
     editor = dock
     editor.trigger(name)
-    qtbot.waitUntil(lambda: bool(figures(editor, HEAVY[name])))
+    until(lambda: figures(editor, HEAVY[name]))
     before = first(editor, HEAVY[name])
     # However slow the machine is, the hand does not rest before it is let go.
     settling = editor.window.commands[OverlayCommands]._task._timer
@@ -144,10 +145,10 @@ def test_what_is_heavy_settles_after_a_drag(dock, qtbot, name):
     # What belongs to another curve is not shown, and the dock says that something is coming.
     assert not figures(editor, HEAVY[name])
     label = panel(editor, QLabel, f"{name}Note")
-    qtbot.waitUntil(lambda: label.text() == "…")
+    until(lambda: label.text() == "…")
     editor.escape()
     settling.setInterval(SETTLE_MS)
-    qtbot.waitUntil(lambda: bool(figures(editor, HEAVY[name])))
+    until(lambda: figures(editor, HEAVY[name]))
     assert np.array_equal(first(editor, HEAVY[name]), before, equal_nan=True)
 
 
@@ -211,7 +212,7 @@ def test_the_number_of_ticks(dock, qtbot):
     assert len(first(editor, ticks.TICK)) == 2 * 20
 
 
-def test_the_circle_brings_the_scrub_line_and_follows_it(dock, qtbot):
+def test_the_circle_brings_the_scrub_line_and_follows_it(dock):
     editor = dock
     editor.trigger("overlayCircle")
     assert editor.session.scrub.t == pytest.approx(0.5)
@@ -219,9 +220,9 @@ def test_the_circle_brings_the_scrub_line_and_follows_it(dock, qtbot):
     editor.scrub(0.8)
     assert not np.array_equal(first(editor, circle.LINE), before)
     radius = float(np.linalg.norm(np.diff(first(editor, circle.CENTRE), axis=0)))
-    qtbot.waitUntil(lambda: note(editor, qtbot, "overlayCircle").startswith(f"Radius {radius:.3g}"))
+    until(lambda: note(editor, "overlayCircle").startswith(f"Radius {radius:.3g}"))
     editor.trigger("toggleScrub")
-    qtbot.waitUntil(lambda: "scrub line" in note(editor, qtbot, "overlayCircle"))
+    until(lambda: "scrub line" in note(editor, "overlayCircle"))
     assert not figures(editor, circle.LINE)
 
 
@@ -244,8 +245,8 @@ def test_errors_are_typed_as_expressions(dock, qtbot):
     assert editor.window.analysis.settings.value(POINT_ERROR) == 0.125
     assert not np.array_equal(first(editor, band.AREA), before, equal_nan=True)
     # Eight uniform parameters: the Lebesgue constant is 6.9297.
-    qtbot.waitUntil(lambda: "half-width 0.866" in note(editor, qtbot, "overlayBand"))
-    assert "times ε" in note(editor, qtbot, "overlayBand")
+    until(lambda: "half-width 0.866" in note(editor, "overlayBand"))
+    assert "times ε" in note(editor, "overlayBand")
     assert legend(editor) == ["Worst case, ε = 0.125"]
     type_into(panel(editor, QLineEdit, "parameterError"), "1e-3")
     assert legend(editor) == ["Worst case to first order, ε = 0.125, δ = 0.001"]
@@ -270,17 +271,17 @@ def test_the_first_error_is_a_hundredth_of_the_size_and_stays(editor):
 def test_another_seed_draws_other_curves(dock, qtbot):
     editor = dock
     editor.trigger("overlayEnsemble")
-    qtbot.waitUntil(lambda: bool(figures(editor, ensemble.LINES)))
+    until(lambda: figures(editor, ensemble.LINES))
     before = first(editor, ensemble.LINES)
     qtbot.mouseClick(panel(editor, QToolButton, "newSeedButton"), Qt.MouseButton.LeftButton)
     assert not figures(editor, ensemble.LINES)
-    qtbot.waitUntil(lambda: bool(figures(editor, ensemble.LINES)))
+    until(lambda: figures(editor, ensemble.LINES))
     assert not np.array_equal(first(editor, ensemble.LINES), before, equal_nan=True)
     qtbot.keyClick(panel(editor, QSlider, "ensembleCount"), Qt.Key.Key_Left)
-    qtbot.waitUntil(lambda: note(editor, qtbot, "overlayEnsemble") == "29 curves, seed 1.")
+    until(lambda: note(editor, "overlayEnsemble") == "29 curves, seed 1.")
 
 
-def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock, qtbot):
+def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock):
     editor = dock
     editor.trigger("overlayComb")
     editor.trigger("ghostUniform")
@@ -290,10 +291,10 @@ def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock, qtbot):
     assert not editor.window.canvas.drawing.annotations.figure_layer.figures
     assert not editor.window.canvas.drawing.annotations.figure_layer.ghosts
     problem = panel(editor, QLabel, "analysisProblem")
-    qtbot.waitUntil(lambda: "distinct" in problem.text() or "coincide" in problem.text())
+    until(lambda: "distinct" in problem.text() or "coincide" in problem.text())
     editor.trigger("undo")
     assert figures(editor, comb.TEETH)
-    qtbot.waitUntil(lambda: not problem.text())
+    until(lambda: not problem.text())
 
 
 def test_the_band_is_one_even_shade(editor):

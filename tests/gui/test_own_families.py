@@ -24,8 +24,8 @@ from app.view_model.basis.basis_findings import findings_of
 from curvecore import LagrangeCurve
 from tests.effort import noted_calls
 from tests.gui.family_files import forget_family_files
+from tests.waiting import until
 
-WAIT_MS = 30_000
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
 NAME = "my_lagrange"
 DIFFERENCES = "Derivatives are differences: c′, c″, c‴ to some 9, 8, 6 digits."
@@ -103,12 +103,12 @@ def text_of(editor):
 
 
 @pytest.fixture
-def using(editor, path, ask, save, qtbot, tried_here):
+def using(editor, path, ask, save, tried_here):
     """The editor with the template in use, and its family chosen."""
     save(template(path))
     ask(path)
     editor.trigger("useFamilyFile")
-    qtbot.waitUntil(lambda: "brings" in text_of(editor), timeout=WAIT_MS)
+    until(lambda: "brings" in text_of(editor))
     editor.choose_family(NAME)
     return editor
 
@@ -119,7 +119,7 @@ BROKEN = ("others = np.delete(parameters, i)", "others = np.delete(parameters, i
 # Writing and using
 
 
-def test_a_template_is_a_file_that_works_at_once(editor, path, ask, qtbot):
+def test_a_template_is_a_file_that_works_at_once(editor, path, ask):
     """All of it, with the process that runs it first."""
     ask(path)
     editor.trigger("familyTemplate")
@@ -128,7 +128,7 @@ def test_a_template_is_a_file_that_works_at_once(editor, path, ask, qtbot):
     assert "Python that is run" in text_of(editor)
     assert NAME not in [family.name for family in FAMILIES]  # nothing has run
     QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: "brings" in text_of(editor), timeout=WAIT_MS)
+    until(lambda: "brings" in text_of(editor))
     assert text_of(editor) == f"“{NAME}.py” brings “My lagrange”. It is run again whenever it is saved."
     QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
     editor.settle()
@@ -142,7 +142,7 @@ def test_a_template_is_a_file_that_works_at_once(editor, path, ask, qtbot):
     assert editor.window.findChild(QLabel, "basisFindings").text() == DIFFERENCES
 
 
-def test_a_file_that_says_its_derivatives_has_no_differences(using, save, path, qtbot):
+def test_a_file_that_says_its_derivatives_has_no_differences(using, save, path):
     said = using.window.findChild(QLabel, "basisFindings")
     assert said.text() == DIFFERENCES
     save("""import numpy as np
@@ -153,7 +153,7 @@ def basis(t, parameters, order):
     values = [np.interp(t, parameters, each) for each in hats]
     return np.stack(values, axis=1) if order == 0 else np.zeros((len(t), len(parameters)))
 """)
-    qtbot.waitUntil(lambda: "is not the derivative of" in said.text(), timeout=WAIT_MS)
+    until(lambda: "is not the derivative of" in said.text())
     assert DIFFERENCES not in said.text()
 
 
@@ -178,17 +178,17 @@ def test_the_line_about_a_file_lies_over_nothing(editor, path, ask, size):
     assert canvas.height() == height + own.height()
 
 
-def test_a_line_waits_until_a_drag_has_ended(using, save, path, qtbot):
+def test_a_line_waits_until_a_drag_has_ended(using, save, path):
     """The canvas would have another size under the hand."""
     place, height = using.point(2), using.window.canvas.height()
     using.press(place)
     using.move((3.0, 2.0))
     path.unlink()
-    qtbot.waitUntil(lambda: bool(family_files().problems), timeout=WAIT_MS)
+    until(lambda: family_files().problems)
     assert bar_of(using) is None
     assert using.window.canvas.height() == height
     using.release((3.0, 2.0))
-    qtbot.waitUntil(lambda: "is gone from its folder" in text_of(using), timeout=WAIT_MS)
+    until(lambda: "is gone from its folder" in text_of(using))
 
 
 def test_a_template_is_short_and_says_what_there_is(path):
@@ -253,10 +253,10 @@ def with_width(text, limits="limits=(1, 9)"):
     return text.replace("basis(t, parameters):", "basis(t, parameters, width):", 1)
 
 
-def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save, path, qtbot):
+def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save, path):
     using.show_dock("curveDock")
     save(with_width(template(path)))
-    qtbot.waitUntil(lambda: using.window.findChild(QLineEdit, "settingWidth") is not None, timeout=WAIT_MS)
+    until(lambda: using.window.findChild(QLineEdit, "settingWidth") is not None)
     using.settle()
     field = using.window.findChild(QLineEdit, "settingWidth")
     field.setFocus()
@@ -269,9 +269,9 @@ def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save,
     assert decode(encode(using.session.document)).curves[0].settings == using.curve.settings
     # A file that no longer allows what was chosen draws by its default.
     save(with_width(template(path), "limits=(1, 5)"))
-    qtbot.waitUntil(lambda: using.session.active_view.curve.chosen == {"width": 3}, timeout=WAIT_MS)
+    until(lambda: using.session.active_view.curve.chosen == {"width": 3})
     save(template(path))
-    qtbot.waitUntil(lambda: using.session.active_view.curve.chosen == {}, timeout=WAIT_MS)
+    until(lambda: using.session.active_view.curve.chosen == {})
     assert using.session.active_view.is_current
 
 
@@ -279,11 +279,11 @@ def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save,
 
 
 @pytest.mark.parametrize("way", ["replaced", "written", "away and back"])
-def test_saving_draws_the_curves_anew(using, save, path, qtbot, way):
+def test_saving_draws_the_curves_anew(using, save, path, way):
     before = using.session.active_view.curve.evaluate(0.4)
     document = using.session.document
     save(template(path).replace(*BROKEN).replace('title = "my lagrange"', 'title = "slipped"'), way)
-    qtbot.waitUntil(lambda: using.action("familyMyLagrange").text() == "Slipped", timeout=WAIT_MS)
+    until(lambda: using.action("familyMyLagrange").text() == "Slipped")
     using.settle()
     assert np.abs(using.session.active_view.curve.evaluate(0.4) - before).max() > 0.1
     assert using.session.document is document
@@ -294,11 +294,11 @@ def test_saving_draws_the_curves_anew(using, save, path, qtbot, way):
     assert said.text().endswith(f" {DIFFERENCES}")
     assert "was run again" in using.status
     save(template(path), way)
-    qtbot.waitUntil(lambda: said.text() == DIFFERENCES, timeout=WAIT_MS)
+    until(lambda: said.text() == DIFFERENCES)
     assert using.session.active_view.curve.evaluate(0.4) == pytest.approx(before)
 
 
-def test_everything_that_is_switched_on_follows(using, save, path, qtbot):
+def test_everything_that_is_switched_on_follows(using, save, path):
     for name in (
         "overlayComb",
         "overlayMarks",
@@ -312,7 +312,7 @@ def test_everything_that_is_switched_on_follows(using, save, path, qtbot):
     using.settle()
     growth = using.session.active_view.growth
     save(template(path).replace("columns.append(", "columns.append(2.0 * "))
-    qtbot.waitUntil(lambda: using.session.active_view.growth > 1.5 * growth, timeout=WAIT_MS)
+    until(lambda: using.session.active_view.growth > 1.5 * growth)
     assert using.session.active_view.growth == pytest.approx(2.0 * growth)
     using.drag_point(1, (1.5, 2.5))
     view = using.session.active_view
@@ -333,11 +333,11 @@ def test_everything_that_is_switched_on_follows(using, save, path, qtbot):
         (('name = "my_lagrange"', 'name = "hermite"'), "there is a family “hermite” already"),
     ],
 )
-def test_a_mistake_is_told_with_its_line_and_leaves_the_last_good_one(using, save, path, qtbot, wrong, said):
+def test_a_mistake_is_told_with_its_line_and_leaves_the_last_good_one(using, save, path, wrong, said):
     view = using.session.active_view
     with np.errstate(all="ignore"):
         save(template(path).replace(*wrong))
-        qtbot.waitUntil(lambda: said in text_of(using), timeout=WAIT_MS)
+        until(lambda: said in text_of(using))
     assert text_of(using).startswith(f"“{NAME}.py”")
     assert "The last version that worked stays." in text_of(using)
     assert str(path.parent) not in text_of(using)
@@ -345,34 +345,34 @@ def test_a_mistake_is_told_with_its_line_and_leaves_the_last_good_one(using, sav
     using.drag_point(2, (3.0, 2.0))
     assert using.session.active_view.is_current
     save(template(path))
-    qtbot.waitUntil(lambda: bar_of(using) is None, timeout=WAIT_MS)
+    until(lambda: bar_of(using) is None)
 
 
-def test_a_sentence_that_was_put_away_stays_away_until_there_is_another(using, save, path, qtbot):
+def test_a_sentence_that_was_put_away_stays_away_until_there_is_another(using, save, path):
     save(template(path).replace("columns = []", "columns = {}"))
-    qtbot.waitUntil(lambda: "line 15" in text_of(using), timeout=WAIT_MS)
+    until(lambda: "line 15" in text_of(using))
     QTest.mouseClick(using.window.findChild(QToolButton, "closeFamilyBar"), Qt.MouseButton.LeftButton)
     using.settle()
     assert bar_of(using) is None
     save(template(path).replace("columns = []", "columns = ()"))
-    qtbot.waitUntil(lambda: "'tuple' object" in text_of(using), timeout=WAIT_MS)
+    until(lambda: "'tuple' object" in text_of(using))
 
 
-def test_a_file_that_is_gone_is_told_and_its_curves_go_on(using, save, path, qtbot):
+def test_a_file_that_is_gone_is_told_and_its_curves_go_on(using, save, path):
     path.unlink()
-    qtbot.waitUntil(lambda: "is gone from its folder" in text_of(using), timeout=WAIT_MS)
+    until(lambda: "is gone from its folder" in text_of(using))
     using.drag_point(2, (3.0, 2.0))
     assert using.session.active_view.is_current
     save(template(path))
-    qtbot.waitUntil(lambda: bar_of(using) is None, timeout=WAIT_MS)
+    until(lambda: bar_of(using) is None)
 
 
-def test_a_gesture_in_flight_is_taken_back(using, save, path, qtbot):
+def test_a_gesture_in_flight_is_taken_back(using, save, path):
     using.press(using.point(2))
     using.move((3.0, 2.0))
     save(template(path).replace(*BROKEN))
     said = using.window.findChild(QLabel, "basisFindings")
-    qtbot.waitUntil(lambda: "sum to 1" in said.text(), timeout=WAIT_MS)
+    until(lambda: "sum to 1" in said.text())
     assert using.point(2) == POINTS[2]
     assert not using.session.is_previewing
 
@@ -380,15 +380,15 @@ def test_a_gesture_in_flight_is_taken_back(using, save, path, qtbot):
 # Files that do not end
 
 
-def test_a_file_that_hangs_is_tried_elsewhere_and_can_be_stopped(editor, save, path, ask, qtbot):
+def test_a_file_that_hangs_is_tried_elsewhere_and_can_be_stopped(editor, save, path, ask):
     save("while True:\n    pass\n")
     ask(path)
     editor.trigger("useFamilyFile")
-    qtbot.waitUntil(lambda: "has been running for a while" in text_of(editor), timeout=WAIT_MS)
+    until(lambda: "has been running for a while" in text_of(editor))
     editor.drag_point(2, (3.0, 2.0))
     assert editor.point(2) == pytest.approx((3.0, 2.0), abs=2 * editor.pixel)
     QTest.mouseClick(bar_of(editor).button("stopFamilyFile"), Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: "was stopped" in text_of(editor), timeout=WAIT_MS)
+    until(lambda: "was stopped" in text_of(editor))
     assert NAME not in [family.name for family in FAMILIES]
 
 
@@ -412,16 +412,14 @@ def slow(text, seconds):
 
 
 @pytest.fixture
-def slowing(using, save, path, qtbot):
+def slowing(using, save, path):
     """The editor, after the file was saved with other seconds."""
 
     def slowed(seconds):
         title = f"slow by {seconds}"
         text = slow(template(path), seconds).replace('title = "my lagrange"', f'title = "{title}"')
         save(text)
-        qtbot.waitUntil(
-            lambda: using.action("familyMyLagrange").text() == title.capitalize(), timeout=WAIT_MS
-        )
+        until(lambda: using.action("familyMyLagrange").text() == title.capitalize())
         return text[: text.index("< seconds")].count("\n") + 1
 
     return slowed
@@ -431,7 +429,7 @@ LAST = "The last curve that could be drawn is shown."
 
 
 def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
-    using, slowing, path, qtbot, monkeypatch
+    using, slowing, path, monkeypatch
 ):
     """It stood still for 5 s, and then said "Cancelled." alone."""
     line = slowing(1e9)
@@ -450,7 +448,7 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
     assert not using.window.findChild(QToolButton, "offeredAction").isVisible()
     using.screenshot()
     assert len(stopped) == 1
-    qtbot.waitUntil(lambda: "ran for longer than 1.5 s and was stopped" in using.message, timeout=WAIT_MS)
+    until(lambda: "ran for longer than 1.5 s and was stopped" in using.message)
     assert re.match(what, using.message)
     assert using.message.endswith(LAST)
     # With the points that it can draw it is drawn.
@@ -462,21 +460,21 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
     assert using.session.active_view.is_current
 
 
-def test_what_hangs_beside_the_window_can_be_stopped(using, slowing, qtbot):
+def test_what_hangs_beside_the_window_can_be_stopped(using, slowing):
     slowing(1e9)
     using.add_point(4.5, 2.5)
-    qtbot.waitUntil(lambda: "takes long for 6 points…" in text_of(using), timeout=WAIT_MS)
+    until(lambda: "takes long for 6 points…" in text_of(using))
     QTest.mouseClick(bar_of(using).button("stopFamilyFile"), Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: "takes long for 6 points and was stopped" in using.message, timeout=WAIT_MS)
+    until(lambda: "takes long for 6 points and was stopped" in using.message)
     assert using.message.endswith(LAST)
     assert bar_of(using) is None
 
 
-def test_functions_that_are_slow_and_end_are_drawn_a_moment_later(using, slowing, qtbot):
+def test_functions_that_are_slow_and_end_are_drawn_a_moment_later(using, slowing):
     slowing(0.2)
     using.add_point(4.5, 2.5)
     assert "is tried beside the window" in using.message
-    qtbot.waitUntil(lambda: using.session.active_view.is_current, timeout=WAIT_MS)
+    until(lambda: using.session.active_view.is_current)
     using.settle()
     assert using.message == ""
     assert len(using.session.active_view.parameters) == 6
@@ -529,19 +527,17 @@ def second(qtbot, using):
     other.session.files.give_up_changes()
 
 
-def test_all_windows_have_it_and_follow(using, second, save, path, qtbot):
+def test_all_windows_have_it_and_follow(using, second, save, path):
     second.choose_family(NAME)
     curve = second.session.active_view.curve
     save(template(path).replace(*BROKEN))
     for each in (using, second):
         said = each.window.findChild(QLabel, "basisFindings")
-        qtbot.waitUntil(lambda said=said: "sum to 1" in said.text(), timeout=WAIT_MS)
+        until(lambda said=said: "sum to 1" in said.text())
     assert second.session.active_view.curve is not curve
 
 
-def test_a_document_that_was_open_before_its_family_is_drawn(
-    editor, path, save, ask, qtbot, tmp_path, tried_here
-):
+def test_a_document_that_was_open_before_its_family_is_drawn(editor, path, save, ask, tmp_path, tried_here):
     """Nothing in a document is run: its family is there once the person names the file."""
     document = tmp_path / "own.curve.json"
     save(template(path))
@@ -550,7 +546,7 @@ def test_a_document_that_was_open_before_its_family_is_drawn(
     assert "is not installed" in editor.message
     ask(path)
     editor.trigger("useFamilyFile")
-    qtbot.waitUntil(lambda: editor.session.active_view.is_current, timeout=WAIT_MS)
+    until(lambda: editor.session.active_view.is_current)
     editor.settle()
     assert "is not installed" not in editor.message
     assert editor.action("familyMyLagrange").isChecked()
@@ -569,14 +565,14 @@ def test_a_file_of_the_command_line_is_watched_too(qtbot, path, save, tried_here
         editor.choose_family(NAME)
         save(template(path).replace(*BROKEN))
         said = editor.window.findChild(QLabel, "basisFindings")
-        qtbot.waitUntil(lambda: "sum to 1" in said.text(), timeout=WAIT_MS)
+        until(lambda: "sum to 1" in said.text())
         editor.session.files.give_up_changes()
 
 
-def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_stay(using, save, path, qtbot):
+def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_stay(using, save, path):
     save(template(path).replace('"my_lagrange"', '"other"').replace('"my lagrange"', '"other one"'))
     further = using.window.findChild(QMenu, "familiesMenu")
-    qtbot.waitUntil(lambda: "familyOther" in using.window.actions_by_name, timeout=WAIT_MS)
+    until(lambda: "familyOther" in using.window.actions_by_name)
     using.settle()
     assert "familyMyLagrange" not in using.window.actions_by_name
     assert "My lagrange" not in [action.text() for action in further.actions()]
@@ -590,7 +586,7 @@ def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_sta
 
 
 def test_a_file_asked_for_while_another_is_tried_leaves_that_one_asked_for_too(
-    editor, path, save, ask, qtbot, tried_here
+    editor, path, save, ask, tried_here
 ):
     """The first one was said to be “run again”, and its family was not offered."""
     other = path.with_name("my_second.py")
@@ -602,7 +598,7 @@ def test_a_file_asked_for_while_another_is_tried_leaves_that_one_asked_for_too(
     for each in (path, other):
         ask(each)
         editor.trigger("useFamilyFile")
-    qtbot.waitUntil(lambda: len(said) == 2, timeout=WAIT_MS)
+    until(lambda: len(said) == 2)
     family_files().brought.disconnect(listening)
     assert [words.partition(" brings ")[0] for words in said] == [f"“{NAME}.py”", "“my_second.py”"]
     assert editor.status == ""

@@ -17,6 +17,7 @@ from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.overlay_settings import Count, Factor
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.look.line_styles import LineStyle, Sign
+from tests.waiting import until
 
 RED, LIME = QColor("#ff0000"), QColor("#00ff00")
 PLATE = LineStyle(RED.name(), sign=Sign.AREA)
@@ -164,7 +165,7 @@ def test_the_dock_has_its_switch_its_settings_and_what_it_says(editor, qtbot):
     qtbot.keyClick(found(editor, QCheckBox, "overlayPlateSwitch"), Qt.Key.Key_Space)
     assert editor.action("overlayPlate").isChecked()
     note = found(editor, QLabel, "overlayPlateNote")
-    qtbot.waitUntil(lambda: note.text() == "4 corners.")
+    until(lambda: note.text() == "4 corners.")
     small = seen(editor, RED)
     size, corners = found(editor, QSlider, "plateSize"), found(editor, QSlider, "plateCorners")
     assert not size.parentWidget().geometry().intersects(corners.parentWidget().geometry())
@@ -173,19 +174,19 @@ def test_the_dock_has_its_switch_its_settings_and_what_it_says(editor, qtbot):
     assert found(editor, QLabel, "plateSizeValue").text() == "× 1.6"
     assert seen(editor, RED) > 1.5 * small
     qtbot.keyClick(corners, Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: note.text() == "5 corners.")
+    until(lambda: note.text() == "5 corners.")
     assert legend(editor) == ["Plate with 5 corners"]
     editor.trigger("toggleScrub")
-    qtbot.waitUntil(lambda: note.text() == "Put the scrub line somewhere.")
+    until(lambda: note.text() == "Put the scrub line somewhere.")
 
 
-def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor, qtbot):
+def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor):
     editor.show_dock("analysisDock")
     MAY_END.clear()
     editor.trigger("overlayMiddles")
     assert legend(editor) == ["Middles …"]
     MAY_END.set()
-    qtbot.waitUntil(lambda: legend(editor) == ["Middle"])
+    until(lambda: legend(editor) == ["Middle"])
     assert seen(editor, LIME) > 10
     MAY_END.clear()
     x, y = editor.point(3)
@@ -198,7 +199,7 @@ def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor, qtbot)
     editor.escape()
     note = found(editor, QLabel, "overlayMiddlesNote")
     count = len(editor.session.active_view.points) - 1
-    qtbot.waitUntil(lambda: note.text() == f"{count} dots.")
+    until(lambda: note.text() == f"{count} dots.")
 
 
 def test_a_plot_is_drawn_chosen_and_read_at_the_scrub_line(editor, qtbot):

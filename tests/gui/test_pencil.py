@@ -1,7 +1,6 @@
 """The pencil: a drag with the mouse becomes a curve of few points near the line."""
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -9,8 +8,8 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES
-from app.testing import spin
 from app.view_model.curve.curve_view import view_of
+from tests.waiting import until
 
 PLACES = {
     "wobbling": [(100 + 2 * i, round(240 + 70 * math.sin(i / 20) + math.sin(1.3 * i))) for i in range(200)],
@@ -44,10 +43,7 @@ def draw(editor, places, *, release=True):
 
 def wait(editor):
     """Wait until the lines that were drawn have become curves."""
-    deadline = time.monotonic() + 20.0
-    while editor.window.canvas.tools.background.lines:
-        assert time.monotonic() < deadline
-        spin(5)
+    until(lambda: not editor.window.canvas.tools.background.lines)
     editor.settle()
 
 
@@ -188,12 +184,12 @@ def draw_without_waiting(editor, places):
     return line
 
 
-def test_the_line_stays_until_the_curve_is_there_and_how_far_it_is_is_told(slow, qtbot):
+def test_the_line_stays_until_the_curve_is_there_and_how_far_it_is_is_told(slow):
     line = draw_without_waiting(slow, TEETH)
     canvas = slow.window.canvas
     assert not slow.session.active_curve.points
     assert np.array_equal(canvas.marks.waiting, [line])
-    qtbot.waitUntil(lambda: "Escape cancels" in slow.status, timeout=20_000)
+    until(lambda: "Escape cancels" in slow.status)
     assert slow.status.startswith("Fitting: ")
     wait(slow)
     assert canvas.marks.waiting == ()
@@ -285,10 +281,10 @@ def test_quick_lines_come_one_after_the_other(slow):
     assert len(slow.session.document.curves) == 1
 
 
-def test_a_gesture_in_flight_is_not_disturbed_by_a_curve_that_is_done(slow, qtbot):
+def test_a_gesture_in_flight_is_not_disturbed_by_a_curve_that_is_done(slow):
     draw_without_waiting(slow, PLACES["wobbling"])
     line = draw(slow, PLACES["corner"], release=False)
-    qtbot.waitUntil(lambda: not slow.window.canvas.jobs.is_busy, timeout=20_000)
+    until(lambda: not slow.window.canvas.jobs.is_busy)
     assert not slow.session.active_curve.points
     assert len(slow.window.canvas.marks.line) > 40
     slow.release(tuple(line[-1]))

@@ -33,6 +33,7 @@ from app.features.point_table.commands import PointTableCommands
 from app.features.recovery.bar import RecoveryBar
 from app.features.recovery.offers import Offer
 from app.storage.files import save
+from tests.waiting import until
 
 NAME = "<b>x</b> & \"y\" 'z'"
 """As HTML this shows three characters of its markup fewer; with an “&” a menu underlines the blank."""
@@ -193,8 +194,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     planted.window.commands[ImportCommands].import_files([table])
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importTableDialog")
-    while dialog.jobs.is_busy:
-        QTest.qWait(5)
+    until(lambda: not dialog.jobs.is_busy)
     check(
         "Label tableProblem",
         "tip of QPushButton importTable",

@@ -19,6 +19,7 @@ from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
 from app.view_model.look.line_styles import DASHED, LineStyle
 from curvecore import lebesgue_function
+from tests.waiting import until
 
 ACTIONS = {
     "plotSpeed": lengths.SPEED,
@@ -297,7 +298,7 @@ def test_all_plots_fit_a_small_window(qtbot):
     assert canvas(editor).getViewBox().rect().height() > 150
 
 
-def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor, qtbot):
+def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor):
     document = editor.session.document
     from app.document.model import Curve, Document, Parametrization, Point
 
@@ -309,7 +310,7 @@ def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor, qtbot):
     assert editor.session.document is not document
     editor.trigger("plotSpeed")
     assert not canvas(editor).plots
-    qtbot.waitUntil(lambda: bool(canvas(editor).plots), timeout=20_000)
+    until(lambda: canvas(editor).plots)
     exact = np.linalg.norm(editor.session.active_view.curve.evaluate(line(editor).t[::50], 1), axis=1)
     assert line(editor).values[::50] == pytest.approx(exact)
 
@@ -362,13 +363,13 @@ def test_the_plots_zoom_while_the_basis_functions_are_hidden(editor):
     assert editor.window.basis_panel.camera.t_range == pytest.approx(plots.camera.t_range)
 
 
-def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor, qtbot):
+def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor):
     editor.trigger("plotCurvature")
     plots, title = canvas(editor), curvature.CURVATURE.title
     before = plots.scale_of(title)
     wheel(editor, plots, plots.to_pixel(0.25, 0.5), 8)
     assert plots.scale_of(title).holding(before) == plots.scale_of(title)
-    qtbot.waitUntil(lambda: plots.scale_of(title).high < 0.9 * before.high, timeout=20_000)
+    until(lambda: plots.scale_of(title).high < 0.9 * before.high)
 
 
 def test_arrow_keys_move_the_scrub_line(editor):

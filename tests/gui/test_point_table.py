@@ -20,6 +20,7 @@ from app.features.point_table.panel import INTERVAL_MS, PointTable
 from app.session import MessageKind, Session
 from app.testing import wait_for_rest
 from app.view_model.points.point_columns import columns_of
+from tests.waiting import until
 
 Role = Qt.ItemDataRole
 T, X, Y, VX, VY, AX, AY, JX, JY = range(9)
@@ -222,7 +223,7 @@ def test_estimated_numbers_are_muted_italic_and_say_by_which_rule(hermite):
 def test_t_x_y_and_velocities_fit_in_a_narrow_dock(hermite):
     hermite.window.resize(320, 300)
     header, viewport = hermite.view.horizontalHeader(), hermite.view.viewport()
-    hermite.qtbot.waitUntil(lambda: header.length() <= viewport.width() < 320)
+    until(lambda: header.length() <= viewport.width() < 320)
 
 
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
@@ -758,7 +759,7 @@ def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
     for step in range(1, 51):
         table.session.preview(edits.move_points(before, 0, [3], (0.01 * step, 0.0)))
     assert changes.count() < 10
-    qtbot.waitUntil(lambda: table.value(3, X) == 1.25 + 0.5)
+    until(lambda: table.value(3, X) == 1.25 + 0.5)
     table.session.preview(edits.move_points(before, 0, [3], (1.0, 0.0)))
     table.session.commit(table.session.document, "Move point 3")
     assert table.value(3, X) == 2.25  # a step of the history does not wait
@@ -769,7 +770,7 @@ def test_a_cancelled_drag_leaves_the_old_numbers(qtbot):
     for step in range(5):
         table.session.preview(edits.move_points(table.session.document, 0, [3], (0.1 * step, 0.0)))
     table.session.cancel()
-    qtbot.waitUntil(lambda: table.value(3, X) == 1.25)
+    until(lambda: table.value(3, X) == 1.25)
 
 
 def test_a_hidden_table_rests_until_it_is_shown(qtbot):
@@ -777,7 +778,7 @@ def test_a_hidden_table_rests_until_it_is_shown(qtbot):
     table.panel.hide()
     changes = QSignalSpy(table.model.dataChanged)
     table.session.preview(edits.move_points(table.session.document, 0, [3], (1.0, 0.0)))
-    qtbot.waitUntil(lambda: not table.panel._timer.isActive())
+    until(lambda: not table.panel._timer.isActive())
     assert changes.count() == 0
     table.panel.show()
     assert table.value(3, X) == 2.25
@@ -934,7 +935,7 @@ def test_a_quintic_curve_fits_in_a_dock(quintic):
     width = 360 + 60 * (quintic.model.columnCount() - 7)
     quintic.window.resize(width, 400)
     header, viewport = quintic.view.horizontalHeader(), quintic.view.viewport()
-    quintic.qtbot.waitUntil(lambda: header.length() <= viewport.width() < width)
+    until(lambda: header.length() <= viewport.width() < width)
     metrics = quintic.view.fontMetrics()
     for column in range(7):
         room = quintic.view.columnWidth(column)

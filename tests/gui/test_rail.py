@@ -17,6 +17,7 @@ from app.document.transforms import clean_step
 from app.families import FAMILIES, HERMITE
 from app.testing import Editor
 from curvecore import centripetal, chebyshev, chebyshev_roots, chord_length, uniform
+from tests.waiting import until
 
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 
@@ -289,14 +290,14 @@ def test_arrows_without_a_selection_do_nothing(editor, panel):
 # The ghost
 
 
-def until_it_faded(canvas, qtbot):
+def until_it_faded(canvas):
     """Wait for the end of the fading; how long all of it takes is not the question."""
     fading = canvas.drawing.curve._fade
     fading.setCurrentTime(max(fading.currentTime(), fading.duration() - 50))
-    qtbot.waitUntil(lambda: canvas.drawing.curve.ghost_opacity == 0, timeout=20_000)
+    until(lambda: canvas.drawing.curve.ghost_opacity == 0)
 
 
-def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(editor, panel, qtbot):
+def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(editor, panel):
     canvas = editor.window.canvas
     start = panel.rail_pixel(editor.parameters[3])
     assert canvas.drawing.curve.ghost_opacity == 0
@@ -307,17 +308,17 @@ def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(edi
         assert canvas.drawing.curve.ghost_opacity == 1
     editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(30, 0), held=False)
     assert 0 < canvas.drawing.curve.ghost_opacity <= 1
-    until_it_faded(canvas, qtbot)
+    until_it_faded(canvas)
 
 
-def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
+def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel):
     canvas = editor.window.canvas
     start = panel.rail_pixel(editor.parameters[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
     editor.send(panel, QEvent.Type.MouseMove, start + QPointF(20, 0))
     editor.key(Qt.Key.Key_Escape)
     editor.send(panel, QEvent.Type.MouseButtonRelease, start, held=False)
-    until_it_faded(canvas, qtbot)
+    until_it_faded(canvas)
 
 
 def test_the_alpha_slider_has_a_ghost_too(editor):

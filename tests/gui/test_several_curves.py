@@ -14,6 +14,7 @@ from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
 from tests.gui.curve_rows import heard, open_row_menu
 from tests.gui.editor_facts import names
+from tests.waiting import until
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -554,7 +555,7 @@ def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something
     assert layer._picture is not picture
 
 
-def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_rests(three, qtbot):
+def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_rests(three):
     canvas = three.window.canvas
     layer = canvas.drawing.others
     three.settle()
@@ -567,7 +568,7 @@ def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_re
     shown, place = canvas.pixel_map, picture.place_in(canvas.pixel_map)
     x, y = picture.shown.plane(100, 50)
     assert shown.point(x, y) == pytest.approx((place.x() + 120, place.y() + 60))
-    qtbot.waitUntil(lambda: layer._picture is not picture, timeout=20_000)
+    until(lambda: layer._picture is not picture)
     assert layer._picture.shown == shown
 
 

@@ -21,6 +21,7 @@ from app.features.curve_list.row_parts import Spot, spot_rect
 from app.workbench.strip_menu import strip_menu
 from tests.gui.curve_rows import click_row, heard, place_in, row_named, rows, view_of
 from tests.gui.editor_facts import undo_text
+from tests.waiting import until
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -546,7 +547,7 @@ def test_within_the_shape_that_is_edited_a_rubber_band_begins(ring):
 
 
 @pytest.mark.parametrize("how", ["pen", "pencil", "paste"])
-def test_what_is_drawn_or_pasted_comes_on_top_of_all(ring, qtbot, how):
+def test_what_is_drawn_or_pasted_comes_on_top_of_all(ring, how):
     ring.session.selected.activate(0)
     if how == "pen":
         ring.trigger("addTool")
@@ -557,7 +558,7 @@ def test_what_is_drawn_or_pasted_comes_on_top_of_all(ring, qtbot, how):
         for y in (-1.0, 0.0, 1.0, 2.0):
             ring.move((4.2 + 0.1 * y * y, y))
         ring.release((4.6, 2.0))
-        qtbot.waitUntil(lambda: len(names(ring)) == 4)
+        until(lambda: len(names(ring)) == 4)
     else:
         ring.paste_text("0 5\n1 6\n2 5")
         ring.trigger("pasteAsCurve")

@@ -10,7 +10,6 @@ from contextlib import suppress
 
 import pytest
 from PySide6.QtCore import QObject, QTimer
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from app.tasks import owner, task
@@ -19,6 +18,7 @@ from app.tasks.owner import TaskOwner, close_all
 from app.tasks.progress import FINAL, part
 from app.tasks.single_task import SHOWN_AFTER_MS, SingleTask
 from app.tasks.task import Task
+from tests.waiting import LIMIT, until
 
 
 @pytest.fixture
@@ -27,13 +27,6 @@ def jobs(qtbot):
     yield made
     made.close()
     until(gc.isenabled)
-
-
-def until(condition, seconds=10):
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline
-        QTest.qWait(2)
 
 
 class Heard:
@@ -86,7 +79,7 @@ def test_nothing_comes_of_work_that_was_taken_back(jobs):
     heard, ended, went_on = Heard(), [], threading.Event()
 
     def work(report):
-        went_on.wait(10)
+        went_on.wait(LIMIT)
         report(0.5, "Too late")
         return "unwanted"
 
@@ -112,7 +105,7 @@ def test_a_result_that_is_already_on_its_way_is_dropped(jobs):
         return 1
 
     jobs.start("Quick", work, heard.done, heard.failed)
-    assert finished.wait(10)
+    assert finished.wait(LIMIT)
     jobs._task.thread.join()  # from now on the signal waits in the queue
     jobs.cancel()
     until(gc.isenabled)  # it has arrived
@@ -121,7 +114,7 @@ def test_a_result_that_is_already_on_its_way_is_dropped(jobs):
 
 def test_one_thing_at_a_time(jobs):
     heard, release = Heard(), threading.Event()
-    assert jobs.start("First", lambda _report: release.wait(10), heard.done, heard.failed)
+    assert jobs.start("First", lambda _report: release.wait(LIMIT), heard.done, heard.failed)
     assert not jobs.start("Second", lambda _report: 2, heard.done, heard.failed)
     assert jobs.title == "First"
     release.set()
@@ -143,7 +136,7 @@ def test_only_long_work_is_shown(jobs):
 
     def long(report):
         report(0.25, "Working")
-        release.wait(10)
+        release.wait(LIMIT)
 
     jobs.start("Long", long, heard.done, heard.failed)
     until(lambda: shown and shares)
@@ -177,12 +170,12 @@ def test_the_last_step_cannot_be_taken_back(jobs):
     def work(report):
         report(FINAL, "Putting it in place")
         begun.set()
-        release.wait(10)
+        release.wait(LIMIT)
         report(0.5, "Later reports are heard by nobody")
         return "written"
 
     jobs.start("Writing", work, heard.done, heard.failed)
-    assert begun.wait(10)
+    assert begun.wait(LIMIT)
     assert not jobs.cancel()
     assert jobs.is_busy
     release.set()
@@ -302,7 +295,7 @@ def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
             cleaned.set()
 
     jobs.start("Endless", work, heard.done, heard.failed)
-    assert begun.wait(10)
+    assert begun.wait(LIMIT)
     assert jobs.cancel()
     until(lambda: not work_threads())
     until(gc.isenabled)
@@ -327,7 +320,7 @@ def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
     stubborn.start("Endless", work, print, print)
     until(lambda: len(work_threads()) == 3)
     for _ in range(3):
-        assert begun.acquire(timeout=10)
+        assert begun.acquire(timeout=LIMIT)
     close_all(parent.findChildren(TaskOwner))
     assert work_threads() == []
 
@@ -338,7 +331,7 @@ def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
     monkeypatch.setattr(task, "_GRACE_S", 0.01)
     release = threading.Lock()
     release.acquire()
-    jobs.start("Stuck", lambda _report: release.acquire(timeout=60) and release.release(), print, print)
+    jobs.start("Stuck", lambda _report: release.acquire(timeout=LIMIT) and release.release(), print, print)
     jobs.close()
     assert len(work_threads()) == 1
     assert not jobs.is_busy
@@ -347,10 +340,10 @@ def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
 
 def test_one_after_the_other(qapp):
     order, release = [], threading.Event()
-    first = Task(lambda _report: (release.wait(10), order.append(1)))
+    first = Task(lambda _report: (release.wait(LIMIT), order.append(1)))
     last = Task(lambda _report: order.append(2), after=first)
     release.set()
-    assert last.wait(10)
+    assert last.wait(LIMIT)
     assert order == [1, 2]
     until(gc.isenabled)
     assert last.after is None

@@ -39,6 +39,7 @@ from app.appearance.theme import (
 )
 from app.storage.resources import resource
 from app.workbench.dock import Dock
+from tests.waiting import until
 
 THEMES = [pytest.param(LIGHT, id="light"), pytest.param(DARK, id="dark")]
 ICONS = sorted(path.stem for path in resource("icons").glob("*.svg"))
@@ -316,7 +317,7 @@ def test_fields_have_a_border_that_is_seen_and_tells_the_focus(dressed, qtbot, m
     assert contrast(calm, theme.surface) >= 3.0
     assert contrast(calm, theme.paper) >= 3.0
     field.setFocus(Qt.FocusReason.TabFocusReason)
-    qtbot.waitUntil(field.hasFocus)
+    until(field.hasFocus)
     ring = max(left_border(field), key=lambda colour: colour.hsvSaturation())
     assert ring.hsvHue() == pytest.approx(theme.accent.hsvHue(), abs=8)
     assert contrast(ring, theme.surface) >= 3.0

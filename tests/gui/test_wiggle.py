@@ -18,6 +18,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.wiggle.commands import WiggleCommands
 from app.features.wiggle.panel import WigglePanel
 from app.view_model.analysis.wording import short
+from tests.waiting import until
 
 LEFT = Qt.MouseButton.LeftButton
 HEIGHTS = (0.04, 0.06, 0.1, 0.2, 0.5, 1.0, 0.5, 0.2, 0.1, 0.06, 0.04)
@@ -47,9 +48,9 @@ def panel(editor):
     return found
 
 
-def settled(editor, qtbot):
+def settled(editor):
     editor.settle()
-    qtbot.waitUntil(lambda: not commands(editor)._task.is_busy)
+    until(lambda: not commands(editor)._task.is_busy)
     editor.settle()
 
 
@@ -76,10 +77,10 @@ def leave(widget):
     QApplication.sendEvent(widget, QEvent(QEvent.Type.Leave))
 
 
-def test_escape_takes_the_preview_of_a_cure_away(runge, qtbot):
+def test_escape_takes_the_preview_of_a_cure_away(runge):
     """The scrub line went, the panel was empty, and the preview stayed on the canvas."""
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     hover(button(runge, "chebyshev"))
     assert ghosts(runge)
     for _ in range(2):
@@ -88,9 +89,9 @@ def test_escape_takes_the_preview_of_a_cure_away(runge, qtbot):
     assert not ghosts(runge)
 
 
-def test_the_tool_explains_the_widest_swing_at_once(runge, qtbot):
+def test_the_tool_explains_the_widest_swing_at_once(runge):
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     view = runge.session.active_view
     _, y = view.curve.evaluate(runge.session.scrub.t)
     assert abs(y) > 3  # twice as high as any point
@@ -104,13 +105,13 @@ def test_the_tool_explains_the_widest_swing_at_once(runge, qtbot):
     assert f"Λ(t) = {np.abs(weights).sum():.2g}" in text(runge, "wiggleTitle")
 
 
-def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_away(runge, qtbot):
+def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_away(runge):
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     document = runge.session.document
     t = 0.46
     runge.click(tuple(runge.session.active_view.curve.evaluate(t).tolist()))
-    settled(runge, qtbot)
+    settled(runge)
     assert runge.session.scrub.t == pytest.approx(t, abs=0.01)
     assert "Between points 4 and 5" in panel(runge).words.text()
     runge.click(runge.window.canvas.to_plane(QPoint(60, 60)))
@@ -120,19 +121,19 @@ def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_a
     assert runge.session.document is document
 
 
-def test_the_menu_of_the_curve_explains_the_place_under_the_pointer(runge, qtbot):
+def test_the_menu_of_the_curve_explains_the_place_under_the_pointer(runge):
     t = 0.95
     runge.open_menu(tuple(runge.session.active_view.curve.evaluate(t).tolist()))
     runge.choose("explainHere")
-    settled(runge, qtbot)
+    settled(runge)
     assert runge.session.scrub.t == pytest.approx(t, abs=0.01)
     assert panel(runge).isVisible()
     assert runge.action("selectTool").isChecked()
 
 
-def test_hovering_a_cure_shows_its_ghost_and_leaves_no_trace(runge, qtbot):
+def test_hovering_a_cure_shows_its_ghost_and_leaves_no_trace(runge):
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     document, steps = runge.session.document, runge.session.undo_stack.count()
     assert not ghosts(runge)
     hover(button(runge, "centripetal"))
@@ -163,16 +164,16 @@ CURES = (
 )
 
 
-def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge, qtbot):
+def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge):
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     before, steps, t = runge.session.document, runge.session.undo_stack.count(), runge.session.scrub.t
     left = []
     for key, family, kind in CURES:
         promised = text(runge, f"swing_{key}")
         panel(runge).ensureWidgetVisible(button(runge, key))
         QTest.mouseClick(button(runge, key), LEFT)
-        settled(runge, qtbot)
+        settled(runge)
         assert (runge.curve.family, runge.curve.parametrization.kind) == (family, kind)
         assert runge.session.undo_stack.count() == steps + 1
         assert not ghosts(runge)
@@ -187,15 +188,15 @@ def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge,
         runge.trigger("undo")
         assert runge.session.document == before
         runge.session.scrub.set(t)
-        settled(runge, qtbot)
+        settled(runge)
     # With these it still swings out.
     assert left == ["centripetal", "floater_hormann"]
 
 
-def test_the_barycentric_rational_curve_calms_runges_function(runge, qtbot):
+def test_the_barycentric_rational_curve_calms_runges_function(runge):
     """Measured: it swings out by 0.14 where the polynomial does by 3.8; Λ falls from 30 to 3.7."""
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     cure = next(each for each in commands(runge)._cures.cures if each.remedy.name == "floater_hormann")
     assert cure.overshoot < 0.05 * commands(runge)._cures.overshoot
     assert cure.lebesgue < 0.2 * commands(runge)._cures.lebesgue
@@ -203,10 +204,10 @@ def test_the_barycentric_rational_curve_calms_runges_function(runge, qtbot):
     assert text(runge, "lebesgue_floater_hormann") == "3.7"
 
 
-def test_the_explanation_follows_a_drag_and_the_scrub_line(runge, qtbot):
+def test_the_explanation_follows_a_drag_and_the_scrub_line(runge):
     runge.trigger("explainWiggle")
     runge.trigger("selectTool")
-    settled(runge, qtbot)
+    settled(runge)
     swing = panel(runge).words.text()
     # Which of the two ends swings more is a matter of the last digit: this point moves both.
     x, y = runge.point(5)
@@ -215,25 +216,25 @@ def test_the_explanation_follows_a_drag_and_the_scrub_line(runge, qtbot):
     assert panel(runge).words.text() != swing
     assert text(runge, "curesState") == "trying cures…"
     runge.escape()
-    settled(runge, qtbot)
+    settled(runge)
     assert panel(runge).words.text() == swing
     runge.scrub(0.46)
     assert "Between points 4 and 5" in panel(runge).words.text()
 
 
-def test_a_cure_that_makes_it_worse_says_so(editor, qtbot):
+def test_a_cure_that_makes_it_worse_says_so(editor):
     points = [(0.5 * i, float(np.sin(2.0 * i))) for i in range(20)]
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     editor.session.commit(Document((replace(make_curve(points), parametrization=uniform),)), "Begin")
     editor.trigger("explainWiggle")
     editor.session.scrub.set(0.02)
-    settled(editor, qtbot)
+    settled(editor)
     # Measured: 124 as it is, 223 with chord-length parameters, 0.08 with Chebyshev's.
     assert text(editor, "swing_chordLength") == "worse, 223"
     assert text(editor, "swing_chebyshev") == "0.08"
 
 
-def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
+def test_closed_curves_and_corners_are_explained_too(editor):
     points = [(0, 0), (8, 0.5), (9, 8), (1, 9), (-0.5, 1.5)]
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     closed = replace(make_curve(points, family=HERMITE), closed=True, parametrization=uniform)
@@ -241,22 +242,22 @@ def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
     editor.session.commit(Document((replace(closed, points=tuple(points)),)), "Begin")
     editor.trigger("explainWiggle")
     editor.session.scrub.set(0.97)
-    settled(editor, qtbot)
+    settled(editor)
     assert "Between points 4 and 0" in panel(editor).words.text()
     assert text(editor, "swing_chebyshev")
 
 
-def explain(editor, qtbot, points, family, t):
+def explain(editor, points, family, t):
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     curve = replace(make_curve(points, family=FAMILIES.named(family)), parametrization=uniform)
     editor.session.commit(Document((curve,)), "Begin")
     editor.trigger("explainWiggle")
     editor.session.scrub.set(t)
-    settled(editor, qtbot)
+    settled(editor)
 
 
-def test_where_nothing_swings_out_there_is_nothing_to_cure(editor, qtbot):
-    explain(editor, qtbot, [(0.5 * i, float(np.sin(0.5 * i))) for i in range(12)], "lagrange", 0.5)
+def test_where_nothing_swings_out_there_is_nothing_to_cure(editor):
+    explain(editor, [(0.5 * i, float(np.sin(0.5 * i))) for i in range(12)], "lagrange", 0.5)
     assert "the curve is calm" in panel(editor).words.text()
     assert text(editor, "nothingToCure").startswith("Nothing to cure here: the curve stays within 0.0")
     for key, *_ in CURES:
@@ -269,9 +270,9 @@ UNEVEN = [(0.0, 0.0), (4.0, 0.0), (4.1, 0.3), (8.0, 0.0), (12.0, 1.0)]
 
 
 @pytest.mark.parametrize("family", ["cubic_spline", "quintic_hermite"])
-def test_what_gives_the_same_curve_is_no_cure(editor, qtbot, family):
+def test_what_gives_the_same_curve_is_no_cure(editor, family):
     """The natural spline rules give a quintic curve the velocities and accelerations of the C² spline."""
-    explain(editor, qtbot, UNEVEN, family, 0.37)
+    explain(editor, UNEVEN, family, 0.37)
     assert button(editor, "spline").isVisible()
     assert text(editor, "swing_spline") == "same curve"
     assert not button(editor, "spline").isEnabled()
@@ -279,9 +280,9 @@ def test_what_gives_the_same_curve_is_no_cure(editor, qtbot, family):
     assert text(editor, "swing_hermite") not in ("same curve", "in use", "")
 
 
-def test_a_change_that_is_rounding_is_not_called_worse(editor, qtbot):
+def test_a_change_that_is_rounding_is_not_called_worse(editor):
     """Both are 2.3: the quintic curve was called worse by its last digits."""
-    explain(editor, qtbot, UNEVEN, "hermite", 0.37)
+    explain(editor, UNEVEN, "hermite", 0.37)
     for cure in commands(editor)._cures.cures:
         if cure.document is not None:
             is_worse = cure.overshoot > 1.05 * commands(editor)._cures.overshoot
@@ -289,18 +290,18 @@ def test_a_change_that_is_rounding_is_not_called_worse(editor, qtbot):
     assert text(editor, "swing_quintic") == "same curve"
 
 
-def test_rules_of_parameters_are_called_what_they_are(runge, qtbot):
+def test_rules_of_parameters_are_called_what_they_are(runge):
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     for key, _, kind in CURES[:3]:
         assert button(runge, key).text() == kind.label
     assert button(runge, "chebyshev").text() == "Chebyshev (2nd kind)"
 
 
-def test_escape_closes_the_explanation(runge, qtbot):
+def test_escape_closes_the_explanation(runge):
     dock = runge.window.findChild(QDockWidget, "wiggleDock")
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     assert dock.isVisible()
     runge.escape()
     assert not dock.isVisible()
@@ -308,21 +309,21 @@ def test_escape_closes_the_explanation(runge, qtbot):
     # From the menu of the curve, without the tool.
     runge.open_menu(tuple(runge.session.active_view.curve.evaluate(0.46).tolist()))
     runge.choose("explainHere")
-    settled(runge, qtbot)
+    settled(runge)
     assert dock.isVisible()
     runge.escape()
     assert not dock.isVisible()
     assert runge.session.scrub.t is None
 
 
-def test_a_jerk_that_was_set_has_a_bar(editor, qtbot):
+def test_a_jerk_that_was_set_has_a_bar(editor):
     """The names of the bars ended with the acceleration: an IndexError while painting."""
     curve = make_curve(UNEVEN, family=FAMILIES.named("septic_hermite"))
     points = [replace(point, jerk=(0.0, 9e4)) for point in curve.points]
     editor.session.commit(Document((replace(curve, points=tuple(points)),)), "Begin")
     editor.trigger("explainWiggle")
     editor.session.scrub.set(0.2)
-    settled(editor, qtbot)
+    settled(editor)
     bars = panel(editor).bars
     assert any(pull.order == 3 for pull in bars.pulls)
     assert "jerk 0: " in bars.accessibleDescription()
@@ -330,11 +331,11 @@ def test_a_jerk_that_was_set_has_a_bar(editor, qtbot):
 
 @pytest.mark.parametrize("count", [9, 20, 60])
 @pytest.mark.parametrize("family", ["lagrange", "hermite", "cubic_spline"])
-def test_weights_at_the_points_do_not_cover_each_other(editor, qtbot, count, family):
+def test_weights_at_the_points_do_not_cover_each_other(editor, count, family):
     """At 20 points of Runge's function they lay in heaps."""
     x = np.linspace(-1.0, 1.0, count)
     points = list(zip((3 * x).tolist(), (2 / (1 + 25 * x * x)).tolist(), strict=True))
-    explain(editor, qtbot, points, family, 0.985)
+    explain(editor, points, family, 0.985)
     editor.fit()
     for t in (0.985, 0.5, 0.26):
         editor.session.scrub.set(t)
@@ -355,12 +356,12 @@ def test_weights_at_the_points_do_not_cover_each_other(editor, qtbot, count, fam
         assert not any(one.intersects(other) for one, other in combinations(boxes, 2))
 
 
-def test_hidden_it_computes_nothing(new_editor, qtbot):
+def test_hidden_it_computes_nothing(new_editor):
     runge = with_runge(new_editor)
     runge.drag_point(3, to=(1.2, 1.0))
     assert commands(runge)._panel is None
     runge.trigger("explainWiggle")
-    settled(runge, qtbot)
+    settled(runge)
     runge.show_dock("curveDock")
     asked = commands(runge)._asked
     runge.trigger("selectTool")
