@@ -9,6 +9,9 @@ def main() -> int:
     # NumPy reads it at its import. A second thread takes the window's processor, and waits for it in a loop:
     # at the sizes here nothing is done sooner, and the window stood still for seconds during a fit.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    # Qt takes this one instead, and would say so on stderr at every start.
+    if os.environ.get("LC_ALL") in ("C", "POSIX"):
+        os.environ["LC_ALL"] = "C.UTF-8"
     try:
         from .cli import main as run  # noqa: PLC0415 - it needs what the next lines are about
 

@@ -20,10 +20,16 @@ if sys.dont_write_bytecode:
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
-# Before Qt and NumPy are imported: both read these once.
+# Before Qt and NumPy are imported: both read these once. A desktop's scale, font size, style, plugins and log
+# are removed; QT_QPA_PLATFORM may name a display on which to watch.
+if _of_qt := [name for name in os.environ if name.startswith("QT_") and name != "QT_QPA_PLATFORM"]:
+    for _name in _of_qt:
+        del os.environ[_name]
 if not os.environ.get("QT_QPA_PLATFORM"):
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+if os.environ.get("LC_ALL") in ("C", "POSIX"):
+    os.environ["LC_ALL"] = "C.UTF-8"  # as `app.__main__` does
 
 import msgspec
 import pytest

@@ -516,6 +516,15 @@ def test_output_that_cannot_be_written_is_said():
     assert done.stderr == "curvebench: The output cannot be written (No space left on device).\n"
 
 
+@pytest.mark.parametrize("name", ["C", "POSIX", "C.UTF-8"])
+def test_in_no_locale_does_qt_write_to_stderr(name, tmp_path):
+    """Four lines at every start: “Detected locale "C" with character encoding …, which is not UTF-8”."""
+    program = "import sys; from app.__main__ import main; sys.exit(main())"
+    done = run("render", LETTER, "-o", str(tmp_path / "ä.png"), code=program, env={"LC_ALL": name})
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "ä.png").exists()
+
+
 @pytest.mark.parametrize(
     ("problem", "said"),
     [

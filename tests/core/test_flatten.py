@@ -218,7 +218,12 @@ def test_of_a_curve_too_wild_for_its_vertices_nothing_is_measured_between_them()
     assert _Counted.count < 3000
     assert pieces.reached > 1e6
     assert np.isin(curve.parameters, pieces.parameters).mean() > 0.9
-    assert (pieces.points == np.clip(curve.evaluate(pieces.parameters), -1e300, 1e300)).all()
+    # Some kernels of BLAS round a row's sum otherwise where there are fewer rows. Each of the two is off by
+    # 25 · 2⁻⁵³ Σ|B||d| at most (`test_lagrange_accuracy.py`).
+    again = np.clip(curve.evaluate(pieces.parameters), -1e300, 1e300)
+    with np.errstate(over="ignore", under="ignore"):
+        size = np.abs(curve.basis(pieces.parameters)[..., 0]) @ np.abs(points)
+    assert (np.abs(pieces.points - again) <= 2 * 25 * 2.0**-53 * size).all()
 
 
 @pytest.mark.parametrize(

@@ -158,7 +158,8 @@ def test_derivatives_to_draw_are_off_by_what_is_said(exact, rng, n, degree, name
     t = np.clip(exact.probes(parameters, rng, 30), *curve.domain)
     with np.errstate(over="ignore", invalid="ignore"):
         for order, found in enumerate(curve.derivatives_at(t, (0, 1, 2, 3))):
-            scale = np.abs(curve.basis(t, order)[:, :, 0]) @ np.abs(curve.points)
+            with np.errstate(under="ignore"):  # not by every kernel of BLAS
+                scale = np.abs(curve.basis(t, order)[:, :, 0]) @ np.abs(curve.points)
             off = np.abs(found - curve.evaluate(t, order)) / np.maximum(scale, 1e-300)
             assert np.isfinite(found).all()
             assert np.nanmax(off, initial=0.0) <= 1e4 * LIMIT * 2.0**-53
@@ -267,7 +268,9 @@ def test_many_points_at_once_take_no_matrix_of_them(rng):
     t = rng.random(2000)
     basis = curve.basis(t[:5])[:, :, 0]
     assert np.abs(basis.sum(axis=1) - 1.0).max() < 1e-13
-    assert np.array_equal(curve.evaluate(t)[:5], curve.evaluate(t[:5]))
+    # Rounded differently in another number of rows by some kernels of BLAS.
+    scale = np.abs(basis) @ np.abs(curve.points)
+    assert (np.abs(curve.evaluate(t)[:5] - curve.evaluate(t[:5])) <= 2 * LIMIT * 2.0**-53 * scale).all()
 
 
 def test_far_outside_it_stays_finite(rng):

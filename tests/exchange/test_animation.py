@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import builtins
 import os
-import sys
 
 import numpy as np
 import pytest
@@ -24,6 +23,7 @@ from app.storage.files import StorageError
 from app.tasks.progress import FINAL, Cancelled
 from app.view_model.animation.motion_settings import Pace, Repeat
 from app.view_model.look.palette import ACCENT, PAPER, colour_on
+from tests.programs import write_program
 
 # Frames are painted with the application of the window where there is one; without, see tests/test_cli.py.
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -167,7 +167,7 @@ def test_without_pillow_it_is_said_how_to_get_it(tmp_path, monkeypatch, forget):
         write_film(first_sketch(), tmp_path / "film.gif", Film(**SMALL))
 
 
-FFMPEG = """#!{python}
+FFMPEG = """
 import pathlib, sys
 words = sys.argv[1:]
 size = words[words.index("-s") + 1]
@@ -190,9 +190,7 @@ def ffmpeg(tmp_path, monkeypatch):
     def install(*, fails=False, hangs=False):
         folder = tmp_path / "bin"
         folder.mkdir()
-        program = folder / "ffmpeg"
-        program.write_text(FFMPEG.format(python=sys.executable, fails=fails, hangs=hangs))
-        program.chmod(0o755)
+        write_program(folder / "ffmpeg", FFMPEG.format(fails=fails, hangs=hangs))
         monkeypatch.setenv("PATH", str(folder))
 
     return install

@@ -16,6 +16,7 @@ from app.exchange.svg.reader import read_svg
 from app.families import LAGRANGE
 from app.tasks.progress import Cancelled
 from app.view_model.curve.curve_view import view_of
+from tests.programs import write_program
 
 ROOT = Path(__file__).parents[2]
 BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3" * 90_000 + b'"/></svg>'
@@ -195,11 +196,10 @@ def test_a_bundle_reads_drawings_too(tmp_path, monkeypatch):
     PyInstaller's, for one, is the program itself; this one stands for it.
     """
     bundle = tmp_path / "curvebench"
-    bundle.write_text(
-        f"#!{sys.executable}\nimport sys\nsys.path.insert(0, {str(ROOT)!r})\n"
-        "from app.cli import main\nsys.exit(main())\n"
+    write_program(
+        bundle,
+        f"import sys\nsys.path.insert(0, {str(ROOT)!r})\nfrom app.cli import main\nsys.exit(main())\n",
     )
-    bundle.chmod(0o755)
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     monkeypatch.setattr(sys, "executable", str(bundle))
     drawing = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 1 2 2 3 0"/></svg>'
