@@ -67,7 +67,7 @@ def test_convert_and_render_tell_on_a_terminal_how_far_they_are(output, tmp_path
 
     table = tmp_path / "rows.csv"
     table.write_text("x,y\n" + "".join(f"{k},{k % 7}\n" for k in range(12_000)))
-    monkeypatch.setattr("app.cli.commands._PATIENCE", -1.0)
+    monkeypatch.setattr("app.cli.progress.PATIENCE", -1.0)
     monkeypatch.setattr(sys, "stderr", terminal := Terminal())
     word, source = ("convert", str(table)) if output.endswith("json") else ("render", LETTER)
     target = str(tmp_path / output)
@@ -463,6 +463,12 @@ def test_convert_refuses_in_one_line(tmp_path, capsys):
     [
         ["render", LETTER],
         ["convert", LETTER],
+        ["convert", LETTER, "a.csv", "b.csv"],
+        ["convert", LETTER, "a.csv", "--surprise"],
+        ["convert", LETTER, "a.csv", "-o", "b"],
+        ["convert", LETTER, "a.csv", "-j", "2"],
+        ["convert", LETTER, "--to", ".csv"],
+        ["convert", LETTER, "--to", ".csv", "-o", "b", "-j", "0"],
         ["convert", LETTER, "a.csv", "--by", "luck"],
         ["convert", LETTER, "a.csv", "--thin", "-1"],
         ["render", LETTER, "-o", "a.svg", "--width", "0"],

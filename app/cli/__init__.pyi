@@ -1,6 +1,7 @@
 # Modules that are imported when they are first used.
 from . import application as application
 from . import commands as commands
+from . import converting as converting
 from . import families as families
 from . import start as start
 from . import windows as windows

@@ -3,60 +3,44 @@
 from __future__ import annotations
 
 import argparse
-import json
-import sys
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from .. import cli, exchange
-from ..document.limits import EditError
 from ..document.words import enumerated
 from ..exchange.drawing.animation import FILMS, first_round, write_film
 from ..exchange.drawing.film import Film
 from ..exchange.errors import ExchangeError
 from ..exchange.files import ImportOptions, export, import_file
 from ..exchange.formats import FORMATS, can_import, endings_of
-from ..exchange.table.family_word import FamilyWord, read_family_word
-from ..families import FAMILIES, HERMITE
+from ..families import FAMILIES
 from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from ..storage.format import Decoded
-from ..tasks.progress import Report, part
 from ..view_model.animation.motion_settings import Pace, Repeat
-from ..view_model.curve.curve_view import view_of
-from ..view_model.fitting.least_squares import Fitted, fitted_to_curve
 from .command_line import common_options
 from .documents import load_document
 from .options import (
+    CONVERT,
     STYLES,
     add_convert_options,
     add_motion_options,
     add_own_options,
     add_picture_options,
-    columns_to_read,
+    convert_usage_problem,
     own_options,
     picture_options,
     positive_number,
 )
 from .printed_facts import facts_as_json, facts_as_text
-from .refusals import RefusalError, one_line, say
+from .progress import TerminalProgress
+from .refusals import RefusalError, say, say_json, tell
 
 if TYPE_CHECKING:
     from ..document.model import Document
-    from ..exchange.cubics_in import Imported
-
-_CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
-
-_MANY_CURVES = 20
-"""Curves beyond which it is said how to take some of them."""
-
-_PATIENCE = 0.2
-"""Seconds of work without a word, and between two words."""
 
 
 def run_command(words: Sequence[str]) -> int:
@@ -67,8 +51,15 @@ def run_command(words: Sequence[str]) -> int:
     RefusalError
         If what was asked cannot be done.
     """
-    options = _command_parser().parse_args(words)
-    _tell(FAMILIES.problems)
+    parser = _command_parser()
+    options, more = parser.parse_known_args(words)
+    if options.command == "convert" and not any(each.startswith("-") for each in more):
+        options.files += more  # those after an option: convert IN --thin 1 OUT
+    elif more:
+        parser.error(f"unrecognized arguments: {' '.join(more)}")
+    if options.command == "convert" and (problem := convert_usage_problem(options)):
+        options.parser.error(problem)
+    tell(FAMILIES.problems)
     try:
         return _COMMAND_OF[options.command](options)
     except ExchangeError as problem:
@@ -101,7 +92,7 @@ def _command_parser() -> argparse.ArgumentParser:
     add_picture_options(render)
     add_own_options(render, FORMATS.pictures)
     add_motion_options(render)
-    add_convert_options(add("convert", help="read and write other formats", description=_CONVERT))
+    add_convert_options(add("convert", help="read and write other formats", description=CONVERT))
     info = add("info", help="print facts", description="Print facts about a document's curves.")
     info.add_argument("file", metavar="FILE")
     info.add_argument("--json", action="store_true", help="as JSON")
@@ -124,11 +115,11 @@ def _document_of(options: argparse.Namespace) -> Decoded:
             raise
     else:
         if found.left_out:
-            _tell([found.left_out.sentence(Path(options.file).name)])
+            tell([found.left_out.sentence(Path(options.file).name)])
         return found
-    with _told_on_terminals() as report:
+    with TerminalProgress() as report:
         source = import_file(options.file, ImportOptions(), report=report)
-    _tell(source.remarks)
+    tell(source.remarks)
     return Decoded(source.document)
 
 
@@ -150,17 +141,11 @@ def _render(options: argparse.Namespace) -> int:
         known = enumerated(_picture_endings(), "or")
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _drawn_document(options)
-    with _told_on_terminals() as report:
+    with TerminalProgress() as report:
         wanted = replace(picture_options(options, document), own=own_options(options, FORMATS.pictures))
         made = export(document, options.output, wanted.reporting(report))
-    _tell(made.remarks)
+    tell(made.remarks)
     return 0
-
-
-def _tell(remarks: Iterable[str]) -> None:
-    """Print what was left out or is otherwise, line by line, beside the output."""
-    for remark in remarks:
-        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
 
 
 def _picture_endings() -> tuple[str, ...]:
@@ -185,110 +170,14 @@ def _render_film(options: argparse.Namespace) -> int:
     return 0
 
 
-def _family_of(options: argparse.Namespace) -> FamilyWord:
-    try:
-        return read_family_word(" ".join([options.family or HERMITE.name, *options.setting]))
-    except ValueError as problem:
-        raise RefusalError(f"--setting must be of {problem}.") from None
-
-
-def _import_options(options: argparse.Namespace, read: FamilyWord) -> ImportOptions:
-    return ImportOptions(
-        tolerance=options.tolerance,
-        thin=options.thin,
-        corners=options.corners,
-        family=read.family,
-        settings=read.settings,
-        columns=columns_to_read(options),
-        missing=options.missing,
-        only=options.only,
-    )
-
-
-def _convert(options: argparse.Namespace) -> int:
-    word = _family_of(options)
-    # What is fitted is near all rows, whatever the family: the curve through them is not that.
-    read = FamilyWord(HERMITE) if _wants_fit(options) else word
-
-    with _told_on_terminals() as report:
-        source = import_file(options.file, _import_options(options, read), report=part(report, 0.0, 0.4))
-    with _told_on_terminals() as report:
-        document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
-        wanted = replace(
-            picture_options(options, document),
-            own=own_options(options, FORMATS.written),
-            report=part(report, 0.7, 1.0),
-        )
-        written = export(document, options.output, wanted)
-    fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
-    remarks = [*source.remarks, *_on_groups(source, options.only), *fitted, *written.remarks]
-    off = max((fit.deviation for fit in fits), default=0.0)
-    total = exchange.parts.rounded_up(source.deviation + off + written.deviation)
-    if options.json:
-        _say_json({"output": options.output, "deviation": total, "remarks": remarks})
-    else:
-        _tell(remarks)
-        say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
-    return 0
-
-
-def _say_json(content: dict[str, Any]) -> None:
-    say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
-
-
-def _wants_fit(options: argparse.Namespace) -> bool:
-    return options.fit is not None or options.fit_tolerance is not None
-
-
-def _fitted(
-    document: Document, options: argparse.Namespace, word: FamilyWord, report: Report
-) -> tuple[Document, list[Fitted]]:
-    """Return the document with fewer points, where that was asked for, and what came of each curve."""
-    if not _wants_fit(options):
-        if options.keep_times:
-            raise RefusalError("--keep-times goes with --fit or --fit-tolerance.")
-        return document, []
-    fits = []
-    share = 1.0 / len(document.curves)
-    for place, curve in enumerate(document.curves):
-        model = replace(curve, family=word.family, settings=word.settings) if options.family else curve
-        try:
-            fit = fitted_to_curve(
-                view_of(curve),
-                model,
-                count=options.fit,
-                tolerance=options.fit_tolerance,
-                keeps_times=options.keep_times,
-                report=part(report, place * share, (place + 1) * share),
-            )
-        except EditError as problem:
-            raise RefusalError(f"“{curve.name}”: {problem}") from None
-        if options.fit_tolerance is not None and fit.deviation > options.fit_tolerance:
-            raise RefusalError(
-                f"“{curve.name}”: no {model.family.title} curve within {options.fit_tolerance:g} was found; "
-                f"the nearest has {fit.words} Try another --family, a larger tolerance, "
-                f"or --fit {len(fit.curve.points)}."
-            )
-        fits.append(fit)
-    return replace(document, curves=tuple(fit.curve for fit in fits)), fits
-
-
-def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
-    """Return what could be taken alone, where there are more curves than somebody may have meant."""
-    count = len(source.document.curves)
-    if only or not source.has_groups or count <= _MANY_CURVES:
-        return ()
-    return (f"These are {count} curves; --only NAME takes those of a group. There is {source.contents()}.",)
-
-
 def _info(options: argparse.Namespace) -> int:
     found = _document_of(options)
     document = found.document
-    with _told_on_terminals() as report:
+    with TerminalProgress() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
         curves = [facts_as_json(each) for each in facts]
-        _say_json(
+        say_json(
             {
                 "file": options.file,
                 "unit": document.unit or None,
@@ -299,25 +188,6 @@ def _info(options: argparse.Namespace) -> int:
     else:
         say("\n\n".join(facts_as_text(each, document.unit) for each in facts))
     return 0
-
-
-@contextmanager
-def _told_on_terminals() -> Iterator[Report]:
-    """Lend a report that writes how far work has come to a terminal, from 0.2 s on; the line goes with it."""
-    began = last = perf_counter()
-
-    def report(share: float, word: str) -> None:
-        nonlocal last
-        now = perf_counter()
-        if share < 1.0 and sys.stderr.isatty() and now - began > _PATIENCE and now - last > _PATIENCE:
-            last = now
-            print(f"\r{word}: {share:.0%}\033[K", end="", file=sys.stderr, flush=True)
-
-    try:
-        yield report
-    finally:
-        if last > began:
-            print("\r\033[K", end="", file=sys.stderr, flush=True)
 
 
 def _lesson(options: argparse.Namespace) -> int:
@@ -331,4 +201,13 @@ def _lesson(options: argparse.Namespace) -> int:
         raise RefusalError(str(problem)) from None
 
 
-_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info, "lesson": _lesson}
+def _convert(options: argparse.Namespace) -> int:
+    return int(cli.converting.convert(options))  # imported where it is asked for
+
+
+_COMMAND_OF = {
+    "render": _render,
+    "convert": _convert,
+    "info": _info,
+    "lesson": _lesson,
+}

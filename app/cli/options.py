@@ -140,12 +140,37 @@ def add_motion_options(render: argparse.ArgumentParser) -> None:
     )
 
 
+CONVERT = """\
+Read a file of one format and write another; print the largest deviation from the true curves. With --to,
+do so for many files: one that cannot be converted is told in one line, the others go on, and the exit
+code is 1."""
+
+_CONVERT_USAGE = """\
+curvebench convert IN OUT [options]
+       curvebench convert IN ... -o FOLDER --to ENDING [-j N] [options]"""
+
+
 def add_convert_options(convert: argparse.ArgumentParser) -> None:
     """Let `convert` take its files, the options of tables and those of pictures."""
+    convert.usage = _CONVERT_USAGE
+    convert.set_defaults(parser=convert)  # for what is wrong with its files
     add = convert.add_argument
     read, written = (", ".join(endings_of(each)) for each in (FORMATS.read, FORMATS.written))
-    add("file", metavar="IN", help=f"what to read; ends in {read}")
-    add("output", metavar="OUT", help=f"what to write; ends in {written}")
+    add(
+        "files",
+        nargs="+",
+        metavar="IN OUT",
+        help=f"what to read, which ends in {read}, and what to write; with --to, all are read",
+    )
+    add("-o", "--output", metavar="FOLDER", help="with --to: where the files are written; made if need be")
+    add("--to", metavar="ENDING", help=f"write a file for each one that is read; ends in {written}")
+    add(
+        "-j",
+        "--jobs",
+        type=whole_number,
+        metavar="N",
+        help="with --to: read N drawings at a time (default: by their size, one for each processor at most)",
+    )
     add(
         "--tolerance",
         type=positive_number,
@@ -161,6 +186,20 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     _add_fit_options(convert)
     add_picture_options(convert)
     add_own_options(convert, FORMATS.written)
+
+
+def convert_usage_problem(options: argparse.Namespace) -> str:
+    """Return what is wrong with the files that were named; nothing for IN OUT, and for many with --to."""
+    if options.to is not None:
+        return "" if options.output is not None else "--to needs a folder: -o FOLDER"
+    if options.output is not None or options.jobs is not None:
+        return "-o and -j go with --to ENDING"
+    match len(options.files):
+        case 1:
+            return "the following arguments are required: OUT"
+        case 2:
+            return ""
+    return "many files need -o FOLDER --to ENDING"
 
 
 _OWN = "own_"

@@ -1,8 +1,12 @@
-"""Refusals of the command line, each in one line."""
+"""Output of the command line: refusals and remarks, each in one line; results."""
 
 from __future__ import annotations
 
+import json
 import os
+import sys
+from collections.abc import Iterable
+from typing import Any
 
 
 class RefusalError(Exception):
@@ -23,6 +27,17 @@ def say(text: str = "", end: str = "\n") -> None:
         raise
     except OSError as problem:
         raise RefusalError(f"The output cannot be written ({reason_of(problem)}).") from None
+
+
+def say_json(content: dict[str, Any] | list[dict[str, Any]]) -> None:
+    """Print plain values to the standard output."""
+    say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def tell(remarks: Iterable[str]) -> None:
+    """Print what was left out or is otherwise, line by line, beside the output."""
+    for remark in remarks:
+        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
 
 
 def reason_of(problem: OSError) -> str:

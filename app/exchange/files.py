@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,6 +24,7 @@ from .formats import FORMATS, ContentKind, Format, Written, ending_in, format_of
 from .options import DEFAULT, Options
 
 if TYPE_CHECKING:
+    from .child import ReaderProcess
     from .cubics_in import Imported
 
 
@@ -61,10 +63,32 @@ class ImportOptions:
     only: Sequence[str] = ()
 
 
+def begin_import(path: str | os.PathLike[str], options: ImportOptions, process: ReaderProcess) -> None:
+    """Let a process begin to read a drawing; `import_file` waits for the rest, or says what is wrong."""
+    with suppress(ExchangeError, OSError, MemoryError):
+        form, data = format_to_read(path), read(path)
+        if form.kind is ContentKind.DRAWING and not is_document(data):
+            assert form.read is not None
+            process.begin(form.read, data, options.tolerance)
+
+
 def import_file(
-    path: str | os.PathLike[str], options: ImportOptions | None = None, *, report: Report = silent
+    path: str | os.PathLike[str],
+    options: ImportOptions | None = None,
+    *,
+    report: Report = silent,
+    process: ReaderProcess | None = None,
 ) -> Imported:
     """Return the curves in a file of the format that its ending names.
+
+    Parameters
+    ----------
+    path, options
+        The file, and what concerns its format.
+    report
+        Called now and then; may raise `Cancelled`.
+    process
+        Reads drawings; by default one for this file alone.
 
     Raises
     ------
@@ -77,7 +101,7 @@ def import_file(
     options = options or ImportOptions()
     form = format_to_read(path)
     try:
-        found = _imported(Path(path), form, read(path), options, report)
+        found = _imported(Path(path), form, read(path), options, report, process)
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
@@ -98,14 +122,22 @@ def format_to_read(path: str | os.PathLike[str]) -> Format:
     return format_of(path, FORMATS.read)
 
 
-def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, report: Report) -> Imported:
+def _imported(
+    path: Path,
+    form: Format,
+    data: bytes,
+    options: ImportOptions,
+    report: Report,
+    process: ReaderProcess | None,
+) -> Imported:
     if form.kind is ContentKind.DOCUMENT or is_document(data):
         found = document_in(data, path)
         remarks = (found.left_out.sentence(path.name),) if found.left_out else ()
         return exchange.cubics_in.Imported(found.document, remarks=remarks)
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
-        return exchange.child.limited(form.read, data, options.tolerance, report=report)
+        limited = exchange.child.limited if process is None else process.read
+        return limited(form.read, data, options.tolerance, report=report)
     return table.source.import_table(path, ending_in(path, form), data, options, report)
 
 

@@ -1,0 +1,308 @@
+"""The command ``convert``: one file into another, or many into a folder."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from .. import exchange
+from ..document.limits import EditError
+from ..exchange.errors import ExchangeError
+from ..exchange.files import ImportOptions, begin_import, export, import_file
+from ..exchange.formats import FORMATS, ending_in, format_of
+from ..exchange.table.family_word import FamilyWord, read_family_word
+from ..families import HERMITE
+from ..storage.files import StorageError
+from ..tasks.progress import Report, part
+from ..view_model.curve.curve_view import view_of
+from ..view_model.fitting.least_squares import Fitted, fitted_to_curve
+from .options import columns_to_read, own_options, picture_options
+from .progress import TerminalProgress
+from .refusals import RefusalError, one_line, reason_of, say, say_json, tell
+
+if TYPE_CHECKING:
+    from ..document.model import Document
+    from ..exchange.child import ReaderProcess
+    from ..exchange.cubics_in import Imported
+
+_MANY_CURVES = 20
+"""Curves beyond which it is said how to take some of them."""
+
+_BYTES_A_PROCESS = 2**18
+"""Bytes to read for each process, unless -j says how many there are: to start one takes as long as these."""
+
+_IGNORES_CASE = sys.platform in ("win32", "darwin")
+
+
+@dataclass(frozen=True)
+class _Conversion:
+    """A file to read and the one to write."""
+
+    source: str
+    target: str
+
+
+@dataclass(frozen=True)
+class _Converted:
+    """Result of a conversion: the largest deviation from the true curves, and remarks."""
+
+    deviation: float
+    remarks: list[str]
+
+
+def convert(options: argparse.Namespace) -> int:
+    """Convert one file, or many, and return the exit code."""
+    if options.to is not None:
+        return _convert_many(options)
+    source, target = options.files
+    with TerminalProgress() as report:
+        done = _converted(options, _Conversion(source, target), report)
+    if options.json:
+        say_json({"output": target} | _facts(done))
+    else:
+        tell(done.remarks)
+        say(_result(target, done))
+    return 0
+
+
+def _facts(done: _Converted) -> dict[str, Any]:
+    return {"deviation": done.deviation, "remarks": done.remarks}
+
+
+def _result(target: str, done: _Converted) -> str:
+    return f"{one_line(target)}: largest deviation from the true curves {done.deviation:g}"
+
+
+def _convert_many(options: argparse.Namespace) -> int:
+    _family_of(options)  # what is wrong with the options is told once
+    conversions = _planned(options)
+    try:
+        Path(options.output).mkdir(parents=True, exist_ok=True)
+    except OSError as problem:
+        raise RefusalError(f"The folder “{options.output}” cannot be made: {reason_of(problem)}.") from None
+    count, jobs = len(conversions), _jobs(options)
+    results = []
+    with TerminalProgress() as progress, ExitStack() as stack:
+        # While a file is written here, processes read the next ones: each has its turn, in order.
+        readers = [stack.enter_context(exchange.child.ReaderProcess()) for _job in range(jobs)]
+        for each, reader in zip(conversions[1:], readers[1:], strict=False):
+            begin_import(each.source, ImportOptions(tolerance=options.tolerance), reader)
+        for place, each in enumerate(conversions):
+            report = _named(
+                part(progress, place / count, (place + 1) / count),
+                f"{one_line(Path(each.source).name)} ({place + 1} of {count})",
+            )
+            following = conversions[place + jobs].source if place + jobs < count else None
+            done = _outcome(options, each, report, readers[place % jobs], following)
+            progress.clear()
+            results.append(_told(each, done, is_quiet=options.json))
+    if options.json:
+        say_json(results)
+    return 1 if any("error" in each for each in results) else 0
+
+
+def _outcome(
+    options: argparse.Namespace,
+    conversion: _Conversion,
+    report: Report,
+    reader: ReaderProcess,
+    following: str | None,
+) -> _Converted | str:
+    """Return the result of a conversion, or a sentence on why there is none."""
+    try:
+        return _converted(options, conversion, report, reader, following)
+    except (RefusalError, ExchangeError, StorageError) as problem:
+        text = str(problem)
+    except OSError as problem:
+        text = f"{reason_of(problem)}."
+    names = (Path(conversion.source).name, Path(conversion.target).name)
+    return text if any(each in text for each in names) else f"“{names[0]}”: {text}"
+
+
+def _told(conversion: _Conversion, done: _Converted | str, *, is_quiet: bool) -> dict[str, Any]:
+    """Print the outcome of a conversion, a failure always, and return it as plain values."""
+    if isinstance(done, str):
+        tell([done])
+        return {"input": conversion.source, "error": done}
+    if not is_quiet:
+        tell(f"{conversion.source}: {remark}" for remark in done.remarks)
+        say(_result(conversion.target, done))
+    return {"input": conversion.source, "output": conversion.target} | _facts(done)
+
+
+def _named(report: Report, name: str) -> Report:
+    return lambda share, _word: report(share, name)
+
+
+def _planned(options: argparse.Namespace) -> list[_Conversion]:
+    """Return the conversions of many files, none of which writes over an input or another's output.
+
+    Raises
+    ------
+    ExchangeError, RefusalError
+        If one would, or if no format has the ending; nothing is written then.
+    """
+    ending: str = options.to if options.to.startswith(".") else f".{options.to}"
+    format_of(f"a{ending}", FORMATS.written)
+    folder = Path(options.output)
+    if folder.exists() and not folder.is_dir():
+        raise RefusalError(f"“{folder}” is no folder.")
+    conversions = [_Conversion(each, str(folder / f"{_stem(each)}{ending}")) for each in options.files]
+    sources = {identity: each for each in options.files if (identity := _identity(each))}
+    targets: dict[str, str] = {}
+    for each in conversions:
+        key = each.target.casefold() if _IGNORES_CASE else each.target
+        if key in targets:
+            raise RefusalError(
+                f"“{targets[key]}” and “{each.source}” would both be written to “{each.target}”. "
+                "Convert them into different folders."
+            )
+        targets[key] = each.source
+        if (identity := _identity(each.target)) in sources and identity is not None:
+            raise RefusalError(
+                f"“{each.source}” would be written over “{sources[identity]}”, which is to be read. "
+                "Choose another folder."
+            )
+    return conversions
+
+
+def _stem(path: str) -> str:
+    """Return the name of a file without the ending that tells its format."""
+    name = Path(path).name
+    try:
+        ending = ending_in(name, format_of(name, FORMATS.read))
+    except ExchangeError:  # that it cannot be read is told in its turn
+        return Path(path).stem
+    return name[: -len(ending)] or name
+
+
+def _identity(path: str) -> tuple[int, int] | None:
+    """Return what tells a file from all others, whatever it is called; None where there is none."""
+    try:
+        status = Path(path).stat()
+    except (OSError, ValueError):
+        return None
+    return status.st_dev, status.st_ino
+
+
+def _jobs(options: argparse.Namespace) -> int:
+    """Return how many processes read drawings."""
+    if options.jobs is not None:
+        return min(int(options.jobs), len(options.files))
+    total = sum(Path(each).stat().st_size for each in options.files if Path(each).is_file())
+    return max(1, min(len(options.files), os.cpu_count() or 1, total // _BYTES_A_PROCESS))
+
+
+def _family_of(options: argparse.Namespace) -> FamilyWord:
+    if options.keep_times and not _wants_fit(options):
+        raise RefusalError("--keep-times goes with --fit or --fit-tolerance.")
+    try:
+        return read_family_word(" ".join([options.family or HERMITE.name, *options.setting]))
+    except ValueError as problem:
+        raise RefusalError(f"--setting must be of {problem}.") from None
+
+
+def _import_options(options: argparse.Namespace, read: FamilyWord) -> ImportOptions:
+    return ImportOptions(
+        tolerance=options.tolerance,
+        thin=options.thin,
+        corners=options.corners,
+        family=read.family,
+        settings=read.settings,
+        columns=columns_to_read(options),
+        missing=options.missing,
+        only=options.only,
+    )
+
+
+def _converted(
+    options: argparse.Namespace,
+    conversion: _Conversion,
+    report: Report,
+    reader: ReaderProcess | None = None,
+    following: str | None = None,
+) -> _Converted:
+    """Convert a file.
+
+    Parameters
+    ----------
+    reader
+        The process that reads drawings; by default one for this file alone.
+    following
+        The file that the process begins to read while this one is written.
+    """
+    word = _family_of(options)
+    # What is fitted is near all rows, whatever the family: the curve through them is not that.
+    wanted = _import_options(options, FamilyWord(HERMITE) if _wants_fit(options) else word)
+    try:
+        source = import_file(conversion.source, wanted, report=part(report, 0.0, 0.4), process=reader)
+    finally:
+        if reader is not None and following is not None:
+            begin_import(following, wanted, reader)
+    document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
+    written = export(
+        document,
+        conversion.target,
+        replace(
+            picture_options(options, document),
+            own=own_options(options, FORMATS.written),
+            report=part(report, 0.7, 1.0),
+        ),
+    )
+    fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
+    off = max((fit.deviation for fit in fits), default=0.0)
+    return _Converted(
+        exchange.parts.rounded_up(source.deviation + off + written.deviation),
+        [*source.remarks, *_on_groups(source, options.only), *fitted, *written.remarks],
+    )
+
+
+def _wants_fit(options: argparse.Namespace) -> bool:
+    return options.fit is not None or options.fit_tolerance is not None
+
+
+def _fitted(
+    document: Document, options: argparse.Namespace, word: FamilyWord, report: Report
+) -> tuple[Document, list[Fitted]]:
+    """Return the document with fewer points, where that was asked for, and what came of each curve."""
+    if not _wants_fit(options):
+        return document, []
+    fits = []
+    share = 1.0 / len(document.curves)
+    for place, curve in enumerate(document.curves):
+        model = replace(curve, family=word.family, settings=word.settings) if options.family else curve
+        try:
+            fit = fitted_to_curve(
+                view_of(curve),
+                model,
+                count=options.fit,
+                tolerance=options.fit_tolerance,
+                keeps_times=options.keep_times,
+                report=part(report, place * share, (place + 1) * share),
+            )
+        except EditError as problem:
+            raise RefusalError(f"“{curve.name}”: {problem}") from None
+        if options.fit_tolerance is not None and fit.deviation > options.fit_tolerance:
+            raise RefusalError(
+                f"“{curve.name}”: no {model.family.title} curve within {options.fit_tolerance:g} was found; "
+                f"the nearest has {fit.words} Try another --family, a larger tolerance, "
+                f"or --fit {len(fit.curve.points)}."
+            )
+        fits.append(fit)
+    return replace(document, curves=tuple(fit.curve for fit in fits)), fits
+
+
+def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
+    """Return what could be taken alone, where there are more curves than somebody may have meant."""
+    count = len(source.document.curves)
+    if only or not source.has_groups or count <= _MANY_CURVES:
+        return ()
+    return (f"These are {count} curves; --only NAME takes those of a group. There is {source.contents()}.",)
