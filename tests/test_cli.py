@@ -40,7 +40,6 @@ def run(*words, code="import sys; from app.cli import main; sys.exit(main())", *
         capture_output=True,
         text=True,
         env=environment,
-        timeout=60,
         check=False,
         **keywords,
     )
@@ -514,7 +513,6 @@ def test_output_that_cannot_be_written_is_said():
             stdout=full,
             stderr=subprocess.PIPE,
             cwd=ROOT,
-            timeout=60,
             check=False,
             text=True,
         )
@@ -618,7 +616,6 @@ def test_a_closed_pipe_is_quiet():
             stdout=writer,
             stderr=subprocess.PIPE,
             cwd=ROOT,
-            timeout=60,
             check=False,
         )
     finally:

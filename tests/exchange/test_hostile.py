@@ -81,7 +81,6 @@ def reports(tmp_path_factory):
         [sys.executable, "-W", "error", "-c", RUNNER, str(SCRIPT), str(folder)],
         capture_output=True,
         text=True,
-        timeout=300,
         check=False,
         env={**os.environ, "PYTHONPATH": str(ROOT), "PYTHONIOENCODING": "utf-8"},
     )

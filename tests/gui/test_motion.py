@@ -32,7 +32,7 @@ from app.features.motion.bar import MotionBar
 from app.features.motion.commands import MotionCommands
 from app.features.motion.player import Player
 from app.view_model.animation.motion_picture import OWN
-from tests.waiting import until
+from tests.waiting import LIMIT, until
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -421,7 +421,7 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, tmp_path, mo
     def write_to_the_beat(document, path, film, report):
         def told(share, word):
             beat.clear()
-            assert beat.wait(20), "the window does not go on between two frames"
+            assert beat.wait(LIMIT), "the window does not go on between two frames"
             frames.append(share)
             report(share, word)
 

@@ -17,7 +17,7 @@ from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.overlay_settings import Count, Factor
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.look.line_styles import LineStyle, Sign
-from tests.waiting import until
+from tests.waiting import LIMIT, until
 
 RED, LIME = QColor("#ff0000"), QColor("#00ff00")
 PLATE = LineStyle(RED.name(), sign=Sign.AREA)
@@ -42,7 +42,7 @@ def _plate(scene):
 
 def _dots(scene):
     """A mark in the middle between two points each."""
-    assert MAY_END.wait(20.0)
+    assert MAY_END.wait(LIMIT)
     points = scene.view.points
     return [Figure(DOTS, Shape.MARKS, (points[1:] + points[:-1]) / 2)], f"{len(points) - 1} dots."
 

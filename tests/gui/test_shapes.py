@@ -16,7 +16,7 @@ from app.cli import main
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, Style
 from app.families import HERMITE
-from app.features.curve_list import dragging
+from app.features.curve_list.dragging import OPENS_MS
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.workbench.strip_menu import strip_menu
 from tests.gui.curve_rows import click_row, heard, place_in, row_named, rows, view_of
@@ -811,8 +811,11 @@ def test_a_folded_shape_opens_under_a_drag_that_rests_on_it(ring):
     QTest.mouseMove(port, (start + onto) / 2)
     QTest.mouseMove(port, onto)
     assert rows(ring) == ["Side", "Shape 1"]
-    QTest.qWait(dragging.OPENS_MS + 100)
-    assert rows(ring) == ["Side", "Shape 1", "  Inner", "  Outer"]
+    opening = view._drag._opening
+    assert opening.interval() == OPENS_MS
+    opening.setInterval(0)
+    until(lambda: rows(ring) == ["Side", "Shape 1", "  Inner", "  Outer"])
+    opening.setInterval(OPENS_MS)
     # On, to a place between its curves.
     between = QPoint(onto.x() + 20, top_of(ring, "Outer"))
     QTest.mouseMove(port, between)

@@ -59,7 +59,7 @@ def holds_old_alone(path):
 
 def test_killed_at_any_step_a_save_leaves_the_old_file_or_the_new_one(tmp_path):
     child = python(Path(__file__).with_name("kill_at_every_step.py"), tmp_path)
-    results = json.loads(child.communicate(timeout=120)[0])
+    results = json.loads(child.communicate()[0])
     for kind, steps in results.items():
         holds = [step["holds"] for step in steps]
         # At some step the old file is replaced, and from then on it is the new one.
@@ -361,7 +361,7 @@ def test_two_processes_save_one_file(tmp_path):
     save(path, Document((make_curve([(0.0, 0.0), (1.0, 0.0)]),)))
     writers = [python(Path(__file__).with_name("cas_writer.py"), path, go, 60) for _ in range(2)]
     go.touch()
-    saved = [int(writer.communicate(timeout=60)[0]) for writer in writers]
+    saved = [int(writer.communicate()[0]) for writer in writers]
     assert load(path).curves[0].points[0].x == sum(saved)
     assert sum(saved) >= 60
     assert sorted(each.name for each in tmp_path.iterdir()) == [path.name, go.name]

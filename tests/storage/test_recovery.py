@@ -330,7 +330,6 @@ def test_killed_at_any_step_of_writing_there_is_the_old_snapshot_or_the_new_one(
         cwd=ROOT,
         capture_output=True,
         text=True,
-        timeout=60,
         check=False,
     )
     assert done.stderr == ""
