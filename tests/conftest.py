@@ -127,6 +127,13 @@ def _no_window_left_over():
     assert not left, f"left over: {left} (give windows to qtbot.addWidget)"
 
 
+def pytest_ignore_collect(collection_path, config):
+    """Leave the tests of windows unread where none is wanted: they import Qt and the whole program."""
+    if config.option.markexpr == "not window" and collection_path == Path(__file__).parent / "gui":
+        return True
+    return None
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_collection():
     """Collect tests, but no garbage: to look for it takes as long as all else, and there is next to none.

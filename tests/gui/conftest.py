@@ -27,6 +27,11 @@ def pytest_configure(config):
     config.pluginmanager.register(_kept)
 
 
+def pytest_itemcollected(item):
+    """Mark the tests of this folder, see `markers` in pyproject.toml."""
+    item.add_marker("window")
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items):
     """Have tests first that make windows of their own: each of them puts an end to the one that is kept."""
