@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.lines import is_line
+from app.document.model import Point
 from app.families import FAMILIES, LAGRANGE
 from tests.gui.editor_facts import at
 
@@ -118,9 +119,11 @@ def test_a_finger_on_the_first_point_is_told_of_it(pen):
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
 def test_the_first_point_promises_to_close_only_what_can_be_closed(pen, family):
     """Of a Lagrange curve, too, and the click was refused."""
-    for place in PLACES:
-        pen.click(at(pen, *place))
-    pen.choose_family(family)
+    *before, last = (at(pen, *place) for place in PLACES)
+    document = edits.set_points(pen.session.document, 0, [Point(*place) for place in before])
+    pen.session.commit(edits.set_family(document, 0, family), "Begin")
+    pen.session.selected.set_points([2])
+    pen.click(last)
     pen.hover(pen.point(0))
     hint, can_close = pen.window.status_line.hint, family.curve_class.can_close
     assert hint.startswith("Click to close the curve") is can_close

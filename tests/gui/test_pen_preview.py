@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import LIGHT
+from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from tests.gui.editor_facts import at
@@ -52,7 +53,7 @@ def ghost_pixels(editor):
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
 def test_what_is_shown_is_what_a_click_makes(pen, kind):
-    pen.choose_parametrization(kind)
+    pen.session.commit(edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.4, 1.0]), "Begin")
     document, steps = pen.session.document, pen.session.undo_stack.count()
     assert ahead(pen) is None
     for x, y in ((300, 150), (310, 130)):

@@ -1,6 +1,7 @@
 """The pencil: a drag with the mouse becomes a curve of few points near the line."""
 
 import math
+import threading
 
 import numpy as np
 import pytest
@@ -8,12 +9,14 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES
+from app.tools.canvas import pencil
 from app.view_model.curve.curve_view import view_of
 from tests.waiting import until
 
 PLACES = {
     "wobbling": [(100 + 2 * i, round(240 + 70 * math.sin(i / 20) + math.sin(1.3 * i))) for i in range(200)],
     "loop": [(round(300 + 90 * math.cos(i / 20)), round(240 + 70 * math.sin(i / 20))) for i in range(126)],
+    "arc": [(round(300 + 90 * math.cos(i / 20)), round(240 + 70 * math.sin(i / 20))) for i in range(60)],
     "corner": [(200 + i, 300) for i in range(0, 101, 4)] + [(300, 300 - i) for i in range(0, 101, 4)],
 }
 
@@ -43,6 +46,7 @@ def draw(editor, places, *, release=True):
 
 def wait(editor):
     """Wait until the lines that were drawn have become curves."""
+    MAY_FIT.set()
     until(lambda: not editor.window.canvas.tools.background.lines)
     editor.settle()
 
@@ -51,8 +55,8 @@ def farthest(editor, line):
     """Return the largest distance of a line from the active curve, in pixels, by samples of it."""
     view = view_of(editor.session.active_curve)
     curve = view.curve.evaluate(np.linspace(*view.curve.domain, 4000))
-    gaps = np.linalg.norm(line[:, None] - curve[None], axis=2).min(axis=1)
-    return gaps.max() * editor.window.canvas.pixel_map.sx
+    dx, dy = (line[:, None] - curve[None]).transpose(2, 0, 1)
+    return math.sqrt((dx * dx + dy * dy).min(axis=1).max()) * editor.window.canvas.pixel_map.sx
 
 
 def test_a_wobbling_line_becomes_few_points_within_the_tolerance(editor):
@@ -100,7 +104,7 @@ def test_every_family_can_be_drawn(editor, family):
     editor.new()
     editor.choose_family(family)
     editor.trigger("pencilTool")
-    line = draw(editor, PLACES["corner"] if family.curve_class.is_local else PLACES["loop"][:60])
+    line = draw(editor, PLACES["corner"] if family.curve_class.is_local else PLACES["arc"])
     assert editor.session.active_curve.family is family
     assert farthest(editor, line) <= 2.2
 
@@ -114,7 +118,8 @@ def test_a_zigzag_of_few_teeth_that_took_a_polynomial_half_a_minute_is_drawn(edi
     assert farthest(editor, line) <= 2.2
 
 
-def test_a_zigzag_that_a_polynomial_would_follow_for_long_comes_out_in_local_pieces(editor):
+def test_a_zigzag_that_a_polynomial_would_follow_for_long_comes_out_in_local_pieces(editor, monkeypatch):
+    monkeypatch.setattr(pencil, "_PATIENCE_S", 0.2)
     editor.new()
     editor.choose_family(FAMILIES.named("bezier"))
     editor.trigger("pencilTool")
@@ -165,27 +170,38 @@ def test_a_line_of_two_thousand_places_is_drawn_as_quickly_as_a_short_one(editor
     editor.key(Qt.Key.Key_Escape)
 
 
-TEETH = [(100 + i, 160 + abs(10 * i % 120 - 60)) for i in range(600)]
-"""A zigzag that takes a Bézier curve a second, and then is drawn in local pieces."""
+MAY_FIT = threading.Event()
+"""Whether the lines of a `slow` editor may become curves."""
 
 
 @pytest.fixture
-def slow(editor):
-    """An editor in which a line takes its time."""
+def slow(editor, monkeypatch):
+    """An editor in which a line becomes a curve once somebody waits for it."""
+    quick = pencil.fitted
+
+    def fitted(model, line, *, tolerance, report):
+        while not MAY_FIT.wait(0.01):
+            report(0.5, "Fitting")
+        return quick(model, line, tolerance=tolerance, report=report)
+
+    monkeypatch.setattr(pencil, "fitted", fitted)
+    MAY_FIT.clear()
     editor.new()
     editor.choose_family(FAMILIES.named("bezier"))
     editor.trigger("pencilTool")
-    return editor
+    yield editor
+    MAY_FIT.set()
 
 
 def draw_without_waiting(editor, places):
+    MAY_FIT.clear()
     line = draw(editor, places, release=False)
     editor.release(tuple(line[-1]))
     return line
 
 
 def test_the_line_stays_until_the_curve_is_there_and_how_far_it_is_is_told(slow):
-    line = draw_without_waiting(slow, TEETH)
+    line = draw_without_waiting(slow, PLACES["arc"])
     canvas = slow.window.canvas
     assert not slow.session.active_curve.points
     assert np.array_equal(canvas.marks.waiting, [line])
@@ -199,7 +215,7 @@ def test_the_line_stays_until_the_curve_is_there_and_how_far_it_is_is_told(slow)
 
 def test_escape_takes_a_line_back_that_is_becoming_a_curve(slow):
     before, count = slow.session.document, slow.session.undo_stack.count()
-    draw_without_waiting(slow, TEETH)
+    draw_without_waiting(slow, PLACES["arc"])
     slow.key(Qt.Key.Key_Escape)
     assert slow.window.canvas.marks.waiting == ()
     assert slow.status == "Cancelled."
@@ -213,7 +229,7 @@ def test_escape_takes_a_line_back_that_is_becoming_a_curve(slow):
 def test_undo_takes_the_line_back_that_is_becoming_a_curve_and_not_the_step_before(slow):
     """The step before the line went, and then the line's curve came."""
     before, step = slow.session.document, slow.session.undo_stack.undoText()
-    draw_without_waiting(slow, TEETH)
+    draw_without_waiting(slow, PLACES["arc"])
     slow.trigger("undo")
     assert slow.window.canvas.marks.waiting == ()
     assert slow.status == "The pencil's curve was taken back."
@@ -230,7 +246,7 @@ def test_undo_by_its_key_takes_the_first_line_of_a_document_back(slow, is_held):
     editor = slow
     editor.session.undo_stack.clear()
     assert not editor.action("undo").isEnabled()
-    line = draw(editor, TEETH, release=False)
+    line = draw(editor, PLACES["arc"], release=False)
     if not is_held:
         editor.release(tuple(line[-1]))
     editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
@@ -258,7 +274,7 @@ def test_undo_by_its_key_takes_back_the_first_drag_in_a_document(editor):
 
 
 def test_undo_takes_back_the_last_of_several_lines(slow):
-    draw_without_waiting(slow, TEETH)
+    draw_without_waiting(slow, PLACES["arc"])
     draw_without_waiting(slow, PLACES["wobbling"])
     slow.trigger("undo")
     assert len(slow.window.canvas.marks.waiting) == 1
@@ -268,7 +284,7 @@ def test_undo_takes_back_the_last_of_several_lines(slow):
 
 
 def test_quick_lines_come_one_after_the_other(slow):
-    first = draw_without_waiting(slow, TEETH)
+    first = draw_without_waiting(slow, PLACES["arc"])
     second = draw_without_waiting(slow, PLACES["wobbling"])
     assert len(slow.window.canvas.marks.waiting) == 2
     wait(slow)
@@ -284,6 +300,7 @@ def test_quick_lines_come_one_after_the_other(slow):
 def test_a_gesture_in_flight_is_not_disturbed_by_a_curve_that_is_done(slow):
     draw_without_waiting(slow, PLACES["wobbling"])
     line = draw(slow, PLACES["corner"], release=False)
+    MAY_FIT.set()
     until(lambda: not slow.window.canvas.jobs.is_busy)
     assert not slow.session.active_curve.points
     assert len(slow.window.canvas.marks.line) > 40
@@ -298,7 +315,7 @@ def test_another_tool_does_not_lose_the_line_and_another_document_does(slow):
     wait(slow)
     assert farthest(slow, line) <= 2.2
     slow.trigger("pencilTool")
-    draw_without_waiting(slow, TEETH)
+    draw_without_waiting(slow, PLACES["arc"])
     slow.new()
     wait(slow)
     assert not slow.session.active_curve.points
