@@ -141,9 +141,13 @@ def tex_values(cell):
     return [float(re.sub(r" \\cdot 10\^\{(-?\d+)\}", r"e\1", value)) for value in re.findall(number, cell)]
 
 
+def arrays_of(text):
+    return re.findall(r"\\begin\{array\}\{@\{\}l+@\{\}\}\n(.*?)\n\\end\{array\}", text, re.DOTALL)
+
+
 def tex_rows(text):
     """The cells of every row; a row of several lines has a gap behind it."""
-    arrays = re.findall(r"\\begin\{array\}\{l+\}\n(.*?)\n\\end\{array\}", text, re.DOTALL)
+    arrays = arrays_of(text)
     gap = " \\\\[4pt]\n" if "[4pt]" in text else " \\\\\n"
     return [
         [tex_values(cell) for cell in re.split(r" & | \\\\\n", row) if cell]
@@ -155,6 +159,7 @@ def tex_rows(text):
 def test_the_numbers_of_the_formula_give_the_curve_within_the_stated_deviation(kind):
     written = latex_formula(kind, digits=4)
     rows = tex_rows(written.text)
+    assert rows
     (source,), _ = sources_of(kind)
     bound = 2 * stated(written.text) + rounding(kind)
     assert 0 < written.deviation <= stated(written.text)
@@ -248,7 +253,23 @@ def test_tikz_draws_the_curve_to_scale_within_the_stated_deviation(kind):
     assert np.abs(true - moved - offset).max() <= room
 
 
-@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no TeX here")
+def test_every_array_of_a_formula_is_less_high_than_a_page(gallery):
+    """The text of an article has 43 lines of 12 pt; space around displays stretches and shrinks."""
+    arrays = arrays_of(latex_formula(gallery).text)
+    assert len(arrays) > 10
+    for body in arrays:
+        assert 12 * len(body.splitlines()) + 4 * body.count("[4pt]") <= 43 * 12
+
+
+def has_tex():
+    """Whether TeX and the packages that a document with the pictures names are installed."""
+    if shutil.which("pdflatex") is None or shutil.which("kpsewhich") is None:
+        return False
+    command = ["kpsewhich", "amsmath.sty", "pgfplots.sty"]
+    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+
+
+@pytest.mark.skipif(not has_tex(), reason="no TeX here, or no pgfplots")
 def test_tex_typesets_it(gallery, tmp_path):
     parts = "\n".join(write(gallery).text for write in (latex_formula, tikz_picture, pgfplots_axis))
     packages = "\\usepackage[utf8]{inputenc}\\usepackage{amsmath,pgfplots}\n"

@@ -35,7 +35,8 @@ _LEAST_SIDE, _LARGEST_SIDE = 0.01, 500.0
 """Of a TikZ picture at true size: TeX's largest length is 575 cm, and it counts in 5e-6 cm."""
 
 _PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
-_LINES_OF_ARRAY = 40
+_LINES_OF_ARRAY = 42
+_GAP_OF_ROWS = 4 / 12  # of a line: [4pt]
 _POINTS_OF_LINE = 2  # what the text of an article is wide enough for
 _SPECIAL = {
     **{each: f"\\{each}" for each in "#$%&_{}"},
@@ -170,15 +171,16 @@ def _in_lines(head: list[str], points: list[str]) -> list[list[str]]:
 
 def _arrays(titles: list[list[str]], rows: list[list[list[str]]]) -> list[str]:
     """Return rows, each of as many lines of cells as the titles, as arrays short enough for a page."""
-    step = _LINES_OF_ARRAY // len(titles)
+    gap, end = (_GAP_OF_ROWS, r"\\[4pt]") if len(titles) > 1 else (0.0, r"\\")
+    step = max(1, int(_LINES_OF_ARRAY / (len(titles) + gap)) - 1)
     result = []
     for first in range(0, len(rows), step):
         blocks = [
             " \\\\\n".join(" & ".join(cells) for cells in row)
             for row in [titles, *rows[first : first + step]]
         ]
-        body = " \\\\[4pt]\n".join(blocks) if len(titles) > 1 else " \\\\\n".join(blocks)
-        result.append(f"\\[ \\begin{{array}}{{{'l' * len(titles[0])}}}\n{body}\n\\end{{array}} \\]")
+        body = f" {end}\n".join(blocks)
+        result.append(f"\\[ \\begin{{array}}{{@{{}}{'l' * len(titles[0])}@{{}}}}\n{body}\n\\end{{array}} \\]")
     return result
 
 
