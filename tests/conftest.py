@@ -91,7 +91,7 @@ def drawings_read_here(monkeypatch):
 
     For questions about what is read. That a process reads it, and what its limits do, others ask.
     """
-    from app.exchange import child
+    from app.exchange import child, reading
 
     def read(reader, data, tolerance, *, report, **_limits):
         report(0.0, "Reading")
@@ -102,7 +102,7 @@ def drawings_read_here(monkeypatch):
             raise child.ExchangeError(answer.problem)
         return answer.result
 
-    monkeypatch.setattr(child, "_limit_memory", lambda _extra: None)
+    monkeypatch.setattr(reading, "limit_memory", lambda _extra: None)
     monkeypatch.setattr(child, "limited", read)
 
 

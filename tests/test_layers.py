@@ -117,6 +117,25 @@ def test_the_window_starts_without_what_is_rarely_used():
     }
 
 
+def test_the_process_that_reads_drawings_imports_what_reading_takes():
+    """Every drawing that is read alone pays for its start."""
+    code = (
+        "import sys, numpy; known = set(sys.modules)\n"
+        "import app.exchange.reading, app.exchange.svg.reader\n"
+        "print(*set(sys.modules) - known)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    names = set(done.stdout.split())
+    # What its parent takes to start it, and what only a window or another command does.
+    others = {"asyncio", "ezdxf", "hashlib", "logging", "random", "shutil", "subprocess", "tempfile"}
+    assert not (others | set(QT)) & names
+    assert not {
+        name for name in names if re.match(r"app\.(cli|features|qt|session|tools|exchange\.table)", name)
+    }
+    assert not {name for name in names if re.match(r"curvecore\.(analysis|drag|rounding)\b", name)}
+    assert len(names) < 230
+
+
 def test_the_start_imports_without_a_search_through_sources():
     """PySide read those of 650 modules, and looked at each import: an eighth of the start."""
     code = (

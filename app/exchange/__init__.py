@@ -8,7 +8,7 @@
 - ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
   ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
-- ``child``: a process with limits for the files of others.
+- ``child``: a process with limits for the files of others.  ``reading``: what is done there.
 - ``units``: units of length as files write them.
   ``rescaled``: documents in another unit, or elsewhere.
 - ``naming``: names made different from each other.

@@ -8,6 +8,7 @@ from . import facts as facts
 from . import files as files
 from . import options as options
 from . import parts as parts
+from . import reading as reading
 from . import rescaled as rescaled
 from . import svg as svg
 from . import units as units

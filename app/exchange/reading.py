@@ -1,0 +1,119 @@
+"""Reading of drawings in the child process, where limits are set; what it imports, each start pays for.
+
+See ``child`` for the process that asks.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from math import inf
+from pathlib import Path
+
+import msgspec
+
+from ..storage.coding import to_plain
+from ..storage.format_error import FormatError
+from ..storage.validation import validate
+from ..tasks.processor_limit import limit_processor_time
+from .cubics_in import Imported
+from .errors import ExchangeError
+
+if sys.platform == "linux":
+    import resource
+
+SECONDS = 10.0
+"""Processor time, in seconds, that reading a file of up to `SMALL` bytes may take."""
+
+Reader = Callable[[bytes, float | None], Imported]
+"""Function of the content of a file and a tolerance."""
+
+MEMORY = 400 * 2**20
+"""Bytes that reading may need beyond what the program itself does, where the system can limit that."""
+
+NO_MEMORY = 3
+"""Exit code of a process that had no memory left, not even to say so."""
+
+QUESTION, ANSWER, _UNFINISHED = "question", "answer", "unfinished"
+"""Names of the files by which the processes talk, in a folder of their own."""
+
+
+class Request(msgspec.Struct):
+    """Message to the child: a reader, a file and the limits; see `ReaderProcess.read`."""
+
+    module: str
+    reader: str
+    tolerance: float | None
+    data: bytes
+    memory: int = MEMORY
+    seconds: float = SECONDS
+
+
+class Answer(msgspec.Struct):
+    """Message of the child: a result or a problem."""
+
+    result: Imported | None = None
+    problem: str = ""
+
+
+def main(folder: str) -> None:
+    """Answer the question in a folder, again for each line of the standard input."""
+    here = Path(folder)
+    # Not sys.stdin: a bundle without a console has none, but it has what was handed to it.
+    with open(0, "rb", closefd=False) as lines:
+        while lines.readline():
+            try:
+                _answer_in(here)
+            except MemoryError:
+                sys.exit(NO_MEMORY)
+
+
+def _answer_in(folder: Path) -> None:
+    request = msgspec.msgpack.decode((folder / QUESTION).read_bytes(), type=Request)
+    import_module(request.module)  # the start does not count
+    limit_processor_time(request.seconds)
+    answer = msgspec.msgpack.encode(answer_to(request, request.memory), enc_hook=to_plain)
+    limit_processor_time(inf)
+    limit_memory(None)
+    (folder / _UNFINISHED).write_bytes(answer)
+    (folder / _UNFINISHED).replace(folder / ANSWER)
+
+
+def answer_to(request: Request, memory: int | None = None) -> Answer:
+    """Return what the reader says, whatever it may raise; with so much memory, if that is limited."""
+    try:
+        reader: Reader = getattr(import_module(request.module), request.reader)
+        if memory is not None:
+            limit_memory(memory)
+        result = reader(request.data, request.tolerance)
+        validate(result.document)
+    except ExchangeError as problem:
+        return Answer(problem=str(problem))
+    except FormatError as problem:
+        return Answer(problem=f"The file cannot become a document: {problem}.")
+    except MemoryError:
+        return Answer(problem="Reading needs more memory than is allowed; it was stopped.")
+    except RecursionError:
+        return Answer(problem="The file is nested too deeply.")
+    except Exception as problem:
+        # Whatever a file nobody thought of makes a parser raise, it shall end here.
+        return Answer(problem=f"The file is damaged ({type(problem).__name__}).")
+    return Answer(result)
+
+
+def limit_memory(extra: int | None) -> None:
+    """Let this process take no more than `extra` bytes beyond what it has, or as much as it may at all.
+
+    Only Linux counts that.
+    """
+    if sys.platform != "linux":
+        return
+    with contextlib.suppress(OSError, ValueError):
+        _, hard = resource.getrlimit(resource.RLIMIT_AS)
+        most = hard
+        if extra is not None:
+            pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+            most = pages * resource.getpagesize() + extra
+        resource.setrlimit(resource.RLIMIT_AS, (most, hard))
