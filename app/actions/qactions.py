@@ -13,6 +13,7 @@ from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..view_model.curve.curve_view import CurveView
 from .declaration import Action, Declared, Opened, all_declared
+from .derived import Derived, changed_facts
 from .key_gate import KeyGate
 from .keymap import (
     Binding,
@@ -89,12 +90,16 @@ class Actions(QObject):
     def _sort_out(self) -> None:
         """Find what has to be asked about each: all the time, so nobody looks through hundreds for it."""
         declared = [(each, self._actions[name]) for name, each in self._declared.items()]
-        self._switches = [(each, action) for each, action in declared if each.checked is not None]
-        self._titled = [(each.title, action) for each, action in declared if each.title is not None]
+        self._switches = {
+            name: Derived(each.is_on) for name, each in self._declared.items() if each.checked is not None
+        }
+        self._titled = [(action, Derived(each.title)) for each, action in declared if each.title is not None]
         # Those with the same needs are enabled together, and asked about once.
         self._alike: dict[tuple[Need, Need], list[QAction]] = {}
         for each, action in declared:
-            self._alike.setdefault((each.section.needs, each.needs), []).append(action)
+            self._alike.setdefault(_needs_of(each), []).append(action)
+        self._whys_not = {needs: Derived(partial(_why_not, needs)) for needs in self._alike}
+        # What was shown as missing; None for nothing.
         self._missing: dict[tuple[Need, Need], tuple[str, bool] | None] = {}
         self._rendered: ActionState | None = None
 
@@ -227,34 +232,30 @@ class Actions(QObject):
         state, session = self._facts.read(), self._facts.session
         if state == self._rendered and (not self._opened or session.active_view is self._opened_of):
             return
-        self._rendered = state
+        changed = changed_facts(self._rendered, state) if self._rendered is not None else set[str]()
         self._take_back_opened()
-        for needs, actions in self._alike.items():
-            missing = next(
-                ((need.reason(state), need.is_so) for need in needs if not need.is_met(state)), None
-            )
+        for needs, why_not in self._whys_not.items():
+            missing = why_not.of(state, changed)
             if needs not in self._missing or self._missing[needs] != missing:
                 self._missing[needs] = missing
-                for action in actions:
+                for action in self._alike[needs]:
                     _enable(action, *(missing or (None,)))
-        self._check(state)
-        for title, action in self._titled:
-            action.setText(title(state))
+        self._check({name for name, is_on in self._switches.items() if is_on.of(state, changed)})
+        for action, title in self._titled:
+            action.setText(title.of(state, changed))
+        # Last: where something raises, the next time asks about these facts again.
+        self._rendered = state
 
     def take_back_click(self, name: str) -> None:
         """Let a switch that was clicked, and those that went off with it, show what is on."""
         # It may be there no more: its record went with what it did.
-        declared = self._declared.get(name)
-        if declared is not None and declared.checked is not None:
-            self._check(self._facts.read())
+        if name in self._switches:
+            self._check(self._on)
 
-    def _check(self, state: ActionState) -> None:
-        on = set[str]()
-        for each, action in self._switches:
-            is_on = each.is_on(state)
-            action.setChecked(is_on)
-            if is_on:
-                on.add(each.name)
+    def _check(self, on: set[str]) -> None:
+        for name in self._switches:
+            if self._actions[name].isChecked() != (name in on):
+                self._actions[name].setChecked(name in on)
         if on != self._on:
             self._on = on
             self.switched.emit()
@@ -285,8 +286,7 @@ class Actions(QObject):
             action, each = self._actions[name], self._declared[name]
             action.setText(each.text)
             action.setStatusTip(each.tip)
-        if self._opened:
-            self._missing.clear()
+            self._missing.pop(_needs_of(each), None)
         self._opened.clear()
 
     def set_theme(self, theme: Theme) -> None:
@@ -295,6 +295,15 @@ class Actions(QObject):
         for name, each in self._declared.items():
             if each.icon:
                 self._actions[name].setIcon(icon(each.icon, theme))
+
+
+def _needs_of(each: Action) -> tuple[Need, Need]:
+    return each.section.needs, each.needs
+
+
+def _why_not(needs: tuple[Need, Need], state: ActionState) -> tuple[str, bool] | None:
+    """Return what is said of the first of some needs that is not met, and whether it is so already."""
+    return next(((need.reason(state), need.is_so) for need in needs if not need.is_met(state)), None)
 
 
 def _enable(action: QAction, why_not: str | None, is_so: bool = False) -> None:

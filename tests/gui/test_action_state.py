@@ -3,11 +3,15 @@
 import random
 
 import pytest
+from msgspec.structs import replace
 from test_random_use import random_person
 
+from app.actions.derived import Derived, changed_facts
 from app.actions.keymap import is_so_already, why_not
+from app.actions.needs import NOTHING
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
+from app.tools.canvas.add import ADD
 from app.window.connect import all_actions
 from tests.count_drag import codes_called
 
@@ -34,8 +38,7 @@ def assert_as_rendered_anew(editor):
     """Raise unless the actions are as they are without the shortcut."""
     actions = editor.window.actions_by_name
     before = told(actions)
-    actions._rendered = None
-    actions._missing.clear()
+    actions._sort_out()
     actions.render()
     after = told(actions)
     assert before == {name: after[name] for name in before}
@@ -131,6 +134,35 @@ def test_a_drag_of_a_selected_point_asks_no_action_anything(editor, family):
     assert editor.point(1) == pytest.approx((1.4, 1.1), abs=0.02)
     assert codes.keys() & predicates() == set()
     assert editor.action("undo").text() == "Undo: Move point 1"
+
+
+def test_one_changed_fact_asks_only_the_actions_that_depend_on_it(editor):
+    editor.session.commit(Document((make_curve(((0, 0), (1, 1), (2, 0), (3, 1))),)), "Begin")
+    editor.settle()
+
+    def asked(deed):
+        return codes_called(deed).keys() & predicates() - {NOTHING.is_met.__code__}
+
+    actions, window = {each.name: each for each in all_actions()}, editor.window
+    assert asked(lambda: window.store.change(grid=False)) == {actions["toggleGrid"].checked.__code__}
+    tools = {actions[name].checked.__code__ for name in ("addTool", "explainWiggle")}
+    assert asked(lambda: window.store.change(tool=ADD)) == tools
+    assert 10 < len(asked(lambda: editor.session.selected.set_points([1]))) < len(predicates()) / 2
+
+
+def test_facts_are_noted_that_properties_and_methods_read(editor):
+    state = editor.window.actions_by_name._facts.read()
+    is_hermite = Derived(lambda state: state.has_derivatives)
+    adds = Derived(lambda state: state.window.uses(ADD))
+    assert not is_hermite.of(state, set())
+    assert not adds.of(state, set())
+    changed = replace(state, family=HERMITE, window=replace(state.window, tool=ADD))
+    differences = changed_facts(state, changed)
+    assert differences == {"family", "window.tool"}
+    assert is_hermite.of(changed, differences)
+    assert adds.of(changed, differences)
+    # Not asked again where only other facts differ.
+    assert is_hermite.of(state, {"window.tool"})
 
 
 def test_another_selected_point_asks_no_action_anything(editor):
