@@ -102,7 +102,7 @@ class PointLayer(Layer):
         self._measured: FloatArray | None = None
         # Paints once more when a drag has ended, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
-        self._soon.timeout.connect(self.refresh)
+        self._soon.timeout.connect(self._measure_again)
         self._inks = Inks()
         self._roles_of: tuple[object, ...] = ()
         self._pixels_of: tuple[CurveView | None, PixelMap | None] = (None, None)
@@ -237,6 +237,11 @@ class PointLayer(Layer):
         self._discs_asked, self._measured = asked, pixels
         self._discs_now = discs_for(pixels, visible, self.scale)
         return self._discs_now
+
+    def _measure_again(self) -> None:
+        """Paint once more, unless the discs are those of the points that were painted last."""
+        if self._pixels is not self._measured:
+            self.refresh()
 
     @property
     def note(self) -> str:

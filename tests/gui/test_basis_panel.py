@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from app.appearance.colours import point_colours
 from app.appearance.theme import LIGHT
-from app.document.edits import set_position
+from app.document.edits import move_points, set_position
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.basis.crest_names import apart, crests_of
@@ -153,6 +153,44 @@ def test_numbers_keep_their_sides_of_moving_crests_until_these_rest(editor, pane
     names._asked = ()
     panel.viewport().repaint()
     assert np.array_equal(names._asides, at_rest)
+
+
+def test_a_picture_of_what_rests_is_not_painted_again(editor, panel):
+    """Both plots were painted twice for every change, in case a drag had gone on meanwhile."""
+    plots, session = (editor.window.canvas, panel), editor.session
+    timers = editor.window.canvas.drawing.points._soon, panel.drawing.functions._names._soon
+
+    def paint(x):
+        session.preview(move_points(session.committed, 0, [1], (x, 0.0)))
+        for plot in plots:
+            plot.viewport().repaint()
+
+    def expire():
+        """Let the time end in which a drag could go on; return which plots are painted again."""
+        for timer in timers:
+            assert timer.isActive()
+            timer.stop()
+            timer.timeout.emit()
+        return [plot.layers.is_due for plot in plots]
+
+    editor.wait_for_rest()
+    paint(0.1)
+    assert expire() == [False, False]
+    # What was chosen for the first frame of a drag, the second has as well.
+    paint(0.2)
+    paint(0.3)
+    assert expire() == [True, True]
+    session.cancel()
+
+
+def test_another_hovered_point_alone_has_the_functions_painted_again(editor, panel):
+    editor.wait_for_rest()
+    panel.drawing.set_hovered(-1)
+    panel.drawing.set_selection(editor.session.selection)
+    assert not panel.layers.is_due
+    panel.drawing.set_hovered(1)
+    assert panel.layers.is_due
+    panel.drawing.set_hovered(-1)
 
 
 def test_numbers_at_crests_do_not_meet():

@@ -104,7 +104,8 @@ class CrestNames:
         self._asked: tuple[object, ...] = ()
         self._made_for: BasisView | None = None
         self._soon = QTimer(plot, singleShot=True, interval=_HELD_MS)
-        self._soon.timeout.connect(again)
+        self._soon.timeout.connect(self._choose_again)
+        self._again = again
 
     def paint(
         self,
@@ -158,6 +159,11 @@ class CrestNames:
         self._asked, self._made_for = asked, room.basis
         places, self._is_clear = self._boxes(crests, room)
         self._asides = places - crests
+
+    def _choose_again(self) -> None:
+        """Write once more, unless the sides were chosen for the functions that were drawn last."""
+        if self._crests_of is not None and self._crests_of[0] is not self._made_for:
+            self._again()
 
     def _boxes(self, crests: FloatArray, room: Room) -> tuple[FloatArray, BoolArray]:
         """Return the middles of the numbers in pixels, and for which of them there is one.

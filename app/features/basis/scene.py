@@ -76,13 +76,15 @@ class BasisScene(QObject):
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Draw the functions of these points thick."""
-        self.rail.selection = selection
-        self._emphasise()
+        if selection != self.rail.selection:
+            self.rail.selection = selection
+            self._emphasise()
 
     def set_hovered(self, index: int) -> None:
         """Draw the functions of this point thick, too (−1 for none)."""
-        self.rail.hovered = index
-        self._emphasise()
+        if index != self.rail.hovered:
+            self.rail.hovered = index
+            self._emphasise()
 
     def _emphasise(self) -> None:
         hovered = self.rail.hovered
