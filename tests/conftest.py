@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import gc
+import locale
 import math
 import os
 import sys
@@ -28,8 +29,8 @@ if _of_qt := [name for name in os.environ if name.startswith("QT_") and name != 
 if not os.environ.get("QT_QPA_PLATFORM"):
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-if os.environ.get("LC_ALL") in ("C", "POSIX"):
-    os.environ["LC_ALL"] = "C.UTF-8"  # as `app.__main__` does
+if sys.platform == "linux" and locale.nl_langinfo(locale.CODESET) != "UTF-8":
+    os.environ["LC_ALL"] = "C.UTF-8"  # Qt takes this one, and would say so on stderr in every process
 
 import msgspec
 import pytest

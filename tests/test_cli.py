@@ -1,5 +1,6 @@
 """The command line: what it prints, what it writes, and how it fails."""
 
+import errno
 import io
 import json
 import os
@@ -555,7 +556,8 @@ def test_a_folder_for_passing_files_that_is_gone_is_named(monkeypatch, capsys, t
     path = tmp_path / "a.svg"
     path.write_text("<svg/>", encoding="utf-8")
     said = refusal(capsys, "convert", str(path), "b.csv")
-    assert said == "“a.svg” cannot be read: It cannot be passed on to be read (No such file or directory)."
+    missing = os.strerror(errno.ENOENT)
+    assert said == f"“a.svg” cannot be read: It cannot be passed on to be read ({missing})."
 
 
 def test_ctrl_c_is_quiet(monkeypatch, capsys):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 import re
 import time
 from importlib import import_module
@@ -210,7 +212,7 @@ def test_functions_that_are_not_cardinal_draw_and_miss_their_points(write):
 
 
 MISTAKES = {
-    "no file": (None, "cannot be read: No such file or directory"),
+    "no file": (None, "cannot be read: {reason}."),
     "nothing": ("x = 1", "defines no family: it needs a name and a function basis(t, parameters)"),
     "no name": (GAUSSIAN.replace('name = "my_gaussian"', ""), "must say its name"),
     "a long name": (GAUSSIAN.replace('"my_gaussian"', '"Gaussian bells"'), "must say its name"),
@@ -256,6 +258,7 @@ MISTAKES = {
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_a_mistake_is_told_with_file_and_line_and_no_family_is_there(write, mistake, capsys):
     text, complaint = MISTAKES[mistake]
+    complaint = complaint.replace("{reason}", os.strerror(errno.ENOENT))
     good = write(HATS, "good.py")
     bad = write(text, "bad.py") if text is not None else good.parent / "bad.py"
     before = list(FAMILIES)

@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from kept_window import KeptEditor
 from PySide6.QtCore import QLocale
+from PySide6.QtGui import QFontMetrics
 
 from app.document import edits
 from app.document.model import Document, make_curve
@@ -36,6 +37,13 @@ def pytest_itemcollected(item):
 def pytest_collection_modifyitems(items):
     """Have tests first that make windows of their own: each of them puts an end to the one that is kept."""
     items.sort(key=lambda item: "editor" in getattr(item, "fixturenames", ()))
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _a_font(qapp):
+    """Fail without a font: each letter is a box of 12 pixels then, for which no window has room."""
+    if not QFontMetrics(qapp.font()).inFont("a"):
+        pytest.fail("No font is installed. README.md has a package that brings one.", pytrace=False)
 
 
 @pytest.fixture

@@ -703,8 +703,8 @@ def fail_with(code):
 
 FAULTS = {
     "disk full": (files.os, "fsync", errno.ENOSPC, "The disk is full"),
-    "broken disk": (files.os, "fsync", errno.EIO, "was not written (Input/output error)"),
-    "no replacing": (files.Path, "replace", errno.EIO, "was not written (Input/output error)"),
+    "broken disk": (files.os, "fsync", errno.EIO, "was not written ({reason})"),
+    "no replacing": (files.Path, "replace", errno.EIO, "was not written ({reason})"),
     "read-only": (files, "_write_temporary", errno.EROFS, "may not be written in that folder"),
 }
 
@@ -718,7 +718,7 @@ def test_a_save_that_fails_keeps_everything_and_offers_save_as(saved, path, monk
         faulty.setattr(owner, step, fail_with(code))
         saved.trigger("saveDocument")
     assert saved.file_bar.text.startswith("drawing.curve.json was not saved. ")
-    assert words in saved.file_bar.text
+    assert words.format(reason=os.strerror(code)) in saved.file_bar.text
     assert offered(saved) == ["saveDocumentAs"]
     assert saved.session.files.is_modified
     assert saved.session.document is document

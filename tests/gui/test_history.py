@@ -112,6 +112,10 @@ def test_steps_taken_back_are_muted(history, qapp, mode):
     theme = apply_theme(qapp, mode)
     session, panel = history
     view = panel.view
+    large = view.font()
+    large.setPixelSize(36)  # strokes of any font cover whole pixels, which have the colour of the text
+    large.setBold(True)
+    view.setFont(large)
     session.undo_stack.setIndex(1)
     image = view.viewport().grab().toImage()
 

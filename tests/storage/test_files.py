@@ -123,7 +123,7 @@ def fail_with(code):
 @pytest.mark.parametrize(
     ("step", "code", "words"),
     [
-        ("fsync", errno.EIO, "was not written (Input/output error). Choose another folder or disk."),
+        ("fsync", errno.EIO, "was not written ({reason}). Choose another folder or disk."),
         ("fsync", errno.ENOSPC, "The disk is full"),
         ("open", errno.EROFS, "may not be written in that folder"),
         ("fdopen", errno.ENOSPC, "Free some space or choose another disk"),
@@ -134,7 +134,7 @@ def test_a_failing_step_leaves_the_old_file(target, monkeypatch, step, code, wor
         faulty.setattr(os, step, fail_with(code))
         with pytest.raises(StorageError) as refusal:
             write(target, b"new")
-    assert words in str(refusal.value)
+    assert words.format(reason=os.strerror(code)) in str(refusal.value)
     assert target.name in str(refusal.value)
     assert target.read_bytes() == b"old"
     assert only(target)
