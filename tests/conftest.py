@@ -34,7 +34,7 @@ if sys.platform == "linux" and locale.nl_langinfo(locale.CODESET) != "UTF-8":
 
 import msgspec
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 from pytestqt.qtbot import QtBot
 
 from app.families import FAMILIES, ChosenSettings, Family
@@ -46,7 +46,13 @@ for _wait in (QtBot.waitActive, QtBot.waitExposed, QtBot.waitSignal, QtBot.waitU
 
 pytest_plugins = ["tests.time_limit"]
 
-settings.register_profile("curvebench", deadline=None, derandomize=True, max_examples=60)
+settings.register_profile(
+    "curvebench",
+    deadline=None,
+    derandomize=True,
+    max_examples=60,
+    suppress_health_check=[HealthCheck.too_slow],  # by the clock
+)
 settings.load_profile("curvebench")
 
 _HOMES = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA")

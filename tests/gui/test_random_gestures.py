@@ -400,7 +400,6 @@ class Gestures(RuleBasedStateMachine):
 Gestures.TestCase.settings = settings(
     max_examples=60,
     stateful_step_count=40,
-    deadline=None,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
 )
 TestGestures = Gestures.TestCase

@@ -146,7 +146,8 @@ def test_only_long_work_is_shown(jobs):
     until(lambda: not jobs.is_busy)
 
 
-def test_closing_waits_until_the_work_has_noticed(jobs):
+def test_closing_waits_until_the_work_has_noticed(jobs, monkeypatch):
+    monkeypatch.setattr(owner, "PATIENCE_S", LIMIT)
     steps = []
 
     def work(report):
@@ -306,6 +307,7 @@ def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
 def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
     """Work that does not ask kept the window from closing: a `DebouncedTask` waited for it without end."""
     monkeypatch.setattr(task, "_GRACE_S", 0.02)
+    monkeypatch.setattr(owner, "PATIENCE_S", LIMIT)
     parent, begun = QObject(), threading.Semaphore(0)
     debounced = [DebouncedTask(parent, settle_ms=0) for _ in range(2)]
     stubborn = SingleTask(parent)

@@ -8,7 +8,7 @@ import struct
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.document.derivatives import DERIVATIVES, AccelerationRule, JerkRule, VelocityRule
@@ -28,8 +28,6 @@ from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
 from tests.effort import calls_of
-
-quick = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 numbers = st.floats(min_value=-MAX_MAGNITUDE, max_value=MAX_MAGNITUDE)
 vectors = st.none() | st.tuples(numbers, numbers)
@@ -90,7 +88,6 @@ def bits(document):
     return found
 
 
-@quick
 @given(documents)
 def test_round_trip_keeps_every_value_bit_for_bit(document):
     data = encode(document)
@@ -358,14 +355,12 @@ def test_every_truncation_is_refused():
             decode(whole[:length])
 
 
-@quick
 @given(st.binary(max_size=60))
 def test_random_bytes_are_refused_with_one_kind_of_objection(data):
     with pytest.raises(FormatError):
         decode(data)
 
 
-@quick
 @given(st.integers(0, 10**6), st.binary(min_size=1, max_size=4))
 def test_a_damaged_file_is_read_or_refused(position, damage):
     data = encode(empty_document())
