@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from time import perf_counter
+from time import thread_time
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt, QTimer
@@ -166,14 +166,14 @@ class OtherCurvesLayer(Layer):
 
     def _made(self, shown: PixelMap, ratio: float, key: tuple[object, ...]) -> Sheets:
         """Paint the picture of a part of the plane."""
-        began, sheets = perf_counter(), list[QPixmap]()
+        began, sheets = thread_time(), list[QPixmap]()
         for section in self._sections:
             if section.is_still:
                 sheets.append(transparent(shown.width, shown.height, ratio))
                 with QPainter(sheets[-1]) as painter:
                     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
                     self.paint_shapes(painter, shown, self._shapes[section.span])
-        self._seconds, self._is_resting = perf_counter() - began, False
+        self._seconds, self._is_resting = thread_time() - began, False
         return Sheets(tuple(sheets), shown, key)
 
     def _rejoin(self) -> None:

@@ -10,8 +10,8 @@ from __future__ import annotations
 import functools
 import json
 import sys
-import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -44,6 +44,7 @@ from app.window import MainWindow
 from app.window.command_palette import CommandPalette, _CommandDelegate
 from app.window.preferences_dialog import PreferencesDialog
 from app.window.toolbar import Toolbar
+from tests.waiting import until
 
 FAULTS: tuple[Callable[[], object], ...] = (
     lambda: 1 / 0,
@@ -223,9 +224,9 @@ def outcome(
 def dialogs_put_away() -> int:
     """Put the crash dialogs away as they come, and return how many did."""
     shown = 0
-    deadline = time.monotonic() + 5
-    while time.monotonic() < deadline:
-        QApplication.processEvents()
+
+    def is_over() -> bool:
+        nonlocal shown
         dialogs = [
             each
             for each in QApplication.topLevelWidgets()
@@ -234,8 +235,10 @@ def dialogs_put_away() -> int:
         for dialog in dialogs:
             shown += 1
             QTest.mouseClick(dialog.findChild(QPushButton, "goOn"), Qt.MouseButton.LeftButton)
-        if shown and not dialogs:
-            break
+        return shown > 0 and not dialogs
+
+    with suppress(TimeoutError):
+        until(is_over)
     return shown
 
 

@@ -293,8 +293,9 @@ def the_entry_under_the_pointer_stands_out(editor, mode):
     menu = next(entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Edit")
     menu.popup(QPoint(20, 20))
     entry, below = [each for each in menu.actions() if each.isEnabled() and not each.isSeparator()][:2]
-    menu.setActiveAction(entry)
+    # Before: the pointer may come to lie on another entry.
     editor.settle()
+    menu.setActiveAction(entry)
     image = menu.grab().toImage()
     row = menu.actionGeometry(entry).center().y()
     other = menu.actionGeometry(below).center().y()
