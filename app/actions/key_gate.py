@@ -23,6 +23,11 @@ class KeyGate(Guarded, QObject):
         self._guarded[action.objectName()] = needs
         action.installEventFilter(self)
 
+    def release(self, action: QAction) -> None:
+        """Guard the keys of `action` no longer; it has its name still."""
+        if self._guarded.pop(action.objectName(), None) is not None:
+            action.removeEventFilter(self)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take a key that is refused."""
         if event.type() is not QEvent.Type.Shortcut:

@@ -140,6 +140,7 @@ class Actions(QObject):
         action = self._actions.pop(name)
         self._opened.discard(name)
         self.keymap.remove(name)
+        self._gate.release(action)
         # Gone from all menus at once, and found by nobody until it is deleted.
         action.setVisible(False)
         action.setObjectName("")

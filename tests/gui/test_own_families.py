@@ -33,8 +33,9 @@ DIFFERENCES = "Derivatives are differences: c′, c″, c‴ to some 9, 8, 6 dig
 
 @pytest.fixture(autouse=True)
 def _forgotten(monkeypatch):
-    """No file stays in use, and a sign on the disk is soon heeded."""
+    """No file stays in use, and a sign on the disk is soon heeded, as is that there is no file any more."""
     monkeypatch.setattr("app.workbench.disk_watch._SETTLE_MS", 10)
+    monkeypatch.setattr("app.features.own_families.files._RECHECK_MS", 10)
     yield
     forget_family_files()
 
@@ -51,11 +52,13 @@ def tried_here(monkeypatch):
 
 
 @pytest.fixture
-def editor(new_editor):
-    new_editor.session.commit(Document((make_curve(POINTS),)), "Begin")
-    new_editor.fit()
-    yield new_editor
-    new_editor.session.files.give_up_changes()
+def editor(editor):
+    editor.session.commit(Document((make_curve(POINTS),)), "Begin")
+    editor.fit()
+    yield editor
+    # Before the window is compared with a new one.
+    forget_family_files()
+    editor.window.context.actions.declare_again()
 
 
 @pytest.fixture
@@ -433,7 +436,6 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
 ):
     """It stood still for 5 s, and then said "Cancelled." alone."""
     line = slowing(1e9)
-    monkeypatch.setattr(trial, "SECONDS", 1.5)
     good = using.session.active_view.curve
     stopped = noted_calls(monkeypatch, FileCalls, "_refuse_overdue")
     using.add_point(4.5, 2.5)
@@ -448,7 +450,8 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
     assert not using.window.findChild(QToolButton, "offeredAction").isVisible()
     using.screenshot()
     assert len(stopped) == 1
-    until(lambda: "ran for longer than 1.5 s and was stopped" in using.message)
+    monkeypatch.setattr(trial, "SECONDS", 0.1)
+    until(lambda: "ran for longer than 0.1 s and was stopped" in using.message)
     assert re.match(what, using.message)
     assert using.message.endswith(LAST)
     # With the points that it can draw it is drawn.
@@ -471,7 +474,8 @@ def test_what_hangs_beside_the_window_can_be_stopped(using, slowing):
 
 
 def test_functions_that_are_slow_and_end_are_drawn_a_moment_later(using, slowing):
-    slowing(0.2)
+    # More than the 0.1 s that a window waits.
+    slowing(0.12)
     using.add_point(4.5, 2.5)
     assert "is tried beside the window" in using.message
     until(lambda: using.session.active_view.is_current)
