@@ -64,17 +64,15 @@ def spline_functions(knots, p, t, order=0):
 
     values = [fmpq(int(j == here)) for j in range(len(knots) - 1)]
     for level in range(1, p + 1):
-        values = [
-            level
-            * (
-                over(values[i], knots[i + level] - knots[i])
-                - over(values[i + 1], knots[i + level + 1] - knots[i + 1])
-            )
-            if level > p - order
-            else over((t - knots[i]) * values[i], knots[i + level] - knots[i])
-            + over((knots[i + level + 1] - t) * values[i + 1], knots[i + level + 1] - knots[i + 1])
-            for i in range(len(values) - 1)
-        ]
+        before, values = values, [fmpq(0)] * (len(values) - 1)
+        # Most functions are 0 there, and sums of zeros are.
+        for i in [i for i in range(len(values)) if before[i] or before[i + 1]]:
+            left, right = knots[i + level] - knots[i], knots[i + level + 1] - knots[i + 1]
+            if level > p - order:
+                values[i] = level * (over(before[i], left) - over(before[i + 1], right))
+            else:
+                values[i] = over((t - knots[i]) * before[i], left)
+                values[i] += over((knots[i + level + 1] - t) * before[i + 1], right)
     return values if order <= p else [fmpq(0)] * n
 
 

@@ -59,7 +59,7 @@ def drawing(style):
 @cache
 def picture_of(style):
     """The drawing as a picture, whichever curve is edited."""
-    return QImage.fromData(png_file(drawing(style), Options(width=2400, style=LIGHT_PAPER)).data)
+    return QImage.fromData(png_file(drawing(style), Options(width=1200, style=LIGHT_PAPER)).data)
 
 
 def uniform(image, places, reach):
@@ -96,7 +96,7 @@ def test_canvas_and_picture_agree(editor, style, active):
     there = np.array([canvas.to_pixel(x, y).toTuple() for x, y in plane])
     in_picture = (plane - (frame.left, frame.top)) * (scales[0], -scales[1])
     ours, are_ours = uniform(shot, there, 2)
-    theirs, are_theirs = uniform(picture, np.rint(in_picture).astype(int), 4)
+    theirs, are_theirs = uniform(picture, np.rint(in_picture).astype(int), 2)
     is_compared = are_ours & are_theirs
     far = is_compared & (abs(ours - theirs).max(axis=1) > 2)
     assert not far.any(), (plane[far], ours[far], theirs[far])

@@ -132,7 +132,7 @@ def test_the_polyline_is_as_near_as_it_says(name):
 def test_a_drag_draws_what_a_new_view_would_draw(name, kind):
     before = view_of(curve_of(name, kind))
     before.flattened(1e-3)
-    for step in range(1, 40):
+    for step in range(1, 40, 3):
         points = list(before.source.points)
         points[2] = replace(points[2], x=2.5 + 0.05 * step, y=1.0 - 0.03 * step)
         moved = replace(before.source, points=tuple(points))
@@ -166,10 +166,10 @@ def test_the_basis_panel_shows_the_functions_of_the_curve(name):
 def test_the_grabbed_point_of_a_bend_follows(name, kind, using):
     view = view_of(curve_of(name, kind))
     for t in (1.35, 2.2, 3.3):
+        start, bend = view.curve.evaluate(t), Bend(view, t, using)
         for way in ((0.4, -0.3), (-1.5, 2.0)):
-            start = view.curve.evaluate(t)
             target = start + way
-            bent = view_of(Bend(view, t, using).bent(tuple(target.tolist()), 1e-3), view)
+            bent = view_of(bend.bent(tuple(target.tolist()), 1e-3), view)
             segment = int(np.searchsorted(view.parameters, t)) - 1
             low, high = view.parameters[segment : segment + 2]
             now = bent.parameters[segment : segment + 2]
