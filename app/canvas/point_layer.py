@@ -239,8 +239,10 @@ class PointLayer(Layer):
         return self._discs_now
 
     def _measure_again(self) -> None:
-        """Paint once more, unless the discs are those of the points that were painted last."""
-        if self._pixels is not self._measured:
+        """Paint once more where there is other room for discs than there was when they were measured."""
+        if self._pixels is self._measured:
+            return
+        if discs_for(self._pixels, self._visible, self.scale) != self._discs_now:
             self.refresh()
 
     @property

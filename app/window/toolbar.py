@@ -75,6 +75,8 @@ class Toolbar(Guarded, QToolBar):
         self._widgets: list[ToolbarWidget] = []
         self._has_style = False
         self._widths: list[int] = []
+        # The step that is shown, and the names of actions with words that are on.
+        self._shown: tuple[_Step, list[str]] | None = None
         actions.redeclared.connect(self._follow_actions)
         actions.switched.connect(self._fit)
 
@@ -121,6 +123,7 @@ class Toolbar(Guarded, QToolBar):
             put_in(self, entries)
             self._follow(each for each in entries if each not in known)
         self._widths.clear()
+        self._shown = None
         self._fit()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -149,6 +152,11 @@ class Toolbar(Guarded, QToolBar):
         return self._widths[at] <= self.width()
 
     def _show_step(self, step: _Step) -> None:
+        names = [each.objectName() for each in self._in_words]
+        in_use = [each for each in names if self._actions.is_on(each)]
+        if self._shown == (step, in_use):
+            return
+        self._shown = step, in_use
         for widget in self._widgets:
             widget.set_compact(
                 step.short and (not widget.yields_late or step.others != _Style.ToolButtonTextBesideIcon)
@@ -157,8 +165,7 @@ class Toolbar(Guarded, QToolBar):
             button = self.widgetForAction(action)
             if isinstance(button, QToolButton):
                 action.setIconText(self._actions.words_of(action, short=step.short))
-                is_in_use = self._actions.is_on(action.objectName())
-                button.setToolButtonStyle(step.in_use if is_in_use else step.others)
+                button.setToolButtonStyle(step.in_use if action.objectName() in in_use else step.others)
 
 
 def _separator(parent: QToolBar) -> QAction:

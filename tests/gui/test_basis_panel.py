@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
@@ -160,8 +161,10 @@ def test_a_picture_of_what_rests_is_not_painted_again(editor, panel):
     plots, session = (editor.window.canvas, panel), editor.session
     timers = editor.window.canvas.drawing.points._soon, panel.drawing.functions._names._soon
 
-    def paint(x):
-        session.preview(move_points(session.committed, 0, [1], (x, 0.0)))
+    def paint(x, scale=1.0):
+        (curve,) = move_points(session.committed, 0, [1], (x, 0.0)).curves
+        points = tuple(replace(each, x=scale * each.x, y=scale * each.y) for each in curve.points)
+        session.preview(Document((replace(curve, points=points),)))
         for plot in plots:
             plot.viewport().repaint()
 
@@ -179,6 +182,10 @@ def test_a_picture_of_what_rests_is_not_painted_again(editor, panel):
     # What was chosen for the first frame of a drag, the second has as well.
     paint(0.2)
     paint(0.3)
+    assert expire() == [False, True]
+    # Where that leaves them too large, discs as well.
+    paint(0.2)
+    paint(0.3, scale=0.02)
     assert expire() == [True, True]
     session.cancel()
 

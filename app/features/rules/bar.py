@@ -44,6 +44,8 @@ class ParametrizationBar(ToolbarWidget):
         super().__init__()
         self._view: CurveView | None = None
         self._is_compact, self._has_alpha = False, True
+        # The font, and the excess of the longest name in it: asked at every change.
+        self._measured = ("", 0)
         kinds = (each.label for each in ParametrizationKind)
         self.box = choice_box("parametrizationBox", "Parametrization", _TIP, kinds)
         for place, kind in enumerate(ParametrizationKind):
@@ -87,12 +89,12 @@ class ParametrizationBar(ToolbarWidget):
     @property
     def _excess(self) -> int:
         """Pixels by which the longest name is longer than that of any rule with an α."""
-        labels = {kind: kind.label for kind in ParametrizationKind}
-        short = [label for kind, label in labels.items() if _has_alpha(kind)]
-        long, short_enough = (
-            max(map(self.box.fontMetrics().horizontalAdvance, each)) for each in (labels.values(), short)
-        )
-        return long - short_enough
+        if (font := self.box.font().key()) != self._measured[0]:
+            width = self.box.fontMetrics().horizontalAdvance
+            longest = max(width(kind.label) for kind in ParametrizationKind)
+            short = max(width(kind.label) for kind in ParametrizationKind if _has_alpha(kind))
+            self._measured = font, longest - short
+        return self._measured[1]
 
     def render_view(self, view: CurveView | None) -> None:
         """Show the rule of `view`; None while there is no curve to act on."""
