@@ -524,8 +524,11 @@ def test_output_that_cannot_be_written_is_said():
 @pytest.mark.parametrize("name", ["C", "POSIX", "C.UTF-8"])
 def test_in_no_locale_does_qt_write_to_stderr(name, tmp_path):
     """Four lines at every start: “Detected locale "C" with character encoding …, which is not UTF-8”."""
-    program = "import sys; from app.__main__ import main; sys.exit(main())"
-    done = run("render", LETTER, "-o", str(tmp_path / "ä.png"), code=program, env={"LC_ALL": name})
+    # Set in the process: Python does not start from a folder with an umlaut in the locale C.
+    program = (
+        f"import os, sys; os.environ['LC_ALL'] = '{name}'; from app.__main__ import main; sys.exit(main())"
+    )
+    done = run("render", LETTER, "-o", str(tmp_path / "ä.png"), code=program)
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / "ä.png").exists()
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import sys
 from pathlib import Path
 
@@ -47,7 +49,8 @@ def test_a_library_that_qt_does_not_find(dead, tmp_path):
 
 
 def test_the_package_is_named():
-    told = missing_library("libxcb-cursor.so.0: cannot open shared object file: No such file or directory")
+    reason = os.strerror(errno.ENOENT)
+    told = missing_library(f"libxcb-cursor.so.0: cannot open shared object file: {reason}")
     assert told.startswith("Qt needs libxcb-cursor.so.0")
     assert "which this system does not have. On Debian and Ubuntu: sudo apt install libxcb-cursor0" in told
     assert "\n" not in told

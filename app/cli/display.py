@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import errno
 import os
 import re
 import sys
@@ -81,7 +82,9 @@ def _loading_problem(plugin: Path) -> str:
 
 def missing_library(problem: str) -> str:
     """Return which package has the library that a loader misses, as a sentence; empty for other problems."""
-    match = re.match(r"(lib[\w.+-]+\.so[\w.]*): cannot open shared object file", problem)
+    # The words between are in the language of the system.
+    missing_file = re.escape(os.strerror(errno.ENOENT))
+    match = re.fullmatch(rf"(lib[\w.+-]+\.so[\w.]*): .*: {missing_file}", problem)
     if match is None:
         return ""
     missing = {match[1]: _PACKAGES.get(match[1], "")} | _also_missing()

@@ -318,6 +318,7 @@ def test_a_file_that_may_be_written_but_not_read(as_nobody):
         return "not noticed"
 
     assert run(work) == "noticed"
+    path.chmod(0o600)
     assert path.read_bytes() == b"somebody else's"
 
 
