@@ -548,7 +548,7 @@ def test_whatever_the_system_refuses_is_said(problem, said, monkeypatch, capsys)
     def fail(*_arguments, **_options):
         raise problem
 
-    monkeypatch.setattr("app.cli.commands.export", fail)
+    monkeypatch.setattr("app.cli.rendering.export", fail)
     assert refusal(capsys, "render", LETTER, "-o", "b.png") == (
         f"curvebench render {LETTER} -o b.png failed: {said}."
     )

@@ -2,8 +2,8 @@
 
 - ``command_line``: what was typed, and which command it is.  ``refusals``: what cannot be done, in one line.
   ``documents``: those that it names.
-- ``families``: those of files that were named.  ``commands``: render, info and lesson.
-  ``converting``: convert.  ``options``: what they take.  ``printed_facts``: what info prints.
+- ``families``: those of files that were named.  ``commands``: which command it is; ``rendering``,
+  ``converting``, ``printed_facts`` and ``lessons`` are what each takes.  ``options``: their options.
   ``progress``: how far work has come, on a terminal.
 - ``start``: the editor's start.  ``windows``: its first windows.  ``application``: Qt's application.
   ``lifecycle``: what surrounds them until the end.  ``display``: whether there is a screen for them.

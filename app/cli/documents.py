@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from .. import exchange
+from ..exchange.formats import can_import
 from ..storage.files import load_counting
 from ..storage.format import Decoded
 from ..storage.format_error import FormatError
-from .refusals import RefusalError
+from .progress import TerminalProgress
+from .refusals import RefusalError, tell
 
 
 def load_document(path: str) -> Decoded:
@@ -14,3 +19,23 @@ def load_document(path: str) -> Decoded:
         return load_counting(path)
     except FormatError as problem:
         raise RefusalError(f"“{path}” cannot be read: {problem}") from None
+
+
+def document_of(path: str) -> Decoded:
+    """Return the document at `path`, or what a file of another format holds.
+
+    What is left out of it is printed beside the output.
+    """
+    try:
+        found = load_document(path)
+    except RefusalError:
+        if not can_import(Path(path)):
+            raise
+    else:
+        if found.left_out:
+            tell([found.left_out.sentence(Path(path).name)])
+        return found
+    with TerminalProgress() as report:
+        source = exchange.files.import_file(path, report=report)
+    tell(source.remarks)
+    return Decoded(source.document)

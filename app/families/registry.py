@@ -22,6 +22,15 @@ GROUP = "curvebench.families"
 class Families(Sequence[Family]):
     """The families of the core, then those of installed packages, then those of files.
 
+    All of them are imported when somebody asks for more than the first known ones.
+
+    Parameters
+    ----------
+    built_in
+        The families of the core.
+    known
+        Those among them that are known without the others.
+
     Attributes
     ----------
     problems
@@ -30,10 +39,10 @@ class Families(Sequence[Family]):
         The families that each file has brought since it is in use, those among them that it has no longer.
     """
 
-    def __init__(self, built_in: Sequence[Family]) -> None:
-        self._families = list(built_in)
-        self._known = {family.name: family for family in built_in}
-        self._has_installed = False
+    def __init__(self, built_in: Iterable[Family], known: Iterable[Family] = ()) -> None:
+        self._built_in: Iterable[Family] | None = built_in
+        self._families: list[Family] = []
+        self._known = {family.name: family for family in known}
         self.problems: list[str] = []
         self.files: dict[Path, tuple[Family, ...]] = {}
 
@@ -49,7 +58,8 @@ class Families(Sequence[Family]):
 
     def named(self, name: str) -> Family:
         """Return the family of that name; one that is missing where there is none."""
-        self._look_for_installed()
+        if name not in self._known:
+            self._complete()
         return self._known.setdefault(name, Family(name, None))
 
     def called(self, words: str) -> Family | None:
@@ -73,21 +83,23 @@ class Families(Sequence[Family]):
             raise ValueError(f"there is a family “{family.name}” already")
         known = self._known.setdefault(family.name, family)
         known.become(family)
-        self._families.append(known)
+        self._all.append(known)
 
     def remove(self, family: Family) -> None:
         """Offer a family no longer; curves of it go on."""
-        self._families.remove(family)
+        self._all.remove(family)
 
     @property
     def _all(self) -> list[Family]:
-        self._look_for_installed()
+        self._complete()
         return self._families
 
-    def _look_for_installed(self) -> None:
-        if not self._has_installed:
+    def _complete(self) -> None:
+        if self._built_in is not None:
             # Not before somebody asks: a package's curves are written with what imports this.
-            self._has_installed = True
+            self._families = list(self._built_in)
+            self._built_in = None
+            self._known |= {family.name: family for family in self._families}
             for family in self._installed():
                 try:
                     self.add(family)
@@ -121,20 +133,21 @@ def _any_package_brings_families() -> bool:
 
 
 def _of_the_core() -> Iterator[Family]:
-    """Yield the families of the core in the order of their places: each is a file of its own there."""
+    """Yield the families of the core in the order of their places: each is a file of its own."""
     found = [
         curve_class
         for file in iter_modules(curvecore.families.__path__)
         for curve_class in families_of_module(import_module(f"curvecore.families.{file.name}"))
     ]
+    known = {family.name: family for family in _KNOWN}
     for curve_class in sorted(found, key=lambda each: (each.place, each.name)):
-        yield Family.of(curve_class)
+        yield known.get(str(curve_class.name)) or Family.of(curve_class)
 
 
-FAMILIES = Families(tuple(_of_the_core()))
-LAGRANGE, HERMITE, QUINTIC_HERMITE = (
-    FAMILIES.named(each.name) for each in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve)
+LAGRANGE, HERMITE, QUINTIC_HERMITE = _KNOWN = tuple(
+    Family.of(each) for each in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve)
 )
+FAMILIES = Families(_of_the_core(), _KNOWN)
 
 
 def family_named(name: str) -> Family:

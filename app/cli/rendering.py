@@ -1,0 +1,99 @@
+"""The command ``render``: pictures and films."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from .. import exchange
+from ..document.words import enumerated
+from ..exchange.drawing.animation import FILMS, first_round, write_film
+from ..exchange.drawing.film import Film
+from ..exchange.files import export
+from ..exchange.formats import FORMATS, endings_of
+from ..view_model.animation.motion_settings import Pace, Repeat
+from .documents import document_of
+from .options import (
+    STYLES,
+    add_motion_options,
+    add_own_options,
+    add_picture_options,
+    own_options,
+    picture_options,
+    positive_number,
+)
+from .progress import TerminalProgress
+from .refusals import RefusalError, tell
+
+if TYPE_CHECKING:
+    from ..document.model import Document
+
+
+def add_options(render: argparse.ArgumentParser) -> None:
+    """Let `render` take its files, and the options of pictures and films."""
+    render.add_argument("file", metavar="FILE")
+    render.add_argument(
+        "-o",
+        "--output",
+        required=True,
+        metavar="OUT",
+        help=f"the picture; ends in {', '.join(_picture_endings())}",
+    )
+    render.add_argument(
+        "--tolerance",
+        type=positive_number,
+        metavar="X",
+        help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
+    )
+    add_picture_options(render)
+    add_own_options(render, FORMATS.pictures)
+    add_motion_options(render)
+
+
+def _drawn_document(options: argparse.Namespace) -> Document:
+    """Return what pictures are made of: the document, or the curves of it that were asked for."""
+    document = document_of(options.file).document
+    return exchange.cubics_in.Imported(document).called(options.only).document if options.only else document
+
+
+def render(options: argparse.Namespace) -> int:
+    """Write the picture or film that was asked for, and return the exit code."""
+    name = options.output.lower()
+    pictures, films = endings_of(FORMATS.pictures), endings_of(FILMS)
+    # What both can be is a film where a motion was asked for.
+    if name.endswith(films) and (options.motion or not name.endswith(pictures)):
+        return _render_film(options)
+    if not name.endswith(pictures):
+        if Path(options.output).is_dir():
+            raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
+        known = enumerated(_picture_endings(), "or")
+        raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
+    document = _drawn_document(options)
+    with TerminalProgress() as report:
+        wanted = replace(picture_options(options, document), own=own_options(options, FORMATS.pictures))
+        made = export(document, options.output, wanted.reporting(report))
+    tell(made.remarks)
+    return 0
+
+
+def _picture_endings() -> tuple[str, ...]:
+    """Return the endings of what `render` writes, each once."""
+    return tuple(dict.fromkeys((*endings_of(FORMATS.pictures), *endings_of(FILMS))))
+
+
+def _render_film(options: argparse.Namespace) -> int:
+    document, repeat = _drawn_document(options), Repeat(options.motion or "loop")
+    film = Film(
+        width=options.width or Film.width,
+        fps=options.fps,
+        seconds=options.seconds or first_round(document, repeat),
+        repeat=repeat,
+        pace=Pace(options.pace),
+        style=STYLES[options.theme or "light"],
+        points=options.points,
+    )
+    write_film(document, options.output, film)
+    return 0
