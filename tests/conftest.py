@@ -44,7 +44,7 @@ from tests.waiting import LIMIT_MS
 for _wait in (QtBot.waitActive, QtBot.waitExposed, QtBot.waitSignal, QtBot.waitUntil):
     _wait.__kwdefaults__["timeout"] = LIMIT_MS
 
-pytest_plugins = ["tests.time_limit"]
+pytest_plugins = ["tests.time_limit", "tests.left_over"]
 
 settings.register_profile(
     "curvebench",
@@ -111,27 +111,6 @@ def drawings_read_here(monkeypatch):
 
     monkeypatch.setattr(reading, "limit_memory", lambda _extra: None)
     monkeypatch.setattr(child, "limited", read)
-
-
-@pytest.fixture(autouse=True)
-def _no_window_left_over():
-    """Fail a test that leaves a window, shown or hidden; the next one would find it there."""
-    yield
-    widgets = sys.modules.get("PySide6.QtWidgets")
-    if widgets is None or not isinstance(widgets.QApplication.instance(), widgets.QApplication):
-        return
-    core = sys.modules["PySide6.QtCore"]
-    # What qtbot closed is deleted by an event loop, which not every next test has.
-    core.QCoreApplication.sendPostedEvents(None, core.QEvent.Type.DeferredDelete)
-    left = [
-        widget
-        for widget in widgets.QApplication.topLevelWidgets()
-        if not widget.property("isKept") and (widget.isVisible() or isinstance(widget, widgets.QMainWindow))
-    ]
-    for widget in left:
-        widget.hide()
-        widget.deleteLater()
-    assert not left, f"left over: {left} (give windows to qtbot.addWidget)"
 
 
 def pytest_ignore_collect(collection_path, config):

@@ -67,7 +67,7 @@ class KeptEditor:
     def _build(self, qtbot) -> None:
         self._editor = Editor(_Keeper(qtbot))
         window = self._editor.window
-        # tests/conftest.py looks for windows that are left over.
+        # tests/left_over.py looks for windows that are left over.
         window.setProperty("isKept", True)
         self._curtain = Curtain(window)
         self._tool_settings = window.canvas.tools.settings
