@@ -38,6 +38,7 @@ from hypothesis import HealthCheck, settings
 from pytestqt.qtbot import QtBot
 
 from app.families import FAMILIES, ChosenSettings, Family
+from app.tasks.generations import Generations
 from tests.waiting import LIMIT_MS
 
 # Those of pytest-qt are 5 s.
@@ -54,6 +55,8 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow],  # by the clock
 )
 settings.load_profile("curvebench")
+
+_generations = Generations()
 
 _HOMES = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA")
 _XDG = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
@@ -124,14 +127,23 @@ def pytest_ignore_collect(collection_path, config):
 def pytest_collection():
     """Collect tests, but no garbage: to look for it takes as long as all else, and there is next to none.
 
-    Nor is what was collected looked through again and again: it stays to the end.
+    Nor is what was collected looked through again and again: it stays to the end. From then on garbage is
+    collected between tests: never in a destructor of Qt's, nor in a thread (see app/tasks/garbage.py).
     """
     gc.disable()
     try:
         return (yield)
     finally:
         gc.freeze()
-        gc.enable()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item):
+    """Collect the garbage that is due, behind each test."""
+    try:
+        return (yield)
+    finally:
+        _generations.collect_due()
 
 
 def pytest_make_parametrize_id(config, val, argname):

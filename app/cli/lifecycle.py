@@ -25,6 +25,7 @@ from ..document.model import Document
 from ..features.recovery.autosave import Autosave, snapshot_folder, state_folder
 from ..features.recovery.commands import RecoveryCommands
 from ..session import Beginning, Session
+from ..tasks.garbage import collect_between_events
 from ..window.main_window import MainWindow
 from ..workbench.document_files import DocumentFiles
 
@@ -41,17 +42,6 @@ _ASIDE = 40
 
 _FIRST_SIGNAL_CODE = 128
 """Added to a signal's number it is what a shell expects of a program that the signal ended."""
-
-
-def _seek_no_garbage() -> None:
-    """Have no garbage sought until the event at hand is through.
-
-    A search in a destructor of Qt's may destroy another object of Qt's, which waits for a lock that the first
-    one holds: the program stood still for ever when a window was closed.
-    """
-    if gc.isenabled():
-        gc.disable()
-        QTimer.singleShot(0, gc.enable)
 
 
 class Lifecycle(QObject):
@@ -132,6 +122,8 @@ class Lifecycle(QObject):
 
     def start(self) -> None:
         """Take signals and crashes from now on, and offer what was not saved last time."""
+        # Python's own collector was off while the windows were made, see `start.no_garbage_sought`.
+        collect_between_events()
         _log.info("started: %s", versions().replace("\n", "; "))
         self._log_due.start()
         self._faults.open()
@@ -196,7 +188,6 @@ class Lifecycle(QObject):
             autosave.finish()  # it was asked, so what is not saved is not wanted
         else:
             autosave.leave()
-        window.destroyed.connect(_seek_no_garbage)
         # Neither has a parent that goes with the window. What they are connected to lives as long as they do.
         for each in (window, window.session, autosave):
             each.deleteLater()

@@ -1,4 +1,4 @@
-"""A background task in a thread of its own; garbage is collected in the window's thread.
+"""A background task in a thread of its own.
 
 The only module that starts threads. What is to be done sees immutable values and touches no widget; its end
 is told in the window's thread. What parses files of others may hang, or keep the interpreter to itself for
@@ -8,7 +8,6 @@ long, and goes on in a process of its own (``exchange.child``); the thread then 
 from __future__ import annotations
 
 import ctypes
-import gc
 import logging
 import sys
 import threading
@@ -20,6 +19,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from shiboken6 import isValid
 
+from .garbage import collect_between_events, collect_due
 from .progress import FINAL, Cancelled, Report
 
 _log = logging.getLogger("curvebench.tasks")
@@ -161,9 +161,7 @@ class _Ended(SystemExit):
 class _Keeper(QObject):
     """Keeper of the running tasks, where their signals arrive: in the window's thread.
 
-    Collected in another thread, a widget that is part of a cycle would be destroyed in it, and take the
-    program along. So while tasks run, Python's own collector is off; a timer collects here in its place,
-    by the same thresholds. A task is kept until its thread is gone: what it refers to must not go with that.
+    A task is kept until its thread is gone: what it refers to must not go with that.
     """
 
     reported = Signal(object, float, str)
@@ -172,9 +170,6 @@ class _Keeper(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.running: set[Task] = set()
-        self._collects = False
-        # How often the middle generation had been collected since the oldest was.
-        self._count_before = 0
         self._timer = QTimer(self, interval=_TICK_MS)
         self._timer.timeout.connect(self._tick)
         self.reported.connect(self._pass_on, Qt.ConnectionType.QueuedConnection)
@@ -183,9 +178,7 @@ class _Keeper(QObject):
     def take(self, task: Task) -> None:
         """Keep a task that is about to begin."""
         if not self.running:
-            self._collects = gc.isenabled()
-            gc.disable()
-            self._count_before = gc.get_count()[2]
+            collect_between_events()
             self._timer.start()
         self.running.add(task)
 
@@ -202,27 +195,14 @@ class _Keeper(QObject):
         self.running.discard(task)
         if not self.running:
             self._timer.stop()
-            if self._collects:
-                gc.enable()
         task.then(task)
 
     def _tick(self) -> None:
-        if self._collects:
-            self._collect()
+        collect_due()
         for task in tuple(self.running):
             task.end_overdue()
             if not task.thread.is_alive():  # one that was ended from outside sends no signal
                 self._end(task)
-
-    def _collect(self) -> None:
-        """Collect the oldest generation that is due."""
-        young, middle, oldest = gc.get_count()
-        self._count_before = min(self._count_before, oldest)
-        counts, thresholds = (young, middle, oldest - self._count_before), gc.get_threshold()
-        for generation in (2, 1, 0):
-            if 0 < thresholds[generation] < counts[generation]:
-                gc.collect(generation)
-                return
 
 
 _keepers: list[_Keeper] = []

@@ -36,6 +36,7 @@ from ..session import Session
 from ..settings.preferences import Preferences
 from ..state.analysis import Analysis
 from ..state.window_state import WindowState, WindowStore
+from ..tasks.garbage import collect_between_events
 from ..workbench.central_area import CentralArea
 from ..workbench.context import WindowContext
 from ..workbench.docks import Docks, declared_panels
@@ -78,6 +79,7 @@ class MainWindow(Guarded, QMainWindow):
         command_sets: Sequence[type] = COMMAND_SETS,
     ) -> None:
         super().__init__()
+        collect_between_events()
         self.session = session
         self.asks_before_closing = True
         self.preferences = preferences or Preferences()

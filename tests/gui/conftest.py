@@ -14,10 +14,12 @@ sys.path.insert(0, str(Path(__file__).parent))
 from kept_window import KeptEditor
 from PySide6.QtCore import QLocale
 from PySide6.QtGui import QFontMetrics
+from shiboken6 import delete
 
 from app.document import edits
 from app.document.model import Document, make_curve
 from app.families import HERMITE
+from app.tasks import garbage
 from app.testing import Editor
 
 _kept = KeptEditor()
@@ -110,6 +112,17 @@ def only_new_garbage():
     gc.freeze()
     yield
     gc.unfreeze()
+
+
+@pytest.fixture
+def garbage_collected_in_loop(qapp, monkeypatch, only_new_garbage):
+    """Have Python's collector on, for the first window or task to take over; elsewhere it is off in tests."""
+    monkeypatch.setattr(garbage, "_collectors", [])
+    gc.enable()
+    yield
+    gc.disable()
+    for each in garbage._collectors:
+        delete(each)
 
 
 @pytest.fixture(scope="session")

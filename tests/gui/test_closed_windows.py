@@ -11,6 +11,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
 from app.session import Beginning, Session
+from app.storage.files import save
 from app.testing import Editor
 
 
@@ -50,7 +51,7 @@ def test_windows_that_were_closed_are_gone_with_all_they_had(qapp, tmp_path):
     # Of 50 that were opened and closed, 51 windows and 1,123 timers were left, in 101 MB.
     paths = [tmp_path / f"{number}.curve.json" for number in range(2)]
     for path in paths:
-        Session().save(path)
+        save(path, Session().document)
     before = living()
     windows = open_windows([str(path) for path in paths])
     lifecycle = Lifecycle(qapp, windows)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import math
 import sys
 import threading
@@ -34,6 +33,7 @@ from app.families import HERMITE
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.export_commands import ExportCommands
 from app.storage.files import save
+from app.tasks.task import stopped_tasks
 from app.view_model.curve.curve_view import view_of
 from app.widgets.field_edit import FieldEdit
 from tests.gui.editor_facts import retype
@@ -694,7 +694,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     editor.trigger("cancelWork")
     assert not editor.window.context.work.jobs.is_busy
     assert "nothing has changed" in editor.status
-    until(gc.isenabled)  # work that was taken back has noticed
+    until(lambda: not stopped_tasks())
     assert old.read_text(encoding="utf-8") == "mine"
     assert [each.name for each in tmp_path.iterdir()] == ["out.csv"]
 
@@ -707,7 +707,7 @@ def test_closing_the_window_drops_the_work(new_editor, busy):
     task = editor.window.context.work.jobs._task
     assert editor.window.close()
     assert not editor.window.context.work.jobs.is_busy
-    until(gc.isenabled)  # work that was taken back has noticed
+    until(lambda: not stopped_tasks())
     assert not task.thread.is_alive()
     assert task.result is task.problem is None
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox
 
 from app.cli.lifecycle import Lifecycle
 from app.session import Session
-from app.storage.files import load
+from app.storage.files import load, save
 from app.testing import Editor
 from app.window.main_window import MainWindow
 from app.workbench.document_files import DocumentFiles
@@ -86,7 +86,7 @@ def test_open_leaves_the_document_that_somebody_works_in(new_editor, windows, tm
     editor = new_editor
     own, second = tmp_path / "own.curve.json", tmp_path / "second.curve.json"
     for path in (own, second):
-        Session().save(path)
+        save(path, Session().document)
     open_by_dialog(editor, own, monkeypatch)
     # The first sketch gives way, as before.
     assert windows() == []

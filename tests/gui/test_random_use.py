@@ -179,6 +179,7 @@ def use(qtbot, seed, folder, log, faults, odd_values) -> None:
 
 
 @pytest.mark.time_limit(60 * MINUTES + 600)
+@pytest.mark.usefixtures("garbage_collected_in_loop")
 def test_nothing_breaks_a_window_that_is_used_at_random(
     qtbot, qtlog, monkeypatch, folder, tmp_path, odd_values
 ):

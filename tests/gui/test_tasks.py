@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
-from app.tasks import owner, task
+from app.tasks import garbage, owner, task
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.owner import TaskOwner, close_all
 from app.tasks.progress import FINAL, part
@@ -26,7 +26,11 @@ def jobs(qtbot):
     made = SingleTask()
     yield made
     made.close()
-    until(gc.isenabled)
+    until(no_task_runs)
+
+
+def no_task_runs():
+    return not any(keeper.running for keeper in task._keepers)
 
 
 class Heard:
@@ -92,7 +96,7 @@ def test_nothing_comes_of_work_that_was_taken_back(jobs):
     assert jobs.start("Next", lambda _report: "wanted", heard.done, heard.failed)
     until(lambda: heard.results)
     went_on.set()
-    until(gc.isenabled)
+    until(no_task_runs)
     assert heard.results == ["wanted"]
     assert heard.problems == []
 
@@ -108,7 +112,7 @@ def test_a_result_that_is_already_on_its_way_is_dropped(jobs):
     assert finished.wait(LIMIT)
     jobs._task.thread.join()  # from now on the signal waits in the queue
     jobs.cancel()
-    until(gc.isenabled)  # it has arrived
+    until(no_task_runs)  # it has arrived
     assert heard.results == []
 
 
@@ -200,14 +204,14 @@ def churn(ends):
 
 
 @pytest.fixture
-def quick_keeper(qapp, monkeypatch, only_new_garbage):
+def quick_keeper(garbage_collected_in_loop, monkeypatch):
     """Look for garbage often, in generations that are soon due."""
     monkeypatch.setattr(task, "_TICK_MS", 5)
     monkeypatch.setattr(task, "_keepers", [])
     before = gc.get_threshold()
     gc.set_threshold(700, 1, 1)
     yield
-    until(gc.isenabled)
+    until(no_task_runs)
     gc.set_threshold(*before)
 
 
@@ -235,7 +239,7 @@ def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper
     until(lambda: len(threads) == 6)
     assert set(threads) == {threading.main_thread()}
     release.set()
-    until(gc.isenabled)
+    until(no_task_runs)
 
 
 def test_the_oldest_generation_waits_for_what_comes_while_work_runs(quick_keeper):
@@ -267,14 +271,12 @@ def test_what_a_task_refers_to_goes_in_the_windows_thread(qapp):
     assert threads == [threading.main_thread()]
 
 
-def test_a_collector_that_was_off_stays_off(qapp):
+def test_a_collector_that_was_off_stays_off(garbage_collected_in_loop):
     gc.disable()
-    try:
-        Task(lambda _report: None)
-        until(lambda: not task._keepers[0].running)
-        assert not gc.isenabled()
-    finally:
-        gc.enable()
+    Task(lambda _report: None)
+    until(no_task_runs)
+    assert not gc.isenabled()
+    assert garbage._collectors == []
 
 
 def work_threads():
@@ -299,7 +301,7 @@ def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
     assert begun.wait(LIMIT)
     assert jobs.cancel()
     until(lambda: not work_threads())
-    until(gc.isenabled)
+    until(no_task_runs)
     assert cleaned.is_set()
     assert heard.results == heard.problems == []
 
@@ -347,7 +349,7 @@ def test_one_after_the_other(qapp):
     release.set()
     assert last.wait(LIMIT)
     assert order == [1, 2]
-    until(gc.isenabled)
+    until(no_task_runs)
     assert last.after is None
 
 
