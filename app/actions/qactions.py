@@ -62,6 +62,8 @@ class Actions(QObject):
         self._declared = {each.action.name: each.action for each in self._handlers}
         self._actions = {name: self._make(each) for name, each in self._declared.items()}
         self._sort_out()
+        # What each is shown to lack, None for nothing: as they are made, all can be used.
+        self._missing: dict[tuple[Need, Need], tuple[str, bool] | None] = dict.fromkeys(self._alike)
         self._on = set[str]()
         self._opened = set[str]()
         self._opened_of: CurveView | None = None
@@ -99,9 +101,22 @@ class Actions(QObject):
         for each, action in declared:
             self._alike.setdefault(_needs_of(each), []).append(action)
         self._whys_not = {needs: Derived(partial(_why_not, needs)) for needs in self._alike}
-        # What was shown as missing; None for nothing.
-        self._missing: dict[tuple[Need, Need], tuple[str, bool] | None] = {}
+        self._missing = {}
         self._rendered: ActionState | None = None
+        self._by_section: dict[Section, list[QAction]] = {}
+        for each, action in declared:
+            self._by_section.setdefault(each.section, []).append(action)
+        self._by_strip = self._sorted_by_strip()
+
+    def _sorted_by_strip(self) -> dict[Strip, dict[int, list[QAction | Section]]]:
+        """Return what stands in strips, in the order of their places there and by the tens of these."""
+        places: list[tuple[Place, QAction | Section]]
+        places = [(place, self[each.action.name]) for each in self._handlers for place in each.places]
+        places += [(place, each) for menu in MENUS for each in menu.sections for place in each.also]
+        found: dict[Strip, dict[int, list[QAction | Section]]] = {}
+        for place, entry in sorted(places, key=lambda pair: pair[0].number):
+            found.setdefault(place.strip, {}).setdefault(place.number // 10, []).append(entry)
+        return found
 
     def bind(self, commands: object, run: _Run) -> None:
         """Let the actions that a command set declares be carried out by it, each through `run`."""
@@ -177,7 +192,7 @@ class Actions(QObject):
 
     def in_section(self, section: Section) -> list[QAction]:
         """Return the actions of a section of a menu, in order."""
-        return [self._actions[name] for name, each in self._declared.items() if each.section is section]
+        return self._by_section.get(section, [])
 
     def in_strip(self, strip: Strip) -> dict[int, list[QAction]]:
         """Return the actions of a strip by the tens of their places, in order."""
@@ -191,14 +206,7 @@ class Actions(QObject):
 
     def with_sections(self, strip: Strip) -> dict[int, list[QAction | Section]]:
         """Return the actions of a strip, and the sections that are submenus there, by their tens."""
-        places: list[tuple[Place, QAction | Section]]
-        places = [(place, self[each.action.name]) for each in self._handlers for place in each.places]
-        places += [(place, each) for menu in MENUS for each in menu.sections for place in each.also]
-        found: dict[int, list[QAction | Section]] = {}
-        for place, entry in sorted(places, key=lambda pair: pair[0].number):
-            if place.strip is strip:
-                found.setdefault(place.number // 10, []).append(entry)
-        return found
+        return self._by_strip.get(strip, {})
 
     def of_menu(self, menu: Menu) -> Iterator[tuple[Action, QAction]]:
         """Yield the actions that stand in `menu`, in order."""
