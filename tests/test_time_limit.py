@@ -66,7 +66,15 @@ def planted(tmp_path_factory):
     folder = tmp_path_factory.mktemp("planted")
     (folder / "test_planted.py").write_text(PLANTED)
     (folder / "pytest.ini").write_text("[pytest]\nfaulthandler_timeout = 1\n")
-    options = ("-p", "tests.time_limit", "-p", "no:cacheprovider", "-c", str(folder / "pytest.ini"))
+    options = (
+        "-p",
+        "tests.time_limit",
+        "-p",
+        "no:cacheprovider",
+        "--color=no",
+        "-c",
+        str(folder / "pytest.ini"),
+    )
     return subprocess.run(
         [sys.executable, "-m", "pytest", "-n", "2", *options, str(folder)],
         cwd=ROOT,
