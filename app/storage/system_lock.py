@@ -17,8 +17,10 @@ if sys.platform == "win32":
 else:
     import fcntl
 
-_PATIENCE = 2.0
-"""Seconds to wait for a folder: nobody takes longer for a look and a renaming."""
+_PATIENCE = 10.0
+"""Seconds to wait for a folder. A look and a renaming take no longer beside busy programs; a process that was
+suspended may, and then the work goes on without the lock.
+"""
 
 _STEP = 0.01
 _BEYOND_THE_TEXT = 2**30

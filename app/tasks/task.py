@@ -25,7 +25,7 @@ from .progress import FINAL, Cancelled, Report
 _log = logging.getLogger("curvebench.tasks")
 
 _GRACE_S = 1.0
-"""After this a stopped task that has not noticed is ended from outside."""
+"""Seconds after which a stopped task that has not noticed is ended from outside; twice as many each time."""
 
 _TELL_EVERY_S = 0.04
 _LONG_S = 1.0
@@ -71,6 +71,7 @@ class Task:
         self._work, self._keeper, self._lock = work, _keeper(), threading.Lock()
         self._is_final, self._told_at = False, 0.0
         self._stopped_at: float | None = None
+        self._grace_s = _GRACE_S
         self.thread = threading.Thread(target=self._run, name="work", daemon=True)
         self._began = time.monotonic()
         self._keeper.take(self)
@@ -103,8 +104,13 @@ class Task:
         That bounds every loop of Python's; one in C is bounded by the size of its arrays.
         """
         now = time.monotonic()
-        if self._stopped_at is not None and now - self._stopped_at >= _GRACE_S and self.thread.is_alive():
-            self._stopped_at = now  # what cleans up behind it gets as long
+        if (
+            self._stopped_at is not None
+            and now - self._stopped_at >= self._grace_s
+            and self.thread.is_alive()
+        ):
+            # What cleans up behind it gets longer each time: the machine may be busy.
+            self._stopped_at, self._grace_s = now, 2.0 * self._grace_s
             identity = ctypes.c_ulong(self.thread.ident or 0)
             ctypes.pythonapi.PyThreadState_SetAsyncExc(identity, ctypes.py_object(_Ended))
 

@@ -7,6 +7,7 @@ import threading
 import time
 import weakref
 from contextlib import suppress
+from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QObject, QTimer
@@ -304,6 +305,23 @@ def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
     until(no_task_runs)
     assert cleaned.is_set()
     assert heard.results == heard.problems == []
+
+
+def test_what_cleans_up_behind_stopped_work_gets_longer_each_time(qapp, monkeypatch):
+    """Beside busy programs it may take longer than the work had to notice."""
+    now, raised, release = [0.0], [], threading.Event()
+    monkeypatch.setattr(task.ctypes.pythonapi, "PyThreadState_SetAsyncExc", lambda *_: raised.append(now[0]))
+    waiting = Task(lambda _report: release.wait(LIMIT))
+    with monkeypatch.context() as patch:
+        patch.setattr(task, "time", SimpleNamespace(monotonic=lambda: now[0]))
+        waiting.stop()
+        for _look in range(70):
+            now[0] += 0.125
+            waiting.end_overdue()
+    release.set()
+    assert raised == [1.0, 3.0, 7.0]
+    until(lambda: not work_threads())
+    until(gc.isenabled)
 
 
 def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):

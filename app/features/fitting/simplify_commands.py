@@ -23,7 +23,7 @@ from ...view_model.fitting.simplifying import Simplified, simplified
 from ...workbench.context import WindowContext
 
 _PATIENCE_S = 0.08
-"""Seconds of computing that need no thread of their own."""
+"""Seconds that a person may wait for the window; what takes longer has a thread of its own."""
 
 _COMPUTED = 0.8
 """Share of the work that goes before the views of the new curves."""
