@@ -37,6 +37,8 @@ TOO_FEW = "A curve needs at least two points."
 
 _MOST_TOLERANCES = 2e4
 
+_SAMPLES = 257
+
 LINE = tuple(
     name
     for name in Curve.__struct_fields__
@@ -98,6 +100,15 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
     def polyline(self) -> FloatArray:
         """The curve as a polyline (k, 2), within a thousandth of its size."""
         return self._whole[0].points
+
+    @cached_property
+    def samples(self) -> FloatArray:
+        """Positions at equally spaced parameters, (257, 2), by which a curve is compared with others.
+
+        Curves of families that differ agree at few of them.
+        """
+        assert self.curve is not None
+        return self.curve.evaluate(np.linspace(self.parameters[0], self.parameters[-1], _SAMPLES))
 
     @cached_property
     def extent(self) -> FloatArray:
