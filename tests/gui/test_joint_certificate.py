@@ -51,13 +51,13 @@ def click_row(editor, row):
     editor.settle()
 
 
-def test_it_is_built_when_it_is_first_looked_at(editor):
-    assert panel(editor) is None
-    editor.trigger("showJoints")
-    assert panel(editor).isVisible()
-    assert editor.window.findChild(QDockWidget, "jointsDock").isVisible()
-    assert "One polynomial: no joints" in panel(editor).summary
-    assert not table(editor).isVisible()
+def test_it_is_built_when_it_is_first_looked_at(new_editor):
+    assert panel(new_editor) is None
+    new_editor.trigger("showJoints")
+    assert panel(new_editor).isVisible()
+    assert new_editor.window.findChild(QDockWidget, "jointsDock").isVisible()
+    assert "One polynomial: no joints" in panel(new_editor).summary
+    assert not table(new_editor).isVisible()
 
 
 def test_there_is_a_row_for_every_joint_with_sign_class_and_jumps(bessel):
