@@ -68,6 +68,11 @@ def main(folder: str) -> None:
                 _answer_in(here)
             except MemoryError:
                 sys.exit(NO_MEMORY)
+    # The parent is gone, or it would have ended this process.
+    with contextlib.suppress(OSError):
+        for path in here.iterdir():
+            path.unlink()
+        here.rmdir()
 
 
 def _answer_in(folder: Path) -> None:

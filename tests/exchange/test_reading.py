@@ -160,6 +160,16 @@ def test_a_drawing_that_is_stopped_or_not_waited_for_leaves_the_next_one_alone(c
     assert all(each.returncode is not None for each in children)
 
 
+def test_a_process_whose_parent_is_gone_leaves_no_folder(tmp_path):
+    """The parent was killed: it cannot remove what it wrote for the child."""
+    folder = tmp_path / "messages"
+    folder.mkdir()
+    (folder / "question").write_bytes(LINE)
+    code = f"from app.exchange.reading import main; main({str(folder)!r})"
+    subprocess.run([sys.executable, "-c", code], cwd=ROOT, stdin=subprocess.DEVNULL, check=True, timeout=60)
+    assert not folder.exists()
+
+
 def test_what_nobody_waits_for_any_more_is_ended(children):
     class Impatient:
         calls = 0
