@@ -37,6 +37,12 @@ def with_everything_set(view):
     return replace(view.source, points=points)
 
 
+def ruled(editor, family, kind):
+    """Give the curve of `arch` a family and a rule, at once."""
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    editor.session.commit(edits.set_parametrization(document, 0, kind, []), "Begin again")
+
+
 def middle(editor, segment=1, share=0.4):
     """The parameter and the point of the curve at a share of a segment."""
     t = editor.parameters[segment] + share * (editor.parameters[segment + 1] - editor.parameters[segment])
@@ -47,11 +53,8 @@ def middle(editor, segment=1, share=0.4):
 @pytest.mark.parametrize("keys", [NO_KEYS, CTRL, ALT])
 @pytest.mark.parametrize("family", FAMILIES)
 def test_the_grabbed_point_stays_under_the_pointer(arch, family, keys):
-    document = arch.session.document
     for kind in (ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM):
-        arch.session.commit(document, "Begin again")
-        arch.choose_family(family)
-        arch.choose_parametrization(kind)
+        ruled(arch, family, kind)
         _, start = middle(arch)
         target = (start[0] - 0.4, start[1] + 0.7)
         arch.press(start, keys=keys)
@@ -281,8 +284,15 @@ def test_the_norm_does_not_depend_on_the_unit_of_time(family):
     assert np.array(results[0]) == pytest.approx(np.array(results[1]), abs=1e-9)
 
 
-@pytest.mark.parametrize("using", list(BendWith))
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize(
+    ("family", "using"),
+    [
+        pytest.param(family, using, id=f"{family.name}-{using.name}")
+        for family in FAMILIES
+        # Without derivatives all ways to bend are this one.
+        for using in (BendWith if family.derivatives else [BendWith.POINTS])
+    ],
+)
 @pytest.mark.parametrize("kind", list(ParametrizationKind))
 def test_the_grabbed_point_follows_ten_times_as_far_as_the_curve_is_large(family, kind, using):
     # Broyden's method alone gave up on 27 of 48 such pulls of 20 points at chord length.
@@ -295,11 +305,10 @@ def test_the_grabbed_point_follows_ten_times_as_far_as_the_curve_is_large(family
         segment, share = count // 2 - 1, 0.4
         start, end = view.parameters[segment : segment + 2]
         t = float(start + share * (end - start))
-        place = view.curve.evaluate(t)
+        place, bend = view.curve.evaluate(t), Bend(view, t, using)
         for angle, far, accuracy in ((0.3, 10, 1e-4), (2.4, 10, 1e-4), (4.5, 10, 1e-4), (1.2, 0.1, 1e-6)):
             target = place + far * np.ptp(points) * np.array([np.cos(angle), np.sin(angle)])
-            data = using if family.derivatives else BendWith.POINTS
-            after = view_of(Bend(view, t, data).bent(tuple(target), accuracy))
+            after = view_of(bend.bent(tuple(target), accuracy))
             start, end = after.parameters[segment : segment + 2]
             reached = after.curve.evaluate(start + share * (end - start))
             assert reached == pytest.approx(target, abs=2 * accuracy if far < 1 else accuracy)
@@ -336,8 +345,7 @@ def test_with_a_shift_allowed_the_change_is_the_least_that_can_be():
 @pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, CTRL])
 @pytest.mark.parametrize("family", FAMILIES)
 def test_a_far_pull_ends_the_same_by_every_way(arch, family, keys):
-    arch.choose_family(family)
-    arch.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
+    ruled(arch, family, ParametrizationKind.CHORD_LENGTH)
     # Wide enough that nothing comes near the edge, where the view would scroll.
     arch.window.canvas.camera.show_box((-20, 20), (-12, 24))
     _, start = middle(arch)

@@ -9,6 +9,7 @@ import inspect
 import json
 import os
 import pkgutil
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -103,6 +104,8 @@ def test_an_override_without_a_guard_is_found():
 
 def has_inner_class(text):
     """Whether a class of some code is no statement of its module; an example in a docstring is no class."""
+    if re.search(r"^[ \t]+class\b", text, re.MULTILINE) is None:
+        return False
     tree = ast.parse(text)
     return any(isinstance(node, ast.ClassDef) and node not in tree.body for node in ast.walk(tree))
 
