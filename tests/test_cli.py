@@ -205,6 +205,7 @@ def test_info_of_a_sketch_just_begun(tmp_path, capsys):
     assert json.loads(capsys.readouterr().out)["curves"][0]["length"] is None
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_info_of_an_svg_tells_plain_coordinates_above_its_lower_edge(tmp_path, capsys):
     path = tmp_path / "in.svg"
     path.write_text(
@@ -252,6 +253,7 @@ def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == [bad]
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
     """It was said of a table that it is not JSON, and of an SVG that another command reads it."""
     svg = (
@@ -290,7 +292,6 @@ def test_a_folder_is_refused_as_one(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-@pytest.mark.usefixtures("drawings_read_here")
 def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text('<svg><flowRoot id="t">Hi</flowRoot><path d="M0 0L1 1"/></svg>', encoding="utf-8")
@@ -323,6 +324,7 @@ def test_convert_keeps_unit_and_styles_of_a_drawing(tmp_path, capsys):
     assert capsys.readouterr().err == ""
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
     """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
     line = '<g id="line2d_{0}"><path d="M0 {0}H9"/></g>'

@@ -42,7 +42,7 @@ def pixels(image):
     painter.drawImage(0, 0, image)
     painter.end()
     data = np.frombuffer(paper.constBits(), np.uint8).reshape(paper.height(), paper.width(), 4)
-    return data[..., :3].astype(int)
+    return data[..., :3].astype(np.int16)
 
 
 def by_qt(svg, _folder):
@@ -80,9 +80,13 @@ JUDGES = [
 def span(picture):
     """The darkest and the lightest of each pixel and those that touch it."""
     padded = np.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="edge")
-    height, width, _ = picture.shape
-    around = [padded[i : i + height, j : j + width] for i in range(3) for j in range(3)]
-    return np.min(around, axis=0), np.max(around, axis=0)
+    return _nearby(padded, np.minimum), _nearby(padded, np.maximum)
+
+
+def _nearby(padded, extreme):
+    """The extreme of each pixel and those that touch it: along columns, and then along rows."""
+    columns = extreme.reduce([padded[:-2], padded[1:-1], padded[2:]])
+    return extreme.reduce([columns[:, :-2], columns[:, 1:-1], columns[:, 2:]])
 
 
 def beyond_a_pixel(one, other):

@@ -21,7 +21,7 @@ STEPS = 70
 def told(actions):
     """Return what each action shows, by its name; of those whose menu has told more, nothing."""
     return {
-        each.name: (
+        name: (
             action.isEnabled(),
             action.isChecked(),
             action.text(),
@@ -29,8 +29,8 @@ def told(actions):
             why_not(action),
             is_so_already(action),
         )
-        for each in all_actions()
-        if (action := actions[each.name]) is not None and each.name not in actions._opened
+        for name, action in actions._actions.items()
+        if name not in actions._opened
     }
 
 

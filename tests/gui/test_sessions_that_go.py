@@ -14,6 +14,8 @@ from app.session import Session
 
 app = QGuiApplication([])
 gc.disable()
+# Collections look at the sessions alone, not at all that was imported.
+gc.freeze()
 random.seed(1)
 pool = []
 for number in range(300):
