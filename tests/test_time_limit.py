@@ -103,3 +103,13 @@ def test_the_test_is_named_and_where_it_hangs(planted, test, function):
     reported = [line for line in planted.stdout.splitlines() if line.endswith(f"::{test}'")]
     assert any("crashed while running" in line for line in reported), planted.stdout
     assert f" in {function}\n" in planted.stderr, planted.stderr
+
+
+def test_only_benchmarks_have_no_limit(request):
+    """Collected together with them, all tests had none."""
+    without = {
+        item.path
+        for item in request.session.items
+        if (marker := item.get_closest_marker("time_limit")) and marker.args == (0,)
+    }
+    assert {path.parent for path in without} <= {ROOT / "tests/bench"}
