@@ -10,7 +10,7 @@ from pathlib import PurePath
 from types import BuiltinFunctionType, FunctionType, MethodType
 
 import msgspec
-from PySide6.QtCore import QRegularExpression
+from PySide6.QtCore import QObject, QRegularExpression
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QDockWidget, QLabel, QTabWidget, QWidget
 
@@ -232,24 +232,30 @@ class Fingerprint:
         self._seen: dict[int, object] = {}
         self._window = window
         self._walk("window", window, _kind_of(window))
-        for action in named_actions(window):
-            self.told[f"action {action.objectName()}"] = (
-                action.isChecked(),
-                action.isEnabled(),
-                action.isVisible(),
-                # The letters that are underlined are given out when a menu opens.
-                action.text().replace("&", ""),
-                action.shortcut().toString(),
-            )
-        for widget in window.findChildren(QWidget, _OUR_NAMES):
-            if isinstance(widget, QDockWidget):
-                self.told[f"dock {widget.objectName()}"] = bool(widget.property("hasRoom"))
-            if isinstance(widget, QTabWidget) and widget.currentIndex() > 0:
-                # Whoever shows it again sees the page that was seen last.
-                self.told[f"page of {widget.objectName()}"] = widget.currentIndex()
-            # What is out of sight is told what to say before it is shown.
-            if widget.isVisibleTo(window) and widget.objectName() not in USED_LAST:
-                self.told[f"widget {widget.objectName()}"] = self._told_of(widget)
+        # Together: to look for children takes long, and hardly longer for all than for some.
+        for child in window.findChildren(QObject, _OUR_NAMES):
+            if isinstance(child, QAction):
+                self.told[f"action {child.objectName()}"] = (
+                    child.isChecked(),
+                    child.isEnabled(),
+                    child.isVisible(),
+                    # The letters that are underlined are given out when a menu opens.
+                    child.text().replace("&", ""),
+                    child.shortcut().toString(),
+                )
+            elif isinstance(child, QWidget):
+                self._tell_widget(child)
+
+    def _tell_widget(self, widget: QWidget) -> None:
+        name = widget.objectName()
+        if isinstance(widget, QDockWidget):
+            self.told[f"dock {name}"] = bool(widget.property("hasRoom"))
+        if isinstance(widget, QTabWidget) and widget.currentIndex() > 0:
+            # Whoever shows it again sees the page that was seen last.
+            self.told[f"page of {name}"] = widget.currentIndex()
+        # What is out of sight is told what to say before it is shown.
+        if widget.isVisibleTo(self._window) and name not in USED_LAST:
+            self.told[f"widget {name}"] = self._told_of(widget)
 
     def _walk(self, place: str, value: object, kind: _Kind) -> None:
         if kind.is_plain:
@@ -326,6 +332,8 @@ def named_actions(window: QWidget) -> list[QAction]:
 
 def differences(told: Mapping[str, object], *known: Mapping[str, object]) -> dict[str, object]:
     """Return what is in none of the `known` fingerprints as it is in `told`, by its place."""
+    if any(told == each for each in known):
+        return {}
     first, *others = known
     places = [place for place, value in told.items() if first.get(place, _ABSENT) != value]
     places += first.keys() - told.keys()
