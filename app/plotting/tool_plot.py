@@ -166,9 +166,11 @@ class ToolPlot(PlotWidget):
         return cancelled
 
     def abandon_gesture(self) -> None:
-        """Drop the gesture in flight; the document is another one."""
+        """Drop the gesture in flight, if there is one; the document is another one."""
+        is_any = self.is_dragging or self.tools.is_transforming
         self.tools.abandon()
-        self._end_gesture()
+        if is_any:
+            self._end_gesture()
 
     def dismiss(self) -> bool:
         """Remove what the tool has left on the plot; return whether there was something."""

@@ -7,4 +7,4 @@ def test_a_drag_goes_through_few_functions(new_editor):
     functions, files, calls = total(second_drag(new_editor))
     assert functions <= 900
     assert files <= 180
-    assert calls <= 7000
+    assert calls <= 6800

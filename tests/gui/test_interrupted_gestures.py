@@ -8,11 +8,13 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
+from app.canvas.canvas import Canvas
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.reference_image.commands import ImageCommands
 from app.window.command_palette import CommandPalette
+from tests.effort import noted_calls
 from tests.gui.editor_facts import picture
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -205,3 +207,17 @@ def test_a_press_after_a_release_that_was_never_heard_begins_anew(editor):
     editor.press(editor.window.canvas.pixel_map.plane(20, 20))
     assert editor.session.document is document
     editor.escape()
+
+
+def test_without_a_gesture_an_interruption_shows_no_marks_and_ends_nothing(arch, monkeypatch):
+    """With each step of the history the marks were found for the document before it."""
+    arch.select([1, 2])
+    marks, ends = noted_calls(monkeypatch, Canvas, "show_marks"), []
+    arch.window.canvas.gesture_ended.connect(lambda: ends.append(True))
+    arch.session.interrupted.emit()
+    assert (marks, ends) == ([], [])
+    begin(arch, "transform")
+    marks.clear()
+    arch.session.interrupted.emit()
+    assert marks
+    assert ends == [True]
