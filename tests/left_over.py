@@ -131,7 +131,9 @@ VALUES = {
 
 
 def _qt_values(core: ModuleType, application: object) -> dict[str, Value]:
-    values = {"the locale": Value(core.QLocale, core.QLocale.setDefault)}
+    # The one that is the system's is not equal to itself set by name.
+    locale = Value(core.QLocale, core.QLocale.setDefault, lambda it: (it.name(), it.numberOptions()))
+    values = {"the locale": locale}
     if hasattr(application, "setStyleSheet"):
         values |= {
             "the application's font": Value(

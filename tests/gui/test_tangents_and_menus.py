@@ -550,12 +550,13 @@ def test_two_columns_of_text_are_appended(wave):
 
 
 def test_decimal_commas_of_the_locale_are_read(wave):
+    before = QLocale()
     QLocale.setDefault(QLocale(QLocale.Language.German))
     try:
         wave.paste_text("4,5 0,25")
         wave.key(Qt.Key.Key_V, CTRL)
     finally:
-        QLocale.setDefault(QLocale.c())
+        QLocale.setDefault(before)
     assert wave.point(4) == (4.5, 0.25)
 
 
