@@ -101,9 +101,9 @@ def pen(editor):
     return editor
 
 
-@pytest.fixture
-def point_locale():
-    """Decimal points, whatever the machine's locale is."""
+@pytest.fixture(autouse=True)
+def _decimal_points():
+    """Have decimal points, whatever the machine's locale is; tests of other locales set them."""
     before = QLocale()
     QLocale.setDefault(QLocale.c())
     yield

@@ -15,8 +15,6 @@ from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session
 from app.workbench.form_edits import FormEdits
 
-pytestmark = pytest.mark.usefixtures("point_locale")
-
 POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
 
 

@@ -72,7 +72,7 @@ def test_a_key_mirrors_all_points_about_the_middle_of_the_curve(two, key, axis, 
 
 @pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0, 120.0, 180.0, -90.0])
 @pytest.mark.parametrize("flips", ["Horizontally", "Vertically"])
-def test_a_mirror_image_is_no_rotation(two, degrees, flips, point_locale):
+def test_a_mirror_image_is_no_rotation(two, degrees, flips):
     """The angle was 180 or noise; a mirror image leans as far to the other side, and turns on from there."""
     choose_both(two)
     two.trigger("openTransform")
@@ -91,7 +91,7 @@ def test_a_mirror_image_is_no_rotation(two, degrees, flips, point_locale):
     assert points(two) - points(two)[0] == pytest.approx(before, abs=CLOSE)
 
 
-def test_mirror_images_both_ways_turn_nothing(two, point_locale):
+def test_mirror_images_both_ways_turn_nothing(two):
     """Half a turn was told: 180 for what stood at 0, and −165 for what stood at 15."""
     choose_both(two)
     two.trigger("openTransform")

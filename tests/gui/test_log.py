@@ -201,7 +201,7 @@ def test_a_disk_that_refuses_stops_nothing(tmp_path, capsys):
         logging.getLogger(NAME).info("lost")
         file.close()
     (tmp_path / "file").touch()
-    with pytest.raises(OSError, match="exists"):
+    with pytest.raises(FileExistsError):
         LogFile(tmp_path / "file")
     assert capsys.readouterr() == ("", "")
 

@@ -24,7 +24,6 @@ from tests.waiting import until
 
 Role = Qt.ItemDataRole
 T, X, Y, VX, VY, AX, AY, JX, JY = range(9)
-pytestmark = pytest.mark.usefixtures("point_locale")
 
 SEPTIC_HERMITE = FAMILIES.named("septic_hermite")
 WIDTH = len(columns_of(derivatives=0))

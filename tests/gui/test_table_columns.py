@@ -20,8 +20,6 @@ from app.features.point_table.edits import passed_over
 from app.view_model.points import point_columns as columns
 from app.view_model.points.point_columns import Column
 
-pytestmark = pytest.mark.usefixtures("point_locale")
-
 Key, Role = Qt.Key, Qt.ItemDataRole
 CTRL = Qt.KeyboardModifier.ControlModifier
 

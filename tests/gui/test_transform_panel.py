@@ -24,7 +24,7 @@ EXACT = 1e-11
 
 
 @pytest.fixture
-def leaf(editor, point_locale):
+def leaf(editor):
     """A curve in millimetres with a stroke of 2 mm, another one below, and the panel."""
     one = replace(make_curve(POINTS, name="Leaf", family=HERMITE), style=Style(width=2.0))
     two = make_curve([(0, -20), (20, -10), (40, -20)], name="Base", family=HERMITE)
