@@ -275,7 +275,7 @@ sys.stdin.read()
 
 # Kills itself at line k of the modules that write, for every k, in a child of its own.
 KILLED_AT_EVERY_STEP = """
-import os, signal, sys
+import gc, os, signal, sys
 from pathlib import Path
 from app.storage.format import encode
 from app.document.model import Document, make_curve
@@ -303,6 +303,13 @@ def run(folder, last, begin):
     sys.settrace(trace)
     file.write(new, Origin())
     os._exit(0)
+
+# What is imported when it is first wanted, each child would import again, or look through it for garbage.
+warm = SnapshotFile(Path(sys.argv[1]) / "warm")
+warm.write(old, Origin())
+warm.leave()
+gc.disable()
+gc.freeze()
 
 for begin in ("first", "again"):
     outcomes, step, ended = set(), 0, False
