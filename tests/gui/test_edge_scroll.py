@@ -76,7 +76,7 @@ def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch, wh
     arch.press(start)
     place = edge(arch, "right", 20)
     move_to(arch, place)
-    until(lambda: left_edge(arch) > seen + 3.0)
+    until(lambda: left_edge(arch) > seen + 1.0)
     # What is dragged has gone along, with no further event of the mouse.
     canvas = arch.window.canvas
     arch.settle()
