@@ -395,7 +395,7 @@ def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor):
         editor.send(panel, QEvent.Type.MouseMove, start + QPointF(8, 0))
         editor.settle()
         layouts.count = 0
-        for step in range(20):
+        for step in range(10):
             editor.send(panel, QEvent.Type.MouseMove, start + QPointF(8 + step, 0))
             panel.viewport().repaint()
             QApplication.processEvents()
