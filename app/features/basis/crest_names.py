@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QSizeF, QTimer
-from PySide6.QtGui import QFontMetricsF, QPainter, QPixmap
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
@@ -78,6 +78,19 @@ class Room(NamedTuple):
     kinds: list[int]
     floor: float
     scale: float
+
+
+def room_above(font: QFont, scale: float) -> float:
+    """Return how much height in pixels a number above its crest takes."""
+    return _size_of_number(font, scale).height() + _GAP
+
+
+def _size_of_number(font: QFont, scale: float) -> QSizeF:
+    """Return the size of a number of two digits with its halo of paper."""
+    metrics, rim = QFontMetricsF(font), _RIM * scale
+    # Even numbers of pixels: their middles are whole, and letters are sharp.
+    width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
+    return QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
 
 
 class CrestNames:
@@ -200,10 +213,7 @@ class CrestNames:
         measured = (painter.font().key(), scale)
         if measured != self._measured:
             self._measured = measured
-            metrics, rim = QFontMetricsF(painter.font()), _RIM * scale
-            # Even numbers of pixels: their middles are whole, and letters are sharp.
-            width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
-            self._cell = QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
+            self._cell = _size_of_number(painter.font(), scale)
 
 
 class Lines:

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
@@ -24,7 +24,7 @@ from ...plotting.stamps import Stamps
 from ...view_model.basis.basis_view import BasisView
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.look.line_styles import KIND_DASHES
-from .crest_names import CrestNames
+from .crest_names import CrestNames, room_above
 from .function_lines import FunctionDrawing, FunctionLines, way_to_draw
 
 _RAIL_HEIGHT = 34.0
@@ -83,10 +83,17 @@ class FunctionLayer(Layer):
         if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.shown_of(self.kinds)
-            painter.setFont(self.fonts.less(1.5, self.scale))
+            painter.setFont(self._number_font())
             self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
         else:
             self._paint_together(painter, self._basis)
+
+    def _number_font(self) -> QFont:
+        return self.fonts.less(1.5, self.scale)
+
+    def room_above(self) -> float:
+        """Return how much height in pixels a number above its crest takes."""
+        return room_above(self._number_font(), self.scale)
 
     def _paint_levels(self, painter: QPainter, shown: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)

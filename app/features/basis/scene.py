@@ -13,6 +13,7 @@ from ...view_model.curve.curve_view import CurveView
 from .layers import FunctionLayer, RailLayer, rail_height
 
 _CALM_RANGE = (-0.5, 1.2)
+_MOST_ROOM = 0.2  # for numbers above the functions, of the height that these have
 _PADDING = 0.035
 _WHAT = "The basis functions"
 
@@ -155,14 +156,20 @@ class BasisScene(QObject):
     def show_values(self) -> None:
         """Map the range of values to the part of the plot area above the rail."""
         low, high = self._values
+        if self._values == _CALM_RANGE:
+            # The functions of points are 1 at their crests: their numbers have room above, in any font.
+            room = min(self.functions.room_above() / self._height_above_rail(), _MOST_ROOM)
+            high = max(high, (1.0 - room * low) / (1.0 - room))
         self._plot.getAxis("left").set_least(low)
         self._box.setYRange(low - self._rail_share() * (high - low), high, padding=0)
         self._report_extent()
 
     def _rail_share(self) -> float:
         """Return the height of the rail as a share of what is left for the functions."""
-        rail, height = rail_height(self.rail.scale), float(self._box.rect().height())
-        return rail / max(height - rail, 1.0)
+        return rail_height(self.rail.scale) / self._height_above_rail()
+
+    def _height_above_rail(self) -> float:
+        return max(float(self._box.rect().height()) - rail_height(self.rail.scale), 1.0)
 
     def _report_extent(self) -> None:
         extent = self.basis.extent(self.functions.kinds) if self.basis is not None else None
