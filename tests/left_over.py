@@ -160,7 +160,8 @@ class Before:
 
     def left_over(self) -> list[str]:
         """Return what is new or has changed, in words, and clean it up."""
-        found = []
+        # First of all: what has ended is told by events, and stops timers.
+        found = self._threads()
         core, application = _qt()
         values = VALUES
         if application is not None:
@@ -168,7 +169,6 @@ class Before:
             found += self._windows()
             found += self._timers()
             values = VALUES | _qt_values(core, application)
-        found += self._threads()
         found += self._processes()
         before = self.values | self.qt_values
         for name, value in values.items():
