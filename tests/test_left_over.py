@@ -176,7 +176,7 @@ def planted(tmp_path_factory):
     (folder / "pytest.ini").write_text("[pytest]\nqt_api = pyside6\n")
     options = ("-p", "tests.left_over", "-p", "no:cacheprovider", "-c", str(folder / "pytest.ini"))
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-n0", "--tb=short", *options, str(folder)],
+        [sys.executable, "-m", "pytest", "-q", "-n0", "--tb=short", "--color=no", *options, str(folder)],
         cwd=ROOT,
         capture_output=True,
         text=True,

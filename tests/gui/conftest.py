@@ -32,6 +32,8 @@ _kept = KeptEditor()
 def pytest_configure(config):
     """Let the kept window hear of tests in other folders, too."""
     config.pluginmanager.register(_kept)
+    # Windows that are kept for a module are built outside of `_decimal_points`.
+    QLocale.setDefault(QLocale.c())
 
 
 def pytest_itemcollected(item):
