@@ -263,8 +263,7 @@ class Actions(QObject):
 
     def _check(self, on: set[str]) -> None:
         for name in self._switches:
-            if self._actions[name].isChecked() != (name in on):
-                self._actions[name].setChecked(name in on)
+            self._actions[name].setChecked(name in on)
         if on != self._on:
             self._on = on
             self.switched.emit()
