@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -57,7 +58,7 @@ def test_of_another_kind():
 @pytest.mark.time_limit(0)
 def test_without_a_limit():
     import time
-    time.sleep(1.5)
+    time.sleep(0.7)
 """
 
 
@@ -65,8 +66,10 @@ def test_without_a_limit():
 def planted(tmp_path_factory):
     folder = tmp_path_factory.mktemp("planted")
     (folder / "test_planted.py").write_text(PLANTED)
-    (folder / "pytest.ini").write_text("[pytest]\nfaulthandler_timeout = 1\n")
+    (folder / "pytest.ini").write_text("[pytest]\nfaulthandler_timeout = 0.5\n")
     options = (
+        "-p",
+        "xdist",
         "-p",
         "tests.time_limit",
         "-p",
@@ -78,6 +81,8 @@ def planted(tmp_path_factory):
     return subprocess.run(
         [sys.executable, "-m", "pytest", "-n", "2", *options, str(folder)],
         cwd=ROOT,
+        # Six processes start, one for each that ends: without plugins that none of them needs.
+        env={**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         text=True,
         check=False,

@@ -89,7 +89,8 @@ def test_what_takes_too_long_is_stopped(children):
 
 
 LINE = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 1 2 2 3 0"/></svg>'
-SLOW = """import time
+SLOW = """import sys
+import time
 from app.exchange.svg.reader import read_svg
 
 def work(seconds):
@@ -97,21 +98,22 @@ def work(seconds):
     while time.process_time() - began < seconds:
         pass
 
-work(0.5)
+if "pytest" not in sys.modules:
+    work(0.3)
 
 def sleeping(data, tolerance):
-    time.sleep(0.7)
+    time.sleep(0.4)
     return read_svg(data, tolerance)
 
 def working(data, tolerance):
-    work(0.2)
+    work(0.1)
     return read_svg(data, tolerance)
 """
 
 
 @pytest.fixture
 def slow_reader(tmp_path, monkeypatch):
-    """Readers that sleep for 0.7 s or work for 0.2 s; they need 0.5 s of the processor to be imported."""
+    """Readers that sleep for 0.4 s or work for 0.1 s; a child needs 0.3 s of the processor to import them."""
     (tmp_path / "slow_reader.py").write_text(SLOW)
     monkeypatch.syspath_prepend(tmp_path)
     yield import_module("slow_reader")
@@ -122,7 +124,7 @@ def test_neither_the_start_nor_other_programs_count(slow_reader, children):
     """Beside eight busy programs, eleven of nineteen icons took longer than 10 s, as the clock says."""
     told = []
     found = limited(
-        slow_reader.sleeping, LINE, None, seconds=0.4, report=lambda share, _word: told.append(share)
+        slow_reader.sleeping, LINE, None, seconds=0.2, report=lambda share, _word: told.append(share)
     )
     assert len(found.document.curves) == 1
     assert len(children) == 1
@@ -145,7 +147,7 @@ def test_one_process_reads_one_drawing_after_the_other(slow_reader, children):
         with pytest.raises(ExchangeError, match="must begin with M"):
             process.read(read_svg, LINE.replace(b"M", b"L"), None)
         for _drawing in range(3):
-            process.read(slow_reader.working, LINE, None, seconds=0.5)
+            process.read(slow_reader.working, LINE, None, seconds=0.25)
         assert len(children) == 1
 
 
