@@ -32,16 +32,17 @@ def spline(x: str) -> str:
 
 
 DIGITS = "1" * 1_000_000
+ROWS = 200_000
 
 LARGE: dict[str, Callable[[], bytes]] = {
     "nested.curve.json": lambda: document(x="[" * 100_000),
     "nested_objects.curve.json": lambda: document(name='{"a":' * 100_000),
     "million_digits.curve.json": lambda: document(x=DIGITS),
     "million_digit_version.curve.json": lambda: document(version=DIGITS),
-    "million_points.curve.json": lambda: document(
-        points=", ".join(f'{{"x": {i}.0, "y": 0.5}}' for i in range(1_000_000))
+    "very_many_points.curve.json": lambda: document(
+        points=", ".join(f'{{"x": {i}.0, "y": 0.5}}' for i in range(ROWS))
     ),
-    "bad_last_row.csv": lambda: b"x,y\n" + b"0.125,0.25\n" * 1_000_000 + b"0.5;1\n",
+    "bad_last_row.csv": lambda: b"x,y\n" + b"0.125,0.25\n" * ROWS + b"0.5;1\n",
     "one_long_line.csv": lambda: b"1," * 2_000_000,
     "million_digits.csv": lambda: b"x,y\n0,1\n" + DIGITS.encode() + b",2\n",
     "many_elements.svg": lambda: svg("<g/>" * 10_001),
