@@ -8,6 +8,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 
+from app.actions.keymap import is_so_already, why_not
+
 
 def names(editor):
     """The names of all curves, as one word."""
@@ -65,3 +67,29 @@ def picture(path, width=60, height=80, colour="#ff0000"):
     image.fill(QColor(colour))
     assert image.save(str(path))
     return path
+
+
+def shown_by_actions(actions):
+    """Return what each action shows, by its name; of those whose menu has told more, nothing."""
+    return {
+        name: (
+            action.isEnabled(),
+            action.isChecked(),
+            action.text(),
+            action.toolTip(),
+            why_not(action),
+            is_so_already(action),
+        )
+        for name, action in actions._actions.items()
+        if name not in actions._opened
+    }
+
+
+def assert_actions_as_rendered_anew(editor):
+    """Raise unless the actions are as they are when all facts are asked again."""
+    actions = editor.window.actions_by_name
+    before = shown_by_actions(actions)
+    actions._sort_out()
+    actions.render()
+    after = shown_by_actions(actions)
+    assert before == {name: after[name] for name in before}

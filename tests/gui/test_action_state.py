@@ -4,54 +4,15 @@ import random
 
 import pytest
 from msgspec.structs import replace
-from test_random_use import random_person
 
 from app.actions.derived import Derived, changed_facts
-from app.actions.keymap import is_so_already, why_not
 from app.actions.needs import NOTHING
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.tools.canvas.add import ADD
 from app.window.connect import all_actions
 from tests.count_drag import codes_called
-
-STEPS = 70
-
-
-def told(actions):
-    """Return what each action shows, by its name; of those whose menu has told more, nothing."""
-    return {
-        name: (
-            action.isEnabled(),
-            action.isChecked(),
-            action.text(),
-            action.toolTip(),
-            why_not(action),
-            is_so_already(action),
-        )
-        for name, action in actions._actions.items()
-        if name not in actions._opened
-    }
-
-
-def assert_as_rendered_anew(editor):
-    """Raise unless the actions are as they are without the shortcut."""
-    actions = editor.window.actions_by_name
-    before = told(actions)
-    actions._sort_out()
-    actions.render()
-    after = told(actions)
-    assert before == {name: after[name] for name in before}
-
-
-@pytest.mark.parametrize("seed", [3, 4])
-def test_actions_are_always_as_if_rendered_anew(qtbot, tmp_path, seed):
-    (tmp_path / "files").mkdir()
-    with random_person(qtbot, seed, tmp_path / "files", tmp_path / "steps.txt") as person:
-        for _ in range(STEPS):
-            person.step()
-            assert_as_rendered_anew(person.editor)
-
+from tests.gui.editor_facts import assert_actions_as_rendered_anew
 
 WAVE = make_curve([(0, 0), (1, 1), (2, 0), (3, 1)], name="Wave", family=HERMITE)
 LINE = make_curve([(0, 3), (3, 4)], name="Line")
@@ -110,7 +71,7 @@ def test_actions_are_as_if_rendered_anew_after_each_edit(editor):
     for _ in range(150):
         choose.choice(deeds)()
         editor.settle()
-        assert_as_rendered_anew(editor)
+        assert_actions_as_rendered_anew(editor)
 
 
 def predicates():

@@ -27,12 +27,13 @@ from app.session import Session
 from app.storage.format import decode, encode
 from app.testing import Editor
 from app.window import MainWindow
+from tests.gui.editor_facts import assert_actions_as_rendered_anew
 from tests.gui.family_files import forget_family_files
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = int(os.environ.get("CURVEBENCH_RANDOM_SEED", "1"))
 MINUTES = float(os.environ.get("CURVEBENCH_RANDOM_MINUTES", "0"))
-STEPS = int(os.environ.get("CURVEBENCH_RANDOM_STEPS", "400" if MINUTES else "100"))
+STEPS = int(os.environ.get("CURVEBENCH_RANDOM_STEPS", "400" if MINUTES else "140"))
 ROUND_TRIP_EVERY = 25
 PATIENCE = 90
 """Seconds after which a step is taken to hang."""
@@ -172,6 +173,7 @@ def use(qtbot, seed, folder, log, faults, odd_values) -> None:
             with patience(log):
                 person.step()
             faults.check()
+            assert_actions_as_rendered_anew(person.editor)
             assert_sound(person.editor, odd_values)
             if number % ROUND_TRIP_EVERY == 0 and not person.editor.session.is_previewing:
                 assert_history_is_exact(person.editor.session)
