@@ -66,7 +66,8 @@ def test_without_a_limit():
 def planted(tmp_path_factory):
     folder = tmp_path_factory.mktemp("planted")
     (folder / "test_planted.py").write_text(PLANTED)
-    (folder / "pytest.ini").write_text("[pytest]\nfaulthandler_timeout = 0.5\n")
+    (folder / "pytest.ini").write_text("[pytest]\n")
+    (folder / "conftest.py").write_text("from tests import time_limit\n\ntime_limit.LIMIT_S = 0.5\n")
     options = (
         "-p",
         "xdist",

@@ -4,22 +4,55 @@ A phase that exceeds it ends its process with the traceback of all threads; pyte
 the failure of that test and goes on in a new process. The thread that watches is one of C: it needs neither
 the interpreter nor an event loop that comes back.
 
-The limit is pytest's own option ``faulthandler_timeout``, for a test with the marker ``time_limit(seconds)``
-the marker's; 0 is none. pytest itself sets it once a test, and takes it back as soon as something has failed:
-the teardown of a failed test could last for ever.
+The limit is `LIMIT_S`, for a test with the marker ``time_limit(seconds)`` the marker's; 0 is none. pytest's
+own ``faulthandler_timeout`` has another thread for each test, and takes it back as soon as something has
+failed: the teardown of a failed test could last for ever.
 """
 
 from __future__ import annotations
 
 import faulthandler
+import math
 import os
-from collections.abc import Iterator
-from contextlib import contextmanager
+import time
 
 import pytest
 from _pytest.faulthandler import get_stderr_fileno
 
+LIMIT_S = 600.0
+"""For what hangs, on a machine with any load."""
+
+_SHARE = 0.1
+"""Part of the limit that earlier phases of a test may use of it.
+
+To end one thread and to start the next one takes some milliseconds of a busy machine.
+"""
+
 _descriptor = pytest.StashKey[int]()
+
+
+class Watchdog:
+    """The thread that watches, and how long it has watched."""
+
+    def __init__(self) -> None:
+        self._began = -math.inf
+
+    def begin_phase(self, item: pytest.Item) -> None:
+        """Let the limit count from now on, unless it has done so for a moment only."""
+        marker = item.get_closest_marker("time_limit")
+        seconds = marker.args[0] if marker else LIMIT_S
+        now = time.monotonic()
+        if seconds > 0.0 and now - self._began > _SHARE * seconds:
+            self._began = now
+            faulthandler.dump_traceback_later(seconds, exit=True, file=item.config.stash[_descriptor])
+
+    def end(self) -> None:
+        """Take the limit back; the next phase has one of its own."""
+        faulthandler.cancel_dump_traceback_later()
+        self._began = -math.inf
+
+
+watchdog = Watchdog()
 
 
 def pytest_configure(config):
@@ -32,33 +65,29 @@ def pytest_unconfigure(config):
     os.close(config.stash[_descriptor])
 
 
-@contextmanager
-def _limited(item: pytest.Item) -> Iterator[None]:
-    marker = item.get_closest_marker("time_limit")
-    seconds = marker.args[0] if marker else float(item.config.getini("faulthandler_timeout") or 0.0)
-    if seconds > 0.0:
-        faulthandler.dump_traceback_later(seconds, exit=True, file=item.config.stash[_descriptor])
-    else:
-        faulthandler.cancel_dump_traceback_later()
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol():
     try:
-        yield
+        return (yield)
     finally:
-        faulthandler.cancel_dump_traceback_later()
+        watchdog.end()
 
 
-@pytest.hookimpl(wrapper=True, tryfirst=True)
+@pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item):
-    with _limited(item):
-        return (yield)
+    watchdog.begin_phase(item)
 
 
-@pytest.hookimpl(wrapper=True, tryfirst=True)
+@pytest.hookimpl(tryfirst=True)
 def pytest_runtest_call(item):
-    with _limited(item):
-        return (yield)
+    watchdog.begin_phase(item)
 
 
-@pytest.hookimpl(wrapper=True, tryfirst=True)
+@pytest.hookimpl(tryfirst=True)
 def pytest_runtest_teardown(item):
-    with _limited(item):
-        return (yield)
+    watchdog.begin_phase(item)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_exception_interact():
+    watchdog.end()  # pytest has taken the limit back

@@ -29,6 +29,7 @@ from app.testing import Editor
 from app.window import MainWindow
 from tests.gui.editor_facts import assert_actions_as_rendered_anew
 from tests.gui.family_files import forget_family_files
+from tests.time_limit import watchdog
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = int(os.environ.get("CURVEBENCH_RANDOM_SEED", "1"))
@@ -139,7 +140,7 @@ def patience(log: Path):
         try:
             yield
         finally:
-            faulthandler.cancel_dump_traceback_later()
+            watchdog.end()
 
 
 @contextmanager
