@@ -27,7 +27,7 @@ class Cubics(NamedTuple):
     breaks
         Where they join, (k,).
     coefficients
-        Of the powers of the share of each interval, (4, k - 1, dim).
+        Of the powers of the share of each interval, (4, dim, k - 1).
     """
 
     breaks: FloatArray
@@ -43,9 +43,8 @@ class Cubics(NamedTuple):
         at = breaks[:-1, None] + np.diff(breaks)[:, None] * _THIRDS[:3]
         values = curve.evaluate(np.append(at.reshape(-1), breaks[-1]))
         starts = 3 * np.arange(len(breaks) - 1)
-        return cls(
-            breaks, np.stack([np.tensordot(row, values[starts + np.arange(4)[:, None]], 1) for row in _CUBIC])
-        )
+        four = values[starts + np.arange(4)[:, None]]
+        return cls(breaks, np.stack([np.tensordot(row, four, 1).T for row in _CUBIC]))
 
     def feet(self, points: FloatArray, t: FloatArray, *, holds_ends: bool) -> FloatArray:
         """Return parameters nearer to those of the feet: steps of Gauss and Newton, where data come nearer.
@@ -58,25 +57,27 @@ class Cubics(NamedTuple):
             Whether the first and the last datum stay where they are.
         """
         furthest = 0.5 * float(np.diff(self.breaks).max())
-        off, velocity = self._state(t, points)
-        distance = (off * off).sum(axis=1)
+        # By coordinates: rows of two numbers would each cost as much as a row of hundreds.
+        data = np.ascontiguousarray(points.T)
+        off, velocity = self._state(t, data)
+        distance = (off * off).sum(axis=0)
         for _ in range(_STEPS):
-            step = np.nan_to_num((off * velocity).sum(axis=1) / (velocity * velocity).sum(axis=1))
+            step = np.nan_to_num((off * velocity).sum(axis=0) / (velocity * velocity).sum(axis=0))
             if holds_ends:
                 step[[0, -1]] = 0.0
             there = np.clip(t - np.clip(step, -furthest, furthest), self.breaks[0], self.breaks[-1])
-            rest, ahead = self._state(there, points)
-            length = (rest * rest).sum(axis=1)
+            rest, ahead = self._state(there, data)
+            length = (rest * rest).sum(axis=0)
             is_nearer = length < distance
             t, distance = np.where(is_nearer, there, t), np.where(is_nearer, length, distance)
-            off = np.where(is_nearer[:, None], rest, off)
-            velocity = np.where(is_nearer[:, None], ahead, velocity)
+            off = np.where(is_nearer, rest, off)
+            velocity = np.where(is_nearer, ahead, velocity)
         return t
 
-    def _state(self, t: FloatArray, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return where the curve lies from the data, and its velocity, each (m, dim)."""
+    def _state(self, t: FloatArray, data: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return where the curve lies from the data, and its velocity, each (dim, m) like the data."""
         piece = np.searchsorted(self.breaks[1:-1], t, side="right")
-        length = np.diff(self.breaks)[piece, None]
-        x = (t[:, None] - self.breaks[piece, None]) / length
-        a, b, c, d = self.coefficients[:, piece]
-        return a + x * (b + x * (c + x * d)) - points, (b + x * (2.0 * c + x * 3.0 * d)) / length
+        length = np.diff(self.breaks)[piece]
+        x = (t - self.breaks[piece]) / length
+        a, b, c, d = self.coefficients.take(piece, axis=-1)
+        return a + x * (b + x * (c + x * d)) - data, (b + x * (2.0 * c + x * 3.0 * d)) / length
