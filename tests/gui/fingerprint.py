@@ -21,11 +21,12 @@ _PLAIN = (bool, int, float, str, bytes, type(None), enum.Enum, PurePath)
 
 _ABSENT = object()
 
-_MANY = 20
-"""Size of collections of which it is remembered what was told."""
-
 _OUR_NAMES = QRegularExpression("^(?!qt_|_q_|ScrollLeftButton$|ScrollRightButton$).")
 """Not those of Qt: the last two are what a row of tabs is scrolled with, as wide as it was last."""
+
+# Looked up once: for every name that is asked of one of its classes Qt for Python looks for features.
+_object_name, _is_checked, _is_enabled = QObject.objectName, QAction.isChecked, QAction.isEnabled
+_is_visible, _text, _shortcut = QAction.isVisible, QAction.text, QAction.shortcut
 
 _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySide6", "shiboken6", "Shiboken"}
 
@@ -169,45 +170,10 @@ class _Record:
 _records: dict[int, _Record] = {}
 
 
-class _Listed:
-    """What is told of a collection of records, found out once for as long as it holds these.
-
-    Attributes
-    ----------
-    told
-        What is told of all of them; None where not all are records.
-    others
-        What they refer to beside that, with the places.
-    """
-
-    def __init__(self, value: Collection[object], kind: _Kind) -> None:
-        # Its id is its own as long as it lives.
-        self._value, self._is_dict = value, kind.is_dict
-        self._keys, self._items = self._parts()
-        self.told: tuple[object, ...] | None = None
-        self.others: list[tuple[str, object]] = []
-        if all(_kind_of(each).is_record for each in self._items):
-            records = [(key, _record_of(each)) for key, each in zip(self._keys, self._items, strict=True)]
-            self.told = tuple((key, record.told) for key, record in records)
-            self.others = [(f".{key}{at}", each) for key, record in records for at, each in record.others]
-
-    def _parts(self) -> tuple[list[object], list[object]]:
-        value = self._value
-        return (list(value), list(value.values())) if self._is_dict else ([*range(len(value))], list(value))
-
-    def holds(self) -> bool:
-        """Whether it is what it was."""
-        keys, items = self._parts()
-        return keys == self._keys and all(map(is_, items, self._items))
-
-
-_listed: dict[int, _Listed] = {}
-
-
 def forget() -> None:
     """Let go of the records that were told of, and of the windows that these refer to."""
     _records.clear()
-    _listed.clear()
+    _visits.clear()
 
 
 def _record_of(value: object) -> _Record:
@@ -215,6 +181,89 @@ def _record_of(value: object) -> _Record:
     if record is None:
         record = _records[id(value)] = _Record(value)
     return record
+
+
+class _Visit:
+    """What was told of an object or a collection, for as long as all that it refers to is the same.
+
+    Attributes
+    ----------
+    told
+        What is told of it and of what never changes in it, by the places.
+    others
+        What it refers to beside that: the places, the objects, and their kinds.
+    """
+
+    def __init__(self, place: str, value: object, kind: _Kind) -> None:
+        # Its id is its own as long as it lives.
+        self._place, self._value = place, value
+        self._keys, self._items = _parts_of(value, kind)
+        self.told: dict[str, object] = {}
+        self.others: list[tuple[str, object, _Kind]] = []
+
+    def holds(self, place: str, value: object, kind: _Kind) -> bool:
+        keys, items = _parts_of(value, kind)
+        return (
+            self._place == place
+            and len(items) == len(self._items)
+            and keys == self._keys
+            and all(map(is_, items, self._items))
+        )
+
+
+def _parts_of(value: object, kind: _Kind) -> tuple[list[object], list[object]]:
+    """Return what `value` refers to, and by which names where these are its own."""
+    if kind.is_dict:
+        return list(value), list(value.values())
+    if not kind.is_ours:
+        return [], list(value)
+    own = getattr(value, "__dict__", {})
+    return list(own), [*[getattr(value, name, None) for name in kind.names], *own.values()]
+
+
+_visits: dict[int, _Visit] = {}
+
+
+def _look_at(visit: _Visit, place: str, value: object, kind: _Kind) -> None:
+    if kind.is_plain:
+        visit.told[place] = value
+    elif kind.is_function:
+        visit.told[place] = value.__qualname__
+    elif kind.is_of_tests:
+        # In place of something of ours, or of the library's: a clock, for one.
+        visit.told[place] = kind.name
+    elif kind.is_record:
+        record = _record_of(value)
+        visit.told[place] = record.told
+        for within, each in record.others:
+            _look_at(visit, f"{place}{within}", each, _kind_of(each))
+    elif kind.type is tuple and not value:
+        # One object, wherever it stands.
+        visit.told[f"{place}.count"] = 0
+    else:
+        visit.others.append((place, value, kind))
+
+
+def _look_at_items(visit: _Visit, place: str, value: Collection[object], kind: _Kind) -> None:
+    visit.told[f"{place}.count"] = len(value)
+    for key, each in value.items() if kind.is_dict else enumerate(value):
+        known = _kind_of(each)
+        if not known.is_opaque and (not kind.is_dict or isinstance(key, _PLAIN)):
+            _look_at(visit, f"{place}.{key}", each, known)
+
+
+def _look_at_ours(visit: _Visit, place: str, value: object, kind: _Kind) -> None:
+    visit.told[f"{place}.type"] = kind.name
+    for name in kind.names:
+        each = getattr(value, name, None)
+        known = _kind_of(each)
+        if not known.is_opaque:
+            _look_at(visit, f"{place}.{name}", each, known)
+    for name, each in getattr(value, "__dict__", {}).items():
+        known = _kind_of(each)
+        # What the class says of all is not told of each.
+        if not known.is_opaque and name not in kind.passing and each is not kind.said_of_all(name):
+            _look_at(visit, f"{place}.{name}", each, known)
 
 
 class Fingerprint:
@@ -228,20 +277,21 @@ class Fingerprint:
 
     def __init__(self, window: QWidget) -> None:
         self.told: dict[str, object] = {}
-        # Objects, not their ids alone: an id is free for another one as soon as its owner has gone.
-        self._seen: dict[int, object] = {}
         self._window = window
+        self._seen: set[int] = set()
         self._walk("window", window, _kind_of(window))
+        for each in _visits.keys() - self._seen:
+            del _visits[each]
         # Together: to look for children takes long, and hardly longer for all than for some.
         for child in window.findChildren(QObject, _OUR_NAMES):
             if isinstance(child, QAction):
-                self.told[f"action {child.objectName()}"] = (
-                    child.isChecked(),
-                    child.isEnabled(),
-                    child.isVisible(),
+                self.told[f"action {_object_name(child)}"] = (
+                    _is_checked(child),
+                    _is_enabled(child),
+                    _is_visible(child),
                     # The letters that are underlined are given out when a menu opens.
-                    child.text().replace("&", ""),
-                    child.shortcut().toString(),
+                    _text(child).replace("&", ""),
+                    _shortcut(child).toString(),
                 )
             elif isinstance(child, QWidget):
                 self._tell_widget(child)
@@ -258,67 +308,22 @@ class Fingerprint:
             self.told[f"widget {name}"] = self._told_of(widget)
 
     def _walk(self, place: str, value: object, kind: _Kind) -> None:
-        if kind.is_plain:
-            self.told[place] = value
-        elif kind.is_function:
-            self.told[place] = value.__qualname__
-        elif kind.is_set:
+        """Tell of what may change though it stays the same object."""
+        if kind.is_set:
             self.told[place] = len(value)
-        elif kind.is_of_tests:
-            # In place of something of ours, or of the library's: a clock, for one.
-            self.told[place] = kind.name
-        elif kind.is_record:
-            self._walk_record(place, _record_of(value))
-        elif kind.type is tuple and not value:
-            # One object, wherever it stands.
-            self.told[f"{place}.count"] = 0
         elif id(value) not in self._seen:
-            self._seen[id(value)] = value
-            if kind.is_ours:
-                self._walk_ours(place, value, kind)
-            else:
-                self._walk_items(place, value, kind)
-
-    def _walk_record(self, place: str, record: _Record) -> None:
-        self.told[place] = record.told
-        self._walk_others(place, record.others)
-
-    def _walk_others(self, place: str, others: list[tuple[str, object]]) -> None:
-        for within, each in others:
-            if id(each) not in self._seen:
-                self._walk(f"{place}{within}", each, _kind_of(each))
-
-    def _walk_items(self, place: str, value: Collection[object], kind: _Kind) -> None:
-        self.told[f"{place}.count"] = len(value)
-        if len(value) > _MANY:
-            known = _listed.get(id(value))
-            if known is None or not known.holds():
-                known = _listed[id(value)] = _Listed(value, kind)
-            if known.told is not None:
-                self.told[place] = known.told
-                self._walk_others(place, known.others)
+            self._seen.add(id(value))
+            if kind.is_ours and kind.is_rendered_anew and not value.isVisibleTo(self._window):
+                # As if it were not there yet.
+                self.told[place] = None
                 return
-        for key, each in value.items() if kind.is_dict else enumerate(value):
-            known = _kind_of(each)
-            if not known.is_opaque and (not kind.is_dict or isinstance(key, _PLAIN)):
-                self._walk(f"{place}.{key}", each, known)
-
-    def _walk_ours(self, place: str, value: object, kind: _Kind) -> None:
-        if kind.is_rendered_anew and not value.isVisibleTo(self._window):
-            # As if it were not there yet.
-            self.told[place] = None
-            return
-        self.told[f"{place}.type"] = kind.name
-        for name in kind.names:
-            each = getattr(value, name, None)
-            known = _kind_of(each)
-            if not known.is_opaque:
-                self._walk(f"{place}.{name}", each, known)
-        for name, each in getattr(value, "__dict__", {}).items():
-            known = _kind_of(each)
-            # What the class says of all is not told of each.
-            if not known.is_opaque and name not in kind.passing and each is not kind.said_of_all(name):
-                self._walk(f"{place}.{name}", each, known)
+            visit = _visits.get(id(value))
+            if visit is None or not visit.holds(place, value, kind):
+                visit = _visits[id(value)] = _Visit(place, value, kind)
+                (_look_at_ours if kind.is_ours else _look_at_items)(visit, place, value, kind)
+            self.told.update(visit.told)
+            for within, each, known in visit.others:
+                self._walk(within, each, known)
 
     @staticmethod
     def _told_of(widget: QWidget) -> tuple[object, ...]:

@@ -70,6 +70,7 @@ class KeptEditor:
         # tests/left_over.py looks for windows that are left over.
         window.setProperty("isKept", True)
         self._curtain = Curtain(window)
+        window.preferences.file._settings.installEventFilter(Unwritten(window))
         self._tool_settings = window.canvas.tools.settings
         self._sketch, self._views = self._editor.session.document, tuple(self._editor.session.views)
         self._docks = window.findChildren(QDockWidget)
@@ -202,7 +203,9 @@ class KeptEditor:
         settings: QSettings = self._editor.window.preferences.file._settings
         if settings.allKeys():
             # Before the rest: they are remembered at once.
-            self._editor.window.context.actions.keymap.reset_all()
+            keymap = self._editor.window.context.actions.keymap
+            if keymap.overrides:
+                keymap.reset_all()
             settings.clear()
             self._editor.window.store.read_preferences()
             # It goes on offering the colours that were used last otherwise.
@@ -299,6 +302,16 @@ class Curtain(QObject):
         self._window.removeEventFilter(self)
         # Qt asks for no paint while a part is marked for one that it has asked for.
         QCoreApplication.postEvent(self._window, QEvent(QEvent.Type.UpdateRequest))
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        return event.type() == QEvent.Type.UpdateRequest
+
+
+class Unwritten(QObject):
+    """What keeps settings from being written to the disk at each change: that waits for the disk four times.
+
+    Other objects of settings with the same file see the changes at once; `sync` writes as ever.
+    """
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         return event.type() == QEvent.Type.UpdateRequest
