@@ -11,12 +11,13 @@ import time
 
 from PySide6.QtCore import QEventLoop, QMetaObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
 
 WAIT_S = 60.0
 """Seconds after which something is taken to hang: many times what the slowest machine needs."""
 
 SHORT_MS = 300
-"""Milliseconds of the slowest timer that is waited for: what follows the hand at a pace of its own."""
+"""Milliseconds of the slowest timer of what follows the hand at a pace of its own."""
 
 
 class ApplicationQuitError(RuntimeError):
@@ -67,34 +68,35 @@ def spin(milliseconds: int) -> None:
 
 
 def wait_for_rest(widget: QWidget, *, up_to_ms: int = SHORT_MS) -> None:
-    """Wait until what follows the hand at a pace of its own has caught up: numbers, panels, the table, discs.
+    """Let what follows the hand at a pace of its own catch up: numbers, panels, the table, discs.
 
-    What has a slower pace than `up_to_ms` is not waited for.
+    The clock is not waited for: single-shot timers of this pace or quicker fire at once, in their order,
+    until none is left. What has a slower pace is left alone.
 
     Raises
     ------
     TimeoutError
-        If it does not within `WAIT_S` seconds.
+        If the window does not come to rest within `WAIT_S` seconds.
     ApplicationQuitError
         If no event loop runs any more.
     """
     deadline = time.monotonic() + WAIT_S
-    while (milliseconds := _milliseconds_to_rest(widget, up_to_ms)) is not None:
+    while timers := _short_timers(widget, up_to_ms):
         if time.monotonic() > deadline:
             raise TimeoutError(f"The window does not come to rest within {WAIT_S:g} s.")
-        spin(max(milliseconds, 1))
+        for timer in timers:
+            # One may go, or be stopped, by what another one does.
+            if isValid(timer) and timer.isActive():
+                timer.stop()
+                timer.timeout.emit()
+        deliver_events()
 
 
-def _milliseconds_to_rest(widget: QWidget, up_to_ms: int) -> int | None:
-    """Return when the last single-shot timer of a quick pace is due that runs now; None if there is none.
-
-    The timers are found anew each time: one may go with the widget that it belongs to.
-    """
-    return max(
-        (
-            timer.remainingTime()
-            for timer in widget.findChildren(QTimer)
-            if timer.isActive() and timer.isSingleShot() and timer.interval() <= up_to_ms
-        ),
-        default=None,
-    )
+def _short_timers(widget: QWidget, up_to_ms: int) -> list[QTimer]:
+    """Return the single-shot timers of a quick pace that run now, the next one first."""
+    timers = [
+        timer
+        for timer in widget.findChildren(QTimer)
+        if timer.isActive() and timer.isSingleShot() and timer.interval() <= up_to_ms
+    ]
+    return sorted(timers, key=QTimer.remainingTime)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QAbstractEventDispatcher, QEvent, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QLabel, QMessageBox
-from shiboken6 import getAllValidWrappers
+from shiboken6 import delete, getAllValidWrappers, isValid
 
 from app.testing import ApplicationQuitError, ImpossibleError, spin, wait_for_rest, waiting
 
@@ -134,20 +134,28 @@ def timers_of_nobody():
     return sum(each.parent() is None for each in timers) + len(QAbstractEventDispatcher.instance().children())
 
 
-def test_a_window_at_rest_is_asked_for_its_timers_once_a_timer(editor, monkeypatch):
-    asked = []
-    find = waiting._milliseconds_to_rest
-    monkeypatch.setattr(waiting, "_milliseconds_to_rest", lambda *them: asked.append(1) or find(*them))
+def test_what_is_due_soon_is_brought_forward_in_its_order_and_what_is_slow_is_left(editor):
     editor.wait_for_rest()
-    asked.clear()
     done = []
-    slow = QTimer(editor.window, singleShot=True, interval=200, timerType=Qt.TimerType.PreciseTimer)
-    slow.timeout.connect(lambda: done.append(1))
-    slow.start()
+    timers = {
+        name: QTimer(editor.window, singleShot=True, interval=interval)
+        for name, interval in (("last", 300), ("slow", 301), ("first", 200), ("never", 250), ("gone", 260))
+    }
+    for name, timer in timers.items():
+        timer.timeout.connect(lambda name=name: done.append(name))
+        timer.start()
+    follower = QTimer(editor.window, singleShot=True, interval=299)
+    follower.timeout.connect(lambda: done.append("follower"))
+    timers["last"].timeout.connect(follower.start)
+    timers["first"].timeout.connect(timers["never"].stop)
+    timers["first"].timeout.connect(lambda: delete(timers["gone"]))
     editor.wait_for_rest()
-    assert done
-    assert len(asked) < 10
-    slow.deleteLater()
+    assert done == ["first", "last", "follower"]
+    assert timers["slow"].isActive()
+    for timer in (follower, *timers.values()):
+        if isValid(timer):
+            timer.stop()
+            timer.deleteLater()
 
 
 def test_what_never_rests_is_told(editor, monkeypatch):
