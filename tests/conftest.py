@@ -56,6 +56,10 @@ settings.register_profile(
 )
 settings.load_profile("curvebench")
 
+# A disk takes some milliseconds for each, beside other programs twenty: no test asks what is left where the
+# power fails. Processes that tests start wait for it.
+os.fsync = os.fstat
+
 _generations = Generations()
 
 _HOMES = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA")

@@ -94,6 +94,8 @@ if __name__ == "__main__":
     # Nor shall each copy what it looks through for garbage.
     gc.disable()
     gc.freeze()
+    # What a killed process has written is there whether or not it is on the disk; this is a step as well.
+    os.fsync = os.fstat
     MIGRATIONS[0] = lambda values: values
     older = encode(OLD).replace(b'"version": 3', b'"version": 0')
     results = {
