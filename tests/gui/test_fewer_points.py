@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QComboBox
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES
-from app.testing import Editor
+from app.features.fitting.commands import FitCommands
+from app.tasks.debounced_task import SETTLE_MS
 from tests.gui.editor_facts import retype
 from tests.waiting import until
 
@@ -17,11 +18,17 @@ ROWS = np.stack([X, np.sin(X)], axis=1)
 
 
 @pytest.fixture
-def editor(qtbot):
-    editor = Editor(qtbot)
+def editor(editor):
     many = make_curve([tuple(row) for row in ROWS.tolist()], family=FAMILIES.named("hermite"))
     editor.session.change("Import", lambda _: Document((many,)))
-    return editor
+    # That it waits for the hand to rest is asked of DebouncedTask.
+    timer = editor.window.commands[FitCommands]._task._timer
+    timer.setInterval(0)
+    yield editor
+    timer.setInterval(SETTLE_MS)
+    # The form goes on with what was given last.
+    if (form := panel(editor)) is not None:
+        form.goal.setCurrentIndex(0)
 
 
 def panel(editor):
@@ -111,9 +118,8 @@ def test_another_curve_is_fitted_when_the_curve_changes(editor):
 
 
 @pytest.fixture
-def long_fit(qtbot):
+def long_fit(editor):
     """An editor that is fitting a curve of 4000 points that follow errors."""
-    editor = Editor(qtbot)
     x = np.linspace(0.0, 6.0, 4000)
     rows = np.stack([x, np.sin(x)], axis=1) + 0.01 * np.random.default_rng(2).normal(size=(4000, 2))
     many = make_curve([tuple(row) for row in rows.tolist()], family=FAMILIES.named("hermite"))
