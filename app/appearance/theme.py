@@ -170,7 +170,9 @@ def _apply(app: QApplication, theme: Theme) -> None:
     palette, sheet = palette_of(theme), style_sheet_of(theme)
     if app.palette() == palette and app.styleSheet() == sheet:
         return  # every widget would be polished again, for nothing
-    if app.style().name().lower() != "fusion":
+    # Under a style sheet the style has no name; under ours it is Fusion, and every widget is polished once.
+    is_ours = app.styleSheet() in map(style_sheet_of, (LIGHT, DARK))
+    if not is_ours and app.style().name().lower() != "fusion":
         app.setStyle(QStyleFactory.create("Fusion"))
     app.setPalette(palette)
     boxes = _palette_of_boxes(theme)

@@ -153,14 +153,18 @@ def type_chord_lengths(editor):
     lengths = np.hypot(*np.diff(points, axis=0).T)
     # From the last to the first, and again: each has to lie between its neighbours as they are then.
     rows = list(enumerate(np.cumsum(lengths)[:-1] / lengths.sum(), start=1))[::-1]
-    for index, t in rows + rows:
-        editor.rail.type(index, f"{t:.3f}")
+    type_missing(editor, [(index, round(t, 3)) for index, t in rows + rows])
+
+
+def type_missing(editor, rows):
+    """Type the parameters that are not there yet."""
+    for index, t in rows:
+        if editor.parameters[index] != t:
+            editor.rail.type(index, f"{t}")
 
 
 def calm_by_hand(editor):
-    for _ in range(2):
-        for index, t in enumerate((0.2, 0.34, 0.48, 0.66, 0.81), start=1):
-            editor.rail.type(index, f"{t}")
+    type_missing(editor, [*enumerate((0.2, 0.34, 0.48, 0.66, 0.81), start=1)] * 2)
 
 
 def press_in_legend(editor, name):

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QIcon, QPalette
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QApplication,
     QCheckBox,
     QComboBox,
     QDialog,
@@ -231,6 +232,15 @@ class Canvas(QWidget):
         if event.type() is QEvent.Type.PaletteChange:
             self.told.append(theme_of(self.palette()))
         super().changeEvent(event)
+
+
+def test_another_theme_sets_the_style_no_second_time(dressed, qtbot, monkeypatch):
+    """Under a style sheet it has no name, and was taken for another one: every widget was polished twice."""
+    set_to = []
+    apply_theme(dressed, ThemeMode.LIGHT)
+    monkeypatch.setattr(QApplication, "setStyle", set_to.append)
+    apply_theme(dressed, ThemeMode.DARK)
+    assert set_to == []
 
 
 def test_applying_switches_open_windows_at_once_and_tells_them(dressed, qtbot):
