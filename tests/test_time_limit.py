@@ -58,7 +58,7 @@ def test_of_another_kind():
 @pytest.mark.time_limit(0)
 def test_without_a_limit():
     import time
-    time.sleep(0.7)
+    time.sleep(1.2)
 """
 
 
@@ -67,7 +67,7 @@ def planted(tmp_path_factory):
     folder = tmp_path_factory.mktemp("planted")
     (folder / "test_planted.py").write_text(PLANTED)
     (folder / "pytest.ini").write_text("[pytest]\n")
-    (folder / "conftest.py").write_text("from tests import time_limit\n\ntime_limit.LIMIT_S = 0.5\n")
+    (folder / "conftest.py").write_text("from tests import time_limit\n\ntime_limit.LIMIT_S = 1.0\n")
     options = (
         "-p",
         "xdist",
@@ -80,9 +80,10 @@ def planted(tmp_path_factory):
         str(folder / "pytest.ini"),
     )
     return subprocess.run(
-        [sys.executable, "-m", "pytest", "-n", "2", *options, str(folder)],
+        # One after the other: tracebacks of two that end at once are written into each other.
+        [sys.executable, "-m", "pytest", "-n", "1", *options, str(folder)],
         cwd=ROOT,
-        # Six processes start, one for each that ends: without plugins that none of them needs.
+        # Five processes start, one for each that ends: without plugins that none of them needs.
         env={**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         text=True,
