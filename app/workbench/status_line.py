@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QStatusBar, QStyle, QStyleOption, QWidget
 
@@ -17,9 +17,6 @@ _READ_MS = 1500
 
 _SOON_MS = 33
 """Milliseconds after which words are written that change with every move: nobody reads faster."""
-
-_SAME_PRESS_MS = 200
-"""A sentence this young was said by the press that begins a gesture: the focus left a field, for instance."""
 
 
 class StatusLine(Guarded, QStatusBar):
@@ -51,9 +48,9 @@ class StatusLine(Guarded, QStatusBar):
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._render)
         self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
-        # A coarse timer would not know a press's own sentence from an older one.
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.clear_message)
+        # It runs until the event is over in which the sentence was said.
+        self._just_said = QTimer(self, singleShot=True, interval=0)
 
     def put_after(self, widget: QWidget) -> None:
         """Put a widget behind the sentence, before all numbers."""
@@ -122,6 +119,7 @@ class StatusLine(Guarded, QStatusBar):
         self._said = text
         self.clearMessage()
         self._timer.start()
+        self._just_said.start()
         self._render()
 
     def refuse(self, text: str) -> None:
@@ -130,9 +128,9 @@ class StatusLine(Guarded, QStatusBar):
         self.say(text)
 
     def begin_gesture(self) -> None:
-        """Put away what was said before this press."""
+        """Put away what was said before this press, not what it made a field say that lost the focus."""
         self.clearMessage()
-        if self._timer.remainingTime() < _SAID_MS - _SAME_PRESS_MS:
+        if not self._just_said.isActive():
             self.clear_message()
 
     def clear_message(self) -> None:

@@ -382,3 +382,14 @@ def test_an_empty_canvas_speaks_of_the_tool_in_hand(editor):
     for tool in said:
         editor.trigger(tool)
         assert editor.message == ""
+
+
+def test_a_press_puts_away_what_was_said_before_it_not_what_it_says_itself(pair):
+    """A cell of the table refuses what was typed when the press takes the focus away, however slowly."""
+    line = pair.window.status_line
+    line.refuse("Not that.")
+    line.begin_gesture()
+    assert pair.status == "Not that."
+    pair.settle()
+    line.begin_gesture()
+    assert pair.status == ""
