@@ -11,12 +11,11 @@ from ..document.model import Vector
 from ..plotting.plot_widget import PlotWidget
 from ..window.main_window import MainWindow
 from .reach import require_enabled, require_reachable, require_under_mouse
-from .waiting import SHORT_MS, deliver_events, spin, wait_for_rest
+from .waiting import SHORT_MS, deliver_events, wait_for_rest, wait_until_visible
 
 _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
-_SUBMENU_MS = 60
 
 
 def type_keys(widget: QWidget, text: str) -> None:
@@ -206,9 +205,8 @@ class InputDriver:
         for entry in way:
             menu = self.menu()
             QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
-            if entry is not way[-1]:
-                # A submenu opens a little later.
-                spin(_SUBMENU_MS)
+            if isinstance(within := entry.menu(), QMenu):
+                wait_until_visible(within)
             self.settle()
 
     def settle(self) -> None:

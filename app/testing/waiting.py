@@ -2,7 +2,7 @@
 
 Qt keeps a flag once the application has been told to quit (`QApplication.exit`) and no `QApplication.exec` is
 there to take it: every later event loop of the thread ends at once. Whoever goes on waiting then handles no
-event; so `spin`, `wait_for_rest` and `deliver_events` raise `ApplicationQuitError`.
+event; so whatever waits here raises `ApplicationQuitError`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ import time
 from PySide6.QtCore import QEventLoop, QMetaObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
+
+from .reach import named
 
 WAIT_S = 60.0
 """Seconds after which something is taken to hang: many times what the slowest machine needs."""
@@ -65,6 +67,23 @@ def spin(milliseconds: int) -> None:
             raise ApplicationQuitError
     finally:
         timer.stop()
+
+
+def wait_until_visible(widget: QWidget) -> None:
+    """Wait until a widget that opens a little later is there, such as a submenu.
+
+    Raises
+    ------
+    TimeoutError
+        If it does not open within `WAIT_S` seconds.
+    ApplicationQuitError
+        If no event loop runs any more.
+    """
+    deadline = time.monotonic() + WAIT_S
+    while not widget.isVisible():
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"{named(widget)} does not open within {WAIT_S:g} s.")
+        spin(1)
 
 
 def wait_for_rest(widget: QWidget, *, up_to_ms: int = SHORT_MS) -> None:
