@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDoubleSpinBox,
+    QFileDialog,
     QLabel,
     QMenu,
     QPushButton,
@@ -29,7 +30,6 @@ from app.document.model import ParametrizationKind
 from app.exchange.drawing.animation import write_film
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.bar import MotionBar
-from app.features.motion.commands import MotionCommands
 from app.features.motion.player import Player
 from app.view_model.animation.motion_picture import OWN
 from tests.waiting import LIMIT, until
@@ -399,9 +399,9 @@ def export(editor, motion, path, **fields):
         box = dialog.findChild(kinds[name], name)
         box.selectAll()
         QTest.keyClicks(box, str(value))
-    stage = editor.window.commands[MotionCommands].stage
-    stage.export.ask_name = lambda _window, _start, _kinds: str(path)
-    QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+        QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
 
 
 def test_a_motion_is_exported(editor, motion, tmp_path):

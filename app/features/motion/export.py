@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog
 
 from ...appearance.theme import theme_of
 from ...exchange.drawing.animation import FilmFormat, write_film
@@ -20,19 +19,12 @@ from .dialog import MotionDialog
 
 
 class MotionExport:
-    """Asks how a motion shall be written, and writes it.
-
-    Attributes
-    ----------
-    ask_name
-        Lets the person choose a file; tests answer themselves.
-    """
+    """Asks how a motion shall be written, and writes it."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._dialog: MotionDialog | None = None
         self._settings = MotionSettings()
-        self.ask_name: Callable[[QWidget, Path, str], str] = _ask_name
 
     def ask(self, settings: MotionSettings) -> None:
         """Let the person say how large and how long."""
@@ -50,7 +42,7 @@ class MotionExport:
         context, ending = self._context, form.ending
         start = context.preferences.last_folder / f"{file_stem(context.session)}{ending}"
         kinds = f"{form.title} (*{ending})"
-        name = self.ask_name(context.window, start, kinds)
+        name, _ = QFileDialog.getSaveFileName(context.window, "Export Motion", str(start), kinds)
         if name:
             path = Path(name)
             self.write(path if path.suffix else path.with_name(path.name + ending), self._film())
@@ -82,7 +74,3 @@ class MotionExport:
             self._context.session.say(f"Wrote {path.name}, {film.frames} frames.")
 
         self._context.work.start(f"Writing {path.name}", work, done, path, "written")
-
-
-def _ask_name(window: QWidget, start: Path, kinds: str) -> str:
-    return QFileDialog.getSaveFileName(window, "Export Motion", str(start), kinds)[0]
