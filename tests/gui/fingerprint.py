@@ -280,6 +280,8 @@ class Fingerprint:
         self._window = window
         self._seen: set[int] = set()
         self._walk("window", window, _kind_of(window))
+        for commands in window.commands._sets.values():
+            self._tell_commands(commands)
         for each in _visits.keys() - self._seen:
             del _visits[each]
         # Together: to look for children takes long, and hardly longer for all than for some.
@@ -295,6 +297,19 @@ class Fingerprint:
                 )
             elif isinstance(child, QWidget):
                 self._tell_widget(child)
+
+    def _tell_commands(self, commands: object) -> None:
+        """Tell of a set of commands: no name leads to it. Its widgets are told of where they are seen."""
+        kind = _kind_of(commands)
+        visit = _Visit("commands", commands, kind)
+        for name, value in vars(commands).items():
+            each = None if isinstance(value, QWidget) else value
+            known = _kind_of(each)
+            if not known.is_opaque and name not in kind.passing:
+                _look_at(visit, f"commands {kind.name}.{name}", each, known)
+        self.told.update(visit.told)
+        for each in visit.others:
+            self._walk(*each)
 
     def _tell_widget(self, widget: QWidget) -> None:
         name = widget.objectName()

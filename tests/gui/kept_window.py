@@ -121,7 +121,7 @@ class KeptEditor:
 
     def _reset(self) -> None:
         editor, window, session = self._editor, self._editor.window, self._editor.session
-        zoom = window.commands[ZoomCommands].field
+        zoom = window.commands[ZoomCommands]
         # Nobody looks at it before the next test begins.
         self._curtain.close()
         self._put_away()
@@ -144,8 +144,9 @@ class KeptEditor:
         window.canvas.setFocus()
         editor.settle()
         window.status_line.reset()
-        if zoom._soon.isActive():
-            zoom._write()
+        if zoom.field._soon.isActive():
+            zoom.field._write()
+        zoom._past.forget()
         for plot in (window.canvas, window.basis_panel):
             # Found out when it is first asked for.
             _ = plot.pixel_map

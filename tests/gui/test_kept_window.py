@@ -11,6 +11,7 @@ from app.document.model import Axis, Document, make_curve
 from app.document.point_group import points_of
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
+from app.features.recovery.commands import RecoveryCommands
 
 ARCH = make_curve([(0, 0), (1, 2), (2, 0)], name="Arch")
 
@@ -37,6 +38,9 @@ def test_what_is_planted_is_found(editor, monkeypatch):
             session.selected, "group", points_of(0, [1])
         ),
         "window.session.say": lambda patch: patch.setattr(session, "say", lambda _text: None),
+        "commands RecoveryCommands._open_beside": lambda patch: patch.setattr(
+            window.commands[RecoveryCommands], "_open_beside", print
+        ),
         "widget hint": lambda patch: patch.setattr(hint, "is_planted", hint.setToolTip("?"), raising=False),
         "action undo": lambda patch: patch.setattr(action, "is_planted", action.setText("?"), raising=False),
     }

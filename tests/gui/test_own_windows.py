@@ -136,7 +136,8 @@ def test_a_drawing_of_another_program_gets_its_own_window(new_editor, windows, t
     assert editor.session.document is before
 
 
-def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(editor, qapp):
+def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(new_editor, qapp):
+    editor = new_editor
     lifecycle, before = Lifecycle(qapp, [editor.window]), set(qapp.topLevelWidgets())
     lifecycle.start()
     try:
