@@ -82,7 +82,8 @@ def _word_fitness(word: str, text: str) -> float:
 
 
 def _begins_word(word: str, text: str) -> bool:
-    return any(part.startswith(word) for part in text.split())
+    # Most texts have it nowhere, and are not taken apart: at every letter there are a thousand.
+    return word in text and any(part.startswith(word) for part in text.split())
 
 
 def _scattered_in(word: str, text: str) -> float:

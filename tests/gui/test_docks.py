@@ -86,11 +86,17 @@ def colours(widget):
 
 
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
-@pytest.mark.parametrize("name", ["pointsDockFloat", "pointsDockClose"])
-def test_the_buttons_show_the_pointer_the_press_and_the_focus(editor, mode, name):
+def test_the_buttons_show_the_pointer_the_press_and_the_focus(editor, mode):
     editor.window.store.change(theme_mode=mode)
     editor.settle()
-    button_ = button(editor, name)
+    for name in ("pointsDockFloat", "pointsDockClose"):
+        looks = looks_of(editor, button(editor, name))
+        assert all(one != other for place, one in enumerate(looks) for other in looks[:place]), name
+    editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
+
+
+def looks_of(editor, button_):
+    """Return the colours of a button that rests, is pointed at, pressed, and has the focus."""
     QTest.mouseMove(editor.window, editor.window.rect().center())
     editor.settle()
     looks = [colours(button_)]
@@ -103,9 +109,7 @@ def test_the_buttons_show_the_pointer_the_press_and_the_focus(editor, mode, name
     QTest.mouseRelease(button_, LEFT, pos=button_.rect().bottomRight() * 9)
     button_.setFocus(Qt.FocusReason.TabFocusReason)
     editor.settle()
-    looks.append(colours(button_))
-    assert all(one != other for place, one in enumerate(looks) for other in looks[:place])
-    editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
+    return [*looks, colours(button_)]
 
 
 def test_the_buttons_are_reached_by_tab_and_pressed_by_space(editor):

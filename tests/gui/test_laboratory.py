@@ -370,15 +370,15 @@ def test_the_cost_page_counts_measures_and_marks_n(lab):
 
 
 def test_the_curves_are_drawn_in_both_themes(lab):
-    canvas = lab.window.canvas.geometry()
+    canvas = lab.window.canvas
     for theme in ("themeDark", "themeLight"):
         lab.trigger(theme)
-        with_curves = lab.screenshot().copy(canvas)
-        traces, _ = lab.window.canvas.drawing.annotations.trace_layer.groups["laboratory"]
-        lab.window.canvas.drawing.annotations.render_traces("laboratory", ())
-        assert with_curves != lab.screenshot().copy(canvas)
-        lab.window.canvas.drawing.annotations.render_traces("laboratory", traces, "Computed with 4 digits")
-        assert with_curves == lab.screenshot().copy(canvas)
+        with_curves = canvas.grab().toImage()
+        traces, _ = canvas.drawing.annotations.trace_layer.groups["laboratory"]
+        canvas.drawing.annotations.render_traces("laboratory", ())
+        assert with_curves != canvas.grab().toImage()
+        canvas.drawing.annotations.render_traces("laboratory", traces, "Computed with 4 digits")
+        assert with_curves == canvas.grab().toImage()
 
 
 def test_the_errors_are_plotted_below_the_functions(lab):
