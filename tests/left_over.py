@@ -166,6 +166,9 @@ class Before:
         values = VALUES
         if application is not None:
             found += _end_of_loops(core, application)
+            # With what those events have begun: a task that follows one that has ended, say.
+            found += self._threads()
+            application.processEvents()
             found += self._windows()
             found += self._timers()
             values = VALUES | _qt_values(core, application)

@@ -11,7 +11,7 @@ from types import BuiltinFunctionType, FunctionType, MethodType
 
 import msgspec
 from PySide6.QtCore import QObject, QRegularExpression
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QAbstractButton, QDockWidget, QLabel, QTabWidget, QWidget
 
 _FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType)
@@ -26,7 +26,12 @@ _OUR_NAMES = QRegularExpression("^(?!qt_|_q_|ScrollLeftButton$|ScrollRightButton
 
 # Looked up once: for every name that is asked of one of its classes Qt for Python looks for features.
 _object_name, _is_checked, _is_enabled = QObject.objectName, QAction.isChecked, QAction.isEnabled
-_is_visible, _text, _shortcut = QAction.isVisible, QAction.text, QAction.shortcut
+_is_visible, _text, _shortcut, _key_text = (
+    QAction.isVisible,
+    QAction.text,
+    QAction.shortcut,
+    QKeySequence.toString,
+)
 
 _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySide6", "shiboken6", "Shiboken"}
 
@@ -196,29 +201,24 @@ class _Visit:
 
     def __init__(self, place: str, value: object, kind: _Kind) -> None:
         # Its id is its own as long as it lives.
-        self._place, self._value = place, value
-        self._keys, self._items = _parts_of(value, kind)
+        self.place, self._value = place, value
+        self._slots = kind.names if kind.is_ours else ()
+        self._own = getattr(value, "__dict__", {}) if kind.is_ours else value
+        self._keys = tuple(self._own) if isinstance(self._own, dict) else None
+        self._items, self._in_slots = self._parts()
         self.told: dict[str, object] = {}
         self.others: list[tuple[str, object, _Kind]] = []
 
-    def holds(self, place: str, value: object, kind: _Kind) -> bool:
-        keys, items = _parts_of(value, kind)
-        return (
-            self._place == place
-            and len(items) == len(self._items)
-            and keys == self._keys
-            and all(map(is_, items, self._items))
-        )
+    def _parts(self) -> tuple[tuple[object, ...], list[object]]:
+        items = tuple(self._own if self._keys is None else self._own.values())
+        return items, [getattr(self._value, name, None) for name in self._slots]
 
-
-def _parts_of(value: object, kind: _Kind) -> tuple[list[object], list[object]]:
-    """Return what `value` refers to, and by which names where these are its own."""
-    if kind.is_dict:
-        return list(value), list(value.values())
-    if not kind.is_ours:
-        return [], list(value)
-    own = getattr(value, "__dict__", {})
-    return list(own), [*[getattr(value, name, None) for name in kind.names], *own.values()]
+    def holds(self) -> bool:
+        """Whether all that the object refers to is the same as then, not only equal."""
+        if len(self._own) != len(self._items) or (self._keys is not None and tuple(self._own) != self._keys):
+            return False
+        items, in_slots = self._parts()
+        return all(map(is_, items, self._items)) and all(map(is_, in_slots, self._in_slots))
 
 
 _visits: dict[int, _Visit] = {}
@@ -285,17 +285,21 @@ class Fingerprint:
         for each in _visits.keys() - self._seen:
             del _visits[each]
         # Together: to look for children takes long, and hardly longer for all than for some.
-        for child in window.findChildren(QObject, _OUR_NAMES):
-            if isinstance(child, QAction):
-                self.told[f"action {_object_name(child)}"] = (
-                    _is_checked(child),
-                    _is_enabled(child),
-                    _is_visible(child),
-                    # The letters that are underlined are given out when a menu opens.
-                    _text(child).replace("&", ""),
-                    _shortcut(child).toString(),
-                )
-            elif isinstance(child, QWidget):
+        children = window.findChildren(QObject, _OUR_NAMES)
+        actions = [child for child in children if issubclass(type(child), QAction)]
+        texts, keys = map(_text, actions), map(_key_text, map(_shortcut, actions))
+        told = zip(
+            map(_is_checked, actions),
+            map(_is_enabled, actions),
+            map(_is_visible, actions),
+            # The letters that are underlined are given out when a menu opens.
+            [text.replace("&", "") for text in texts],
+            keys,
+            strict=True,
+        )
+        self.told.update(zip([f"action {name}" for name in map(_object_name, actions)], told, strict=True))
+        for child in children:
+            if issubclass(type(child), QWidget):
                 self._tell_widget(child)
 
     def _tell_commands(self, commands: object) -> None:
@@ -333,7 +337,7 @@ class Fingerprint:
                 self.told[place] = None
                 return
             visit = _visits.get(id(value))
-            if visit is None or not visit.holds(place, value, kind):
+            if visit is None or visit.place != place or not visit.holds():
                 visit = _visits[id(value)] = _Visit(place, value, kind)
                 (_look_at_ours if kind.is_ours else _look_at_items)(visit, place, value, kind)
             self.told.update(visit.told)

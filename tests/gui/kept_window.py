@@ -158,7 +158,7 @@ class KeptEditor:
             if widget is not window and widget.isVisible():
                 widget.close()
         for sheet in (*window.children(), *window.canvas.children()):
-            if isinstance(sheet, ShortcutSheet | CommandPalette):
+            if isinstance(sheet, (ShortcutSheet, CommandPalette)):
                 sheet.hide()
         window.context.work.jobs.give_up()
         # The program that a test has made, and that has ended, knew of other windows.
