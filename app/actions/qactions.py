@@ -154,6 +154,7 @@ class Actions(QObject):
     def _give_up(self, name: str) -> None:
         action = self._actions.pop(name)
         self._opened.discard(name)
+        self._on.discard(name)
         self.keymap.remove(name)
         self._gate.release(action)
         # Gone from all menus at once, and found by nobody until it is deleted.
@@ -259,13 +260,14 @@ class Actions(QObject):
         """Let a switch that was clicked, and those that went off with it, show what is on."""
         # It may be there no more: its record went with what it did.
         if name in self._switches:
-            self._check(self._on)
+            for each in self._switches:
+                self._actions[each].setChecked(each in self._on)
 
     def _check(self, on: set[str]) -> None:
-        for name in self._switches:
+        before, self._on = self._on, on
+        for name in sorted(before ^ on, key=on.__contains__):
             self._actions[name].setChecked(name in on)
-        if on != self._on:
-            self._on = on
+        if on != before:
             self.switched.emit()
 
     def open_section(self, section: Section) -> None:

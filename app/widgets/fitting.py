@@ -64,6 +64,8 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
     ) -> None:
         super().__init__(parent)
         self.content, self._most = build(self.viewport()), most
+        # What it asked for when it last told of it.
+        self._asked: tuple[QSize, QSize] | None = None
         self.setObjectName("scrolled")
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setWidgetResizable(True)
@@ -89,9 +91,18 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.content and event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Show):
-            # Qt asks a scroll area for its size once; what is in it may grow later, or while nobody sees it.
-            self.updateGeometry()
+            self._ask_for_room(anew=event.type() == QEvent.Type.Show)
         return super().eventFilter(watched, event)
+
+    def _ask_for_room(self, *, anew: bool) -> None:
+        """Ask for room where another is needed than before; Qt asks once, and the content may grow later.
+
+        To lay out the window takes as long as to paint the drawing.
+        """
+        asked = self.sizeHint(), self.minimumSizeHint()
+        if anew or asked != self._asked:
+            self._asked = asked
+            self.updateGeometry()
 
 
 class FittedDialog(Guarded, QDialog):

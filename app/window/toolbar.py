@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QMouseEvent, QResizeEvent, QShowEvent
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QAction, QActionEvent, QKeyEvent, QMouseEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidget, QWidgetAction
 
 from ..actions.qactions import Actions
@@ -124,12 +124,29 @@ class Toolbar(Guarded, QToolBar):
             self._follow(each for each in entries if each not in known)
         self._widths.clear()
         self._shown = None
+        self._hold_sizes()
         self._fit()
+
+    def _hold_sizes(self) -> None:
+        """Fix the sizes of buttons without words: Qt asks for other room whenever their actions change."""
+        for action in self.actions():
+            button = self.widgetForAction(action)
+            if isinstance(button, QToolButton) and action not in self._in_words:
+                button.setFixedSize(button.sizeHint())
+
+    def actionEvent(self, event: QActionEvent) -> None:
+        # After each change Qt lays the window out anew, which takes longer than to paint the drawing.
+        # A button asks for that itself where its words change.
+        action = event.action()
+        button = self.widgetForAction(action)
+        if event.type() != QEvent.Type.ActionChanged or button.isHidden() == action.isVisible():
+            super().actionEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         # Not before: until the style has come, everything is thought to be wider.
         self._has_style = True
+        self._hold_sizes()
         self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from layouts import Layouts
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, QSize
 from PySide6.QtWidgets import (
     QAbstractButton,
     QComboBox,
+    QLabel,
     QLineEdit,
     QScrollArea,
     QSlider,
@@ -16,6 +18,9 @@ from PySide6.QtWidgets import (
 
 from app.document.model import Document, make_curve
 from app.document.style import Style
+from app.testing.waiting import deliver_events
+from app.widgets.boxes import column_of
+from app.widgets.fitting import Scrolled
 
 SHOWN = (QAbstractButton, QComboBox, QLineEdit, QSlider)
 
@@ -75,3 +80,38 @@ def test_neither_panel_scrolls_sideways(panels):
     for panel in ("styleDock", "transformDock"):
         area = panels.window.findChild(QWidget, panel).findChild(QScrollArea)
         assert area.horizontalScrollBar().maximum() == 0, panel
+
+
+def test_neither_a_step_nor_a_tool_lays_the_window_out_anew(arch):
+    """It took as long as to paint the drawing, once or twice at each step, for names of buttons."""
+    arch.drag((1, 2), (1, 9))
+    for name in ("undo", "redo"):
+        arch.trigger(name)
+    arch.settle()
+    window, toolbar = Layouts(arch.window), Layouts(arch.window.toolbar)
+    for name in ("undo", "redo", "addTool", "selectTool", "selectAll"):
+        arch.trigger(name)
+        arch.settle()
+    assert (window.count, toolbar.count) == (0, 0)
+
+
+def test_scrolled_content_asks_for_room_only_where_it_needs_other_room(qtbot):
+    """Each change in a panel had the whole window laid out anew."""
+    holder = QWidget()
+    qtbot.addWidget(holder)
+    area = Scrolled(QWidget, QSize(300, 300), holder)
+    column_of(area, margins=0, parent=holder)
+    label = QLabel("one")
+    label.setMinimumWidth(100)
+    column_of(label, parent=area.content)
+    with qtbot.waitExposed(holder):
+        holder.show()
+    layouts, least = Layouts(holder), holder.minimumSizeHint().width()
+    label.setText("two")
+    deliver_events()
+    deliver_events()
+    assert layouts.count == 0
+    label.setMinimumWidth(200)
+    deliver_events()
+    deliver_events()
+    assert holder.minimumSizeHint().width() == least + 100

@@ -6,7 +6,8 @@ from decimal import Decimal
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
+from layouts import Layouts
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QSlider, QWidget
@@ -369,19 +370,6 @@ def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
 
 
 # The cost of a drag
-
-
-class Layouts(QObject):
-    """Counts how often a widget lays out what it holds."""
-
-    def __init__(self, widget):
-        super().__init__(widget)
-        self.count = 0
-        widget.installEventFilter(self)
-
-    def eventFilter(self, _watched, event):
-        self.count += event.type() == QEvent.Type.LayoutRequest
-        return False
 
 
 def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor):

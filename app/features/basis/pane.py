@@ -40,6 +40,20 @@ _LEAST_HEADER = QSize(260, 100)
 """Largest minimum size of the header."""
 
 
+class _HeaderRow(Scrolled[QWidget]):
+    """Row that scrolls by wheel and Tab where it is too long, without a bar: that would cover it."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(QWidget, _LEAST_HEADER, parent)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+
+    def sizeHint(self) -> QSize:
+        # It takes the width that there is: a longer note does not lay the window out anew.
+        return QSize(_LEAST_HEADER.width(), super().sizeHint().height())
+
+
 class BasisPane(FollowsTheme, CentralPane):
     """The lower third of the window."""
 
@@ -96,7 +110,7 @@ class BasisPane(FollowsTheme, CentralPane):
         return button
 
     def _lay_out(self) -> None:
-        row = _row_that_scrolls(self)
+        row = _HeaderRow(self)
         named(row.content, "basisHeader")
         switches = (*self._kinds, self._estimates)
         parts: tuple[Part, ...] = (self._title, *switches, self._drawing, 1, self._extent, self._fit)
@@ -234,15 +248,6 @@ def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> st
         return ""
     span = f"{number(reach[0], 3)} to {number(reach[1], 3)}"
     return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
-
-
-def _row_that_scrolls(parent: QWidget) -> Scrolled[QWidget]:
-    """Return a row that scrolls by wheel and Tab where it is too long, without a bar: that would cover it."""
-    area = Scrolled(QWidget, _LEAST_HEADER, parent)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-    return area
 
 
 def _note(basis: BasisView | None, view: CurveView) -> str:
