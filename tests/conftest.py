@@ -35,6 +35,7 @@ if sys.platform == "linux" and locale.nl_langinfo(locale.CODESET) != "UTF-8":
 import msgspec
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 from pytestqt.qtbot import QtBot
 
 from app.families import FAMILIES, ChosenSettings, Family
@@ -55,6 +56,9 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow],  # by the clock
 )
 settings.load_profile("curvebench")
+# Constants of the program would be among the examples: every process would parse all of it for them, and a
+# test would have other examples wherever other modules are imported.
+providers.is_local_module_file = lambda _path: False
 
 # A disk takes some milliseconds for each, beside other programs twenty: no test asks what is left where the
 # power fails. Processes that tests start wait for it.

@@ -1,4 +1,4 @@
-"""Floater–Hormann curves against their definition in intervals of thousands of bits, and against SciPy.
+"""Floater–Hormann curves against their definition in intervals of a thousand bits, and against SciPy.
 
 The bound is |computed - exact| <= c u sum |B_i^(order) p_i|. A weight has 3 d roundings, a term of the
 denominator as many, and nothing cancels: c grows like sqrt(6 d) / 2, times the four or five standard
@@ -18,7 +18,7 @@ from curvecore import CurveError, FloaterHormannCurve, LagrangeCurve, chebyshev,
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
 LIMIT = 25.0
-_BITS = 6000
+_BITS = 1200
 
 
 def coefficient(a, b, power):
