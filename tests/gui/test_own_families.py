@@ -385,11 +385,24 @@ def test_a_gesture_in_flight_is_taken_back(using, save, path):
 # Files that do not end
 
 
+@pytest.fixture
+def told_soon():
+    """Have it said at once that a file runs, not after a second."""
+    patience = family_files()._task._patience
+    before = patience.interval()
+    patience.setInterval(1)
+    yield
+    patience.setInterval(before)
+
+
+@pytest.mark.usefixtures("told_soon")
 def test_a_file_that_hangs_is_tried_elsewhere_and_can_be_stopped(editor, save, path, ask):
-    save("while True:\n    pass\n")
+    runs = path.with_suffix(".runs")
+    save(f"open({str(runs)!r}, 'w').close()\nwhile True:\n    pass\n")
     ask(path)
     editor.trigger("useFamilyFile")
     until(lambda: "has been running for a while" in text_of(editor))
+    until(runs.exists)
     editor.drag_point(2, (3.0, 2.0))
     assert editor.point(2) == pytest.approx((3.0, 2.0), abs=2 * editor.pixel)
     QTest.mouseClick(bar_of(editor).button("stopFamilyFile"), Qt.MouseButton.LeftButton)
@@ -438,7 +451,7 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
 ):
     """It stood still for 5 s, and then said "Cancelled." alone."""
     line = slowing(1e9)
-    monkeypatch.setattr(trial, "SECONDS", 1.5)
+    monkeypatch.setattr(trial, "SECONDS", 1.0)
     good = using.session.active_view.curve
     stopped = noted_calls(monkeypatch, FileCalls, "_refuse_overdue")
     using.add_point(4.5, 2.5)
@@ -453,7 +466,7 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
     assert not using.window.findChild(QToolButton, "offeredAction").isVisible()
     using.screenshot()
     assert len(stopped) == 1
-    until(lambda: "ran for longer than 1.5 s and was stopped" in using.message)
+    until(lambda: "ran for longer than 1 s and was stopped" in using.message)
     assert re.match(what, using.message)
     assert using.message.endswith(LAST)
     # With the points that it can draw it is drawn.
@@ -465,6 +478,7 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
     assert using.session.active_view.is_current
 
 
+@pytest.mark.usefixtures("told_soon")
 def test_what_hangs_beside_the_window_can_be_stopped(using, slowing):
     slowing(1e9)
     using.add_point(4.5, 2.5)
@@ -516,7 +530,7 @@ def test_a_trial_that_takes_too_long_is_ended(path, monkeypatch):
 def test_a_trial_counts_processor_time_alone_and_still_ends(path, monkeypatch):
     """Beside eight busy programs each was stopped that took 4 s of the processor."""
     monkeypatch.setattr(trial, "SECONDS", 1.0)
-    path.write_text(f"import time\ntime.sleep(1.5)\n{template(path)}")
+    path.write_text(f"import time\ntime.sleep(1.0)\n{template(path)}")
     trial.try_out(path, lambda _share, _word: None)
     monkeypatch.setattr(trial, "longest_wait", lambda _seconds: 0.2)
     with pytest.raises(family_file.FamilyFileError, match=r"has not ended after 0\.2 s and was stopped"):

@@ -57,10 +57,14 @@ def lengths(editor, index, kind=1):
 
 @pytest.mark.parametrize("family", WITH_VELOCITIES)
 def test_no_handle_gets_longer_than_it_was_drawn(pen, family):
-    """340 px on, a handle of 45 px used to become one of 510."""
+    """340 px on, a handle of 45 px used to become one of 510.
+
+    The first family under every rule, the others under half of them each.
+    """
+    place, kinds = WITH_VELOCITIES.index(family), list(ParametrizationKind)
     document = edits.set_family(pen.session.document, 0, family)
     document = edits.set_points(document, 0, [Point(*at(pen, x, 0)) for x in (0, 30)])
-    for kind in ParametrizationKind:
+    for kind in kinds[place % 2 :: 2] if place else kinds:
         begin(pen, edits.set_parametrization(document, 0, kind, [0.0, 1.0]))
         pen.session.selected.set_points([1])
         pen.press(at(pen, 60, 0))

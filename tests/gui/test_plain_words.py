@@ -44,6 +44,8 @@ FILE = "<b>x< & 'z'"
 SHORT = "<b>x</b>"
 """The same for the name of an element of a drawing and for a cell."""
 
+pytestmark = pytest.mark.usefixtures("only_new_garbage")
+
 APP = Path(__file__).parents[2] / "app"
 
 

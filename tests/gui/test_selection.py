@@ -13,8 +13,10 @@ from PySide6.QtTest import QTest
 
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.transforms import rotation, transform_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.tools.transform import TransformKind
+from app.view_model.curve.curve_view import view_of
 from tests.gui.editor_facts import transform, undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -266,30 +268,43 @@ def test_an_action_in_the_middle_of_a_transform_drops_it(arch):
     assert points(arch).tolist() == [list(point) for point in POINTS]
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_a_rotation_of_all_points_carries_the_curve_along(arch, family):
-    for kind in ParametrizationKind:
-        if kind is not ParametrizationKind.MANUAL:
-            check_rotation(arch, family, kind)
+RULES = [kind for kind in ParametrizationKind if kind is not ParametrizationKind.MANUAL]
 
 
-def check_rotation(arch, family, kind):
+def bent(family, kind):
+    """Four points with all that can be set by hand."""
     document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
     document = edits.set_parametrization(document, 0, kind, [])
     document = edits.set_velocity(document, 0, 1, (3.0, 1.0))
     document = edits.make_corner(document, 0, 2, (1.0, 2.0), (2.0, -5.0))
-    document = edits.set_derivative(document, 0, 1, 2, (-4.0, 7.0))
-    arch.session.commit(document, "Prepare")
-    before = arch.session.active_view.curve
-    arch.select([0, 1, 2, 3])
-    centre = box_shown(arch).mean(axis=0)
-    transform(arch, "R", "30")
-    t = np.linspace(0, 1, 41)
+    return edits.set_derivative(document, 0, 1, 2, (-4.0, 7.0))
+
+
+def turned(curve, t, centre):
+    """The curve, turned by 30° about a point, at parameters."""
     angle = math.radians(30)
     turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
-    expected = (before.evaluate(t) - centre) @ turn.T + centre
     # Rounding of the points and of the rule's distances, which the basis may enlarge.
-    assert arch.session.active_view.curve.evaluate(t) == pytest.approx(expected, abs=1e-12)
+    return pytest.approx((curve.evaluate(t) - centre) @ turn.T + centre, abs=1e-12)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_a_rotation_of_all_points_carries_the_curve_along(arch, family):
+    """Each family under two rules in the window, and under every one without."""
+    t = np.linspace(0, 1, 41)
+    for kind in RULES:
+        document = bent(family, kind)
+        after = transform_points(document, 0, range(4), rotation(30.0, (1.0, 2.0)))
+        before, now = (view_of(each.curves[0]).curve for each in (document, after))
+        assert now.evaluate(t) == turned(before, t, (1.0, 2.0)), kind
+    place = FAMILIES.index(family)
+    for kind in (RULES[place % len(RULES)], RULES[-1 - place % len(RULES)]):
+        arch.session.commit(bent(family, kind), "Prepare")
+        before = arch.session.active_view.curve
+        arch.select([0, 1, 2, 3])
+        centre = box_shown(arch).mean(axis=0)
+        transform(arch, "R", "30")
+        assert arch.session.active_view.curve.evaluate(t) == turned(before, t, centre), kind
 
 
 # The box
