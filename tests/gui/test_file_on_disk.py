@@ -811,29 +811,30 @@ def test_what_is_left_out_of_an_older_version_is_told_before_it_is_saved(editor,
 # The line itself
 
 
-@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
-def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
+def test_the_line_fits_into_a_small_window(qtbot, path, until):
     editor = Editor(qtbot, size=(1024, 700))
     editor.session.save(path)
-    editor.window.store.change(theme_mode=mode)
     edit(editor)
     save(path, THEIRS)
     editor.trigger("saveDocument")
     bar = editor.window.findChild(NoticeBar, "fileBar")
     canvas = editor.window.canvas
-    assert canvas.rect().contains(bar.geometry())
-    for name in bar.offered:
-        button = bar.button(name)
-        assert bar.rect().contains(button.geometry())
-        assert button.toolTip()
-        assert button.accessibleName()
-    editor.session.selected.set_points([])
-    editor.window.message_bar.warn("Something else that has to be said at the same time.")
-    editor.settle()
-    assert not bar.geometry().intersects(editor.window.message_bar.geometry())
-    editor.window.message_bar.hide()
-    editor.settle()
-    assert bar.y() == 10 + round(canvas.rulers.thickness)
+    for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
+        editor.window.store.change(theme_mode=mode)
+        editor.settle()
+        assert canvas.rect().contains(bar.geometry()), mode
+        for name in bar.offered:
+            button = bar.button(name)
+            assert bar.rect().contains(button.geometry()), mode
+            assert button.toolTip()
+            assert button.accessibleName()
+        editor.session.selected.set_points([])
+        editor.window.message_bar.warn("Something else that has to be said at the same time.")
+        editor.settle()
+        assert not bar.geometry().intersects(editor.window.message_bar.geometry()), mode
+        editor.window.message_bar.hide()
+        editor.settle()
+        assert bar.y() == 10 + round(canvas.rulers.thickness), mode
     editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 

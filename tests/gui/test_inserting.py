@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
+from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.view_model.curve.curve_view import view_of
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
@@ -15,8 +17,8 @@ BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
 
 def begin(editor, *curves, kind=ParametrizationKind.MANUAL):
     """Edit the first of curves; with parameters of its own its shape is kept."""
-    editor.session.commit(Document(curves), "Begin", active=0)
-    editor.choose_parametrization(kind)
+    document = edits.set_parametrization(Document(curves), 0, kind, view_of(curves[0]).parameters.tolist())
+    editor.session.commit(document, "Begin", active=0)
     editor.fit()
     return editor
 
