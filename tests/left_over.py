@@ -182,7 +182,11 @@ class Before:
 
     def _threads(self) -> list[str]:
         new = set(threading.enumerate()) - self.threads
-        if not new or _is_soon(lambda: not any(each.is_alive() for each in new)):
+
+        def have_ended() -> bool:
+            return not any(each.is_alive() for each in new) and not _has_ended_tasks()
+
+        if have_ended() or _is_soon(have_ended):
             return []
         return [
             f"thread {each.name} of {getattr(each, '_target', None) or type(each)}"
@@ -265,6 +269,13 @@ def _is_of_kept_window(timer: object) -> bool:
     while (above := timer.parent()) is not None:
         timer = above
     return bool(timer.property("isKept"))
+
+
+def _has_ended_tasks() -> bool:
+    """Whether a task has ended that the thread of the window still takes to run; a timer tells it soon."""
+    tasks = sys.modules.get("app.tasks.task")
+    keepers = tasks._keepers if tasks is not None else ()
+    return any(not task.thread.is_alive() for keeper in keepers for task in keeper.running)
 
 
 def _is_soon(condition: Callable[[], bool]) -> bool:

@@ -346,6 +346,25 @@ def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
     assert work_threads() == []
 
 
+def test_one_that_is_ended_from_outside_is_not_left_over(qapp, monkeypatch):
+    """It sends no signal: a timer tells the thread of the window, for which `tests/left_over.py` waits."""
+    monkeypatch.setattr(task, "_GRACE_S", 0.02)
+    begun = threading.Event()
+
+    def work(_report):
+        begun.set()
+        while True:
+            sum(range(100))
+
+    endless = Task(work)
+    assert begun.wait(LIMIT)
+    endless.stop()
+    assert endless.wait(LIMIT)
+    # As if it had ended between two ticks.
+    endless._keeper._timer.start()
+    assert not no_task_runs()
+
+
 def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
     """A disk of a network that answers no more, for one."""
     monkeypatch.setattr(owner, "PATIENCE_S", 0.05)
