@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -174,10 +175,12 @@ def planted(tmp_path_factory):
     folder = tmp_path_factory.mktemp("planted")
     (folder / "test_planted.py").write_text(PLANTED)
     (folder / "pytest.ini").write_text("[pytest]\nqt_api = pyside6\n")
-    options = ("-p", "tests.left_over", "-p", "no:cacheprovider", "-c", str(folder / "pytest.ini"))
+    plugins = ("-p", "pytestqt.plugin", "-p", "tests.left_over", "-p", "no:cacheprovider")
+    options = ("-q", "--tb=short", "--color=no", "-c", str(folder / "pytest.ini"))
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-n0", "--tb=short", "--color=no", *options, str(folder)],
+        [sys.executable, "-m", "pytest", *plugins, *options, str(folder)],
         cwd=ROOT,
+        env={**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         text=True,
         check=False,
