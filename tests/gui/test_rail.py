@@ -16,7 +16,6 @@ from app.document.edits import set_closed, set_parameter
 from app.document.model import ParametrizationKind
 from app.document.transforms import clean_step
 from app.families import FAMILIES, HERMITE
-from app.testing import Editor
 from curvecore import centripetal, chebyshev, chebyshev_roots, chord_length, uniform
 from tests.waiting import until
 
@@ -393,9 +392,10 @@ def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor):
 
 
 @pytest.mark.parametrize("width", [1200, 760])
-def test_other_digits_of_a_note_lay_nothing_out(qtbot, width):
+def test_other_digits_of_a_note_lay_nothing_out(editor, width):
     """Whenever the note on the functions was written, the window was laid out: in a drag all the time."""
-    editor = Editor(qtbot, size=(width, 800))
+    editor.window.resize(width, 800)
+    editor.settle()
     pane, before = editor.window.central["basisPane"], editor.parameters
     notes = []
     for step in range(3):

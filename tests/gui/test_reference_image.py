@@ -112,7 +112,7 @@ def page(path):
     return path
 
 
-def test_a_page_lies_dark_on_dark_paper_and_its_colours_stay(editor, tmp_path):
+def test_in_the_dark_a_page_is_dark_with_its_colours_and_a_photograph_stays(editor, tmp_path):
     editor.new()
     editor.window.commands[ImageCommands].trace(page(tmp_path / "page.png"))
     editor.trigger("toggleGrid")
@@ -132,16 +132,13 @@ def test_a_page_lies_dark_on_dark_paper_and_its_colours_stay(editor, tmp_path):
     assert abs(paper.lightness() - background.lightness()) < 15
     assert black.lightness() > 120
     assert red.hue() % 360 in (*range(5), *range(355, 360))
+    editor.window.commands[ImageCommands].trace(picture(tmp_path / "grey.png", colour="#808080"))
+    place = (image_of(editor).x + 0.07, image_of(editor).y + 0.07)
+    photograph = colour_at(editor, place).lightness()
+    assert photograph == pytest.approx((128 + background.lightness()) / 2, abs=3)
+    editor.trigger("undo")
     editor.trigger("themeLight")
     assert colours()[0].lightness() > 240
-
-
-def test_a_photograph_is_no_page(editor, tmp_path):
-    editor.window.commands[ImageCommands].trace(picture(tmp_path / "grey.png", colour="#808080"))
-    editor.trigger("themeDark")
-    place = (image_of(editor).x + 0.07, image_of(editor).y + 0.07)
-    background = theme_of(editor.window.palette()).paper
-    assert colour_at(editor, place).lightness() == pytest.approx((128 + background.lightness()) / 2, abs=3)
 
 
 def test_lightness_is_turned_and_hue_and_saturation_stay():
