@@ -83,7 +83,8 @@ class CommandPalette(OverlayFrame):
         super().__init__("commandPalettePanel", below)
         self.setAccessibleName("Command palette")
         self._commands_now = commands
-        self._commands: Sequence[Command] = ()
+        # With the words that each is found by, which are gathered once an opening and not at every letter.
+        self._commands: list[tuple[Command, SearchEntry]] = []
         # By their ids, while they live.
         self._heard: set[int] = set()
         self._focus_before: QWidget | None = None
@@ -104,7 +105,7 @@ class CommandPalette(OverlayFrame):
     def open(self) -> None:
         """Show everything that can be done, and wait for letters."""
         self._focus_before = QApplication.focusWidget()
-        self._commands = self._commands_now()
+        self._commands = [(command, command.entry) for command in self._commands_now()]
         self._hear_of_ends()
         self.search.clear()
         self._look_up("")
@@ -114,7 +115,7 @@ class CommandPalette(OverlayFrame):
 
     def _hear_of_ends(self) -> None:
         """Hear of each action that goes while it is listed: a menu that opens may fill itself anew."""
-        for action in (command.action for command in self._commands):
+        for action in (command.action for command, _ in self._commands):
             if id(action) not in self._heard:
                 self._heard.add(id(action))
                 action.destroyed.connect(partial(self._drop, action))
@@ -123,7 +124,7 @@ class CommandPalette(OverlayFrame):
         if not isValid(self):
             return
         self._heard.discard(id(action))
-        self._commands = [command for command in self._commands if command.action is not action]
+        self._commands = [pair for pair in self._commands if pair[0].action is not action]
         left = [command for command in self._model.commands if command.action is not action]
         if len(left) < self._model.rowCount():
             self._model.show(left)
@@ -195,12 +196,10 @@ class CommandPalette(OverlayFrame):
         )
 
 
-def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
+def _ranked(commands: Sequence[tuple[Command, SearchEntry]], typed: str) -> list[Command]:
     """Return the commands that fit, the best first, those of no use now behind the others."""
-    if not typed.strip():
-        return sorted(commands, key=lambda command: not command.action.isEnabled())
-    things = [command.entry for command in commands]
-    found = [commands[place] for place in ranked(typed, things)]
+    places = ranked(typed, [entry for _, entry in commands]) if typed.strip() else range(len(commands))
+    found = [commands[place][0] for place in places]
     return sorted(found, key=lambda command: not command.action.isEnabled())
 
 

@@ -46,7 +46,9 @@ def fitness(typed: str, name: str, path: str = "", tip: str = "", keywords: str 
     """
     total = 0.0
     for word in typed.casefold().split():
-        best = max(_fitness_of(word, name, path, tip, keywords), _scattered_in(word, name.casefold()))
+        best = _fitness_of(word, name, path, tip, keywords)
+        if best < _SCATTERED:
+            best = max(best, _scattered_in(word, name.casefold()))
         if best <= 0:
             return None
         total += best
