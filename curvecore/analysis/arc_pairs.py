@@ -30,7 +30,7 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.arcs import Arcs, joined_arcs
 from curvecore.bezier.bernstein_algebra import derivative
 from curvecore.scaling import SMALLEST
-from curvecore.vectors import vector_lengths
+from curvecore.vectors import along_last, vector_lengths
 
 _ROUNDS = 48
 _ARCS = 1 << 11
@@ -174,9 +174,11 @@ def _are_straight(arcs: Arcs, small: float) -> BoolArray:
 
 def _within_half_plane(slopes: FloatArray) -> BoolArray:
     size = vector_lengths(slopes)
-    mean = (slopes / np.maximum(size, SMALLEST)[..., None]).sum(axis=1, keepdims=True)
+    divisor = np.maximum(size, SMALLEST)
+    x, y = slopes[..., 0], slopes[..., 1]
+    mean_x, mean_y = (along_last(np.add, each / divisor)[:, None] for each in (x, y))
     # A slope of 0, at a point at rest, turns nowhere.
-    ahead = ((slopes * mean).sum(axis=2) > 0.0) | (size == 0.0)
+    ahead = (x * mean_x + y * mean_y > 0.0) | (size == 0.0)
     within: BoolArray = ahead.all(axis=1) & (size > 0.0).any(axis=1)
     return within
 
@@ -191,23 +193,28 @@ def _adjoining(pairs: Pairs) -> BoolArray:
 def _may_meet(pairs: Pairs, margin: float) -> BoolArray:
     """Tell of which pairs the arcs may come nearer than twice the margin; not where they only adjoin."""
     a, b = pairs.first.controls, pairs.second.controls
-    meet: BoolArray = (
-        (a.min(axis=1) - 2.0 * margin <= b.max(axis=1)) & (b.min(axis=1) - 2.0 * margin <= a.max(axis=1))
-    ).all(axis=1)
+    meet = _overlap(a[..., 0], b[..., 0], 2.0 * margin) & _overlap(a[..., 1], b[..., 1], 2.0 * margin)
     for controls in (a, b):
         chord = controls[:, -1] - controls[:, 0]
         unit = chord / np.maximum(vector_lengths(chord), SMALLEST)[:, None]
-        meet &= _overlap(a, b, unit, margin)
-        meet &= _overlap(a, b, np.stack((-unit[:, 1], unit[:, 0]), axis=1), margin)
+        x, y = unit[:, :1], unit[:, 1:]
+        meet &= _overlap_along(a, b, x, y, margin)
+        meet &= _overlap_along(a, b, -y, x, margin)
     slopes = np.concatenate([derivative(a), derivative(b)], axis=1)
     return meet & ~(_adjoining(pairs) & _within_half_plane(slopes))
 
 
-def _overlap(a: FloatArray, b: FloatArray, axis: FloatArray, margin: float) -> BoolArray:
-    """Tell which pairs of arcs overlap along an axis; a few roundings apart still counts."""
-    one, other = ((each * axis[:, None]).sum(axis=2) for each in (a, b))
-    room = 2.0 * margin + 2.0**-50 * (np.abs(one).max(axis=1) + np.abs(other).max(axis=1))
-    overlap: BoolArray = (one.min(axis=1) - room <= other.max(axis=1)) & (
-        other.min(axis=1) - room <= one.max(axis=1)
+def _overlap_along(a: FloatArray, b: FloatArray, x: FloatArray, y: FloatArray, margin: float) -> BoolArray:
+    """Tell which pairs of arcs overlap along the axis (x, y); a few roundings apart still counts."""
+    one, other = (each[..., 0] * x + each[..., 1] * y for each in (a, b))
+    largest = along_last(np.maximum, np.abs(one)) + along_last(np.maximum, np.abs(other))
+    return _overlap(one, other, 2.0 * margin + 2.0**-50 * largest)
+
+
+def _overlap(one: FloatArray, other: FloatArray, room: FloatArray | float) -> BoolArray:
+    """Tell which rows of two arrays overlap as intervals, or are no farther apart than `room`."""
+    low, high = along_last(np.minimum, one), along_last(np.maximum, one)
+    overlap: BoolArray = (low - room <= along_last(np.maximum, other)) & (
+        along_last(np.minimum, other) - room <= high
     )
     return overlap

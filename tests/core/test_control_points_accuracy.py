@@ -27,7 +27,7 @@ def powers(x, degree):
 
 
 def bernstein_terms(curve, t, order, exact):
-    """The exact derivatives of all functions, by products of x and y = 1 - x that are differentiated."""
+    """The derivatives of all functions, enclosed, by products of x and y = 1 - x that are differentiated."""
     first, last = (exact.rational(x) for x in curve.domain)
     degree = curve.degree
     lengths = [t - first, last - t, last - first]
@@ -45,7 +45,7 @@ def bernstein_terms(curve, t, order, exact):
         found.append(comb(degree, i) * total)
     # What is left of x and y has as many factors; those that were taken away leave 1 / h.
     scale = fmpq(unit**order, h ** max(degree, order))
-    return [fmpq(each) * scale for each in found]
+    return exact.products(exact.enclosed(found), exact.enclosed([scale]) * len(found))
 
 
 def spline_terms(curve, t, order, exact):
