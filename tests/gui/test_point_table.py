@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QLocale, QPoint, Qt
+from PySide6.QtCore import QEvent, QLocale, QObject, QPoint, Qt
 from PySide6.QtGui import QAction, QFocusEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToolButton
@@ -12,7 +12,7 @@ from app.appearance.colours import point_colours
 from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
 from app.document import edits
 from app.document.derivatives import VelocityRule
-from app.document.model import Parametrization, ParametrizationKind, Point, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.controller import PointTableController
 from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
@@ -802,6 +802,29 @@ def test_everything_has_a_name_and_a_tooltip(hermite):
     assert "1/3" in editor.toolTip()
     hermite.qtbot.keyClick(editor, Qt.Key.Key_Escape)
     assert hermite.view.accessibleName() == "Points"
+
+
+class Paints(QObject):
+    """Count of the times that a widget is painted."""
+
+    def __init__(self, widget):
+        super().__init__(widget)
+        self.count = 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, _watched, event):
+        self.count += event.type() == QEvent.Type.Paint
+        return False
+
+
+@pytest.mark.parametrize("points", [((0, 0), (1, 2), (3, 2)), ((0, 0), (1, 2), (3, 2), (4, 0), (5, 1))])
+def test_other_rows_are_painted_once(arch, points):
+    """They were painted, laid out, and painted again: with every point that was added."""
+    paints = Paints(arch.window.point_table.viewport())
+    arch.session.commit(Document((make_curve(points),)), "Other points")
+    arch.settle()
+    arch.settle()
+    assert paints.count == 1
 
 
 # Left by a click elsewhere

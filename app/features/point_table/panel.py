@@ -183,6 +183,8 @@ class PointTable(FollowsTheme, QWidget):
         self._pending = None
         self._rendering = True
         self.model.show_view(view)
+        # Not later, after it has been painted: it would be painted twice.
+        self.view.executeDelayedItemsLayout()
         self._fit_columns(view, streaming=streaming)
         self.view.select_rows(self._selection)
         self._rendering = False
