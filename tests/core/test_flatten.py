@@ -28,12 +28,13 @@ def distances(curve, parameters, box=None, samples=40):
     t = parameters[:-1, None] + np.diff(parameters)[:, None] * s
     points = curve.evaluate(t.ravel()).reshape(*t.shape, 2)
     polyline = curve.evaluate(parameters)
-    start, chord = polyline[:-1, None], np.diff(polyline, axis=0)[:, None]
-    length = np.maximum(np.hypot(chord[..., 0], chord[..., 1]), 1e-300)
-    unit = chord / length[..., None]
-    along = np.clip(((points - start) * unit).sum(axis=-1), 0.0, length)
-    rest = points - start - along[..., None] * unit
-    distance = np.hypot(rest[..., 0], rest[..., 1])
+    # By coordinates: NumPy begins a loop for every row of two numbers.
+    x, y = np.moveaxis(points - polyline[:-1, None], -1, 0)
+    chord_x, chord_y = np.diff(polyline, axis=0).T[:, :, None]
+    length = np.maximum(np.hypot(chord_x, chord_y), 1e-300)
+    unit_x, unit_y = chord_x / length, chord_y / length
+    along = np.clip(x * unit_x + y * unit_y, 0.0, length)
+    distance = np.hypot(x - along * unit_x, y - along * unit_y)
     if box is not None:
         inside = ((points >= box[:2]) & (points <= box[2:])).all(axis=-1)
         distance = np.where(inside, distance, 0.0)
