@@ -61,8 +61,8 @@ PASSING = {
     # Where a motion was stopped, what a panel showed that is closed; both begin anew.
     *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),
     *("ViewCommands._before_folding", "ViewCommands._before_presentation"),
-    # What was to be done had the work been stopped that has ended.
-    "FileWork._stopped",
+    # What was to be done had the work been stopped that has ended; what tries files, made for the first.
+    *("FileWork._stopped", "FamilyFiles._made_task"),
     # What a panel covered when it was brought up; it is asked for only when that is closed.
     "_covered",
     # How often something has happened.
