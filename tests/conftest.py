@@ -124,6 +124,33 @@ def drawings_read_here(monkeypatch):
     monkeypatch.setattr(child, "limited", read)
 
 
+def _goes_backwards(config):
+    """Whether this is every other process of a run: it reads the folder's modules from the last one on.
+
+    In a new checkout each module is compiled by the process that reads it first, and the others find it so:
+    side by side all of them would compile every one.
+    """
+    # Several folders or files on the command line are collected in that order.
+    number = getattr(config, "workerinput", {}).get("workerid", "gw0").removeprefix("gw")
+    return int(number) % 2 == 1 and len(config.args) == 1
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(collector):
+    """Read folders backwards where this process does."""
+    report = yield
+    if isinstance(collector, pytest.Directory) and _goes_backwards(collector.config):
+        report.result.reverse()
+    return report
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config, items):
+    """Have the same order in all processes: folder by folder, by name."""
+    if _goes_backwards(config):
+        items.sort(key=lambda item: item.path.parts)
+
+
 def pytest_ignore_collect(collection_path, config):
     """Leave the tests of windows unread where none is wanted: they import Qt and the whole program."""
     if config.option.markexpr == "not window" and collection_path == Path(__file__).parent / "gui":
