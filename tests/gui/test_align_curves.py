@@ -51,31 +51,31 @@ def whole(boxes):
     return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
 
-@pytest.mark.parametrize("action", ACTIONS)
 @pytest.mark.parametrize("to", ["EachOther", "First", "Largest", "Drawing"])
-def test_curves_are_aligned_by_their_extents(four, action, to):
-    four.session.selected.set_curves({0, 1, 2}, 1)
-    before = boxes(four)
+def test_curves_are_aligned_by_their_extents(four, to):
     four.trigger(f"alignTo{to}")
-    four.trigger(action)
-    after = boxes(four)
+    before = boxes(four)
     box = {
         "EachOther": whole(before[:3]),
         "First": before[1],
         "Largest": before[1],
         "Drawing": whole(before),
     }
-    target = float(edge_of(box[to], action))
-    assert edge_of(after[:3], action) == pytest.approx(3 * [target], abs=2 * CLOSE)
-    # Nothing has changed its size or moved along the other axis, and nothing else has moved at all.
-    assert after[:, 1] - after[:, 0] == pytest.approx(before[:, 1] - before[:, 0], abs=CLOSE)
-    other = 1 if action in ACTIONS[:3] else 0
-    assert after[:, :, other] == pytest.approx(before[:, :, other], abs=CLOSE)
-    assert after[3] == pytest.approx(before[3], abs=CLOSE)
-    assert undo_text(four) == f"Align 3 curves {action.removeprefix('align').lower()}"
-    assert four.session.selected.curves == {0, 1, 2}
-    four.trigger("undo")
-    assert boxes(four) == pytest.approx(before)
+    for action in ACTIONS:
+        four.session.selected.set_curves({0, 1, 2}, 1)
+        four.trigger(action)
+        after = boxes(four)
+        target = float(edge_of(box[to], action))
+        assert edge_of(after[:3], action) == pytest.approx(3 * [target], abs=2 * CLOSE), action
+        # Nothing has changed its size or moved along the other axis, and nothing else has moved at all.
+        assert after[:, 1] - after[:, 0] == pytest.approx(before[:, 1] - before[:, 0], abs=CLOSE), action
+        other = 1 if action in ACTIONS[:3] else 0
+        assert after[:, :, other] == pytest.approx(before[:, :, other], abs=CLOSE), action
+        assert after[3] == pytest.approx(before[3], abs=CLOSE), action
+        assert undo_text(four) == f"Align 3 curves {action.removeprefix('align').lower()}"
+        assert four.session.selected.curves == {0, 1, 2}, action
+        four.trigger("undo")
+        assert boxes(four) == pytest.approx(before), action
     four.trigger("alignToEachOther")
 
 
