@@ -173,9 +173,10 @@ class Editor(InputDriver):
         assert box is not None
         require_reachable(box)
         box.setFocus()
-        QTest.keyClick(box, Qt.Key.Key_Home)
-        for _ in range(list(ParametrizationKind).index(ParametrizationKind(kind))):
-            QTest.keyClick(box, Qt.Key.Key_Down)
+        # Every key chooses the rule that it comes to.
+        steps = list(ParametrizationKind).index(ParametrizationKind(kind)) - box.currentIndex()
+        for _ in range(abs(steps)):
+            QTest.keyClick(box, Qt.Key.Key_Down if steps > 0 else Qt.Key.Key_Up)
         self.settle()
 
     def add_point(self, x: float, y: float, velocity_handle: Vector | None = None) -> None:
