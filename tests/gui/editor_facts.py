@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 
 from app.actions.keymap import is_so_already, why_not
+from tests.waiting import until
 
 
 def names(editor):
@@ -93,3 +94,13 @@ def assert_actions_as_rendered_anew(editor):
     actions.render()
     after = shown_by_actions(actions)
     assert before == {name: after[name] for name in before}
+
+
+def until_settled(editor, condition):
+    """Wait for what is computed beside the window, which begins at once instead of when a hand has rested."""
+
+    def is_there():
+        editor.wait_for_rest()
+        return condition()
+
+    until(is_there)

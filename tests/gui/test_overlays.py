@@ -27,7 +27,7 @@ from app.view_model.analysis.overlays import (
     ticks,
     vectors,
 )
-from tests.gui.editor_facts import retype
+from tests.gui.editor_facts import retype, until_settled
 from tests.waiting import until
 
 NEVER_MS = 600_000
@@ -64,7 +64,7 @@ def panel(editor, kind, name):
 def note(editor, name):
     """The words below a switch, once they have settled."""
     label = panel(editor, QLabel, f"{name}Note")
-    until(lambda: label.text() not in ("", "…"))
+    until_settled(editor, lambda: label.text() not in ("", "…"))
     return label.text()
 
 
@@ -134,7 +134,7 @@ HEAVY = {
 def test_what_is_heavy_settles_after_a_drag(dock, name):
     editor = dock
     editor.trigger(name)
-    until(lambda: figures(editor, HEAVY[name]))
+    until_settled(editor, lambda: figures(editor, HEAVY[name]))
     before = first(editor, HEAVY[name])
     # However slow the machine is, the hand does not rest before it is let go.
     settling = editor.window.commands[OverlayCommands]._task._timer
@@ -148,7 +148,7 @@ def test_what_is_heavy_settles_after_a_drag(dock, name):
     until(lambda: label.text() == "…")
     editor.escape()
     settling.setInterval(SETTLE_MS)
-    until(lambda: figures(editor, HEAVY[name]))
+    until_settled(editor, lambda: figures(editor, HEAVY[name]))
     assert np.array_equal(first(editor, HEAVY[name]), before, equal_nan=True)
 
 
@@ -220,9 +220,9 @@ def test_the_circle_brings_the_scrub_line_and_follows_it(dock):
     editor.scrub(0.8)
     assert not np.array_equal(first(editor, circle.LINE), before)
     radius = float(np.linalg.norm(np.diff(first(editor, circle.CENTRE), axis=0)))
-    until(lambda: note(editor, "overlayCircle").startswith(f"Radius {radius:.3g}"))
+    until_settled(editor, lambda: note(editor, "overlayCircle").startswith(f"Radius {radius:.3g}"))
     editor.trigger("toggleScrub")
-    until(lambda: "scrub line" in note(editor, "overlayCircle"))
+    until_settled(editor, lambda: "scrub line" in note(editor, "overlayCircle"))
     assert not figures(editor, circle.LINE)
 
 
@@ -245,7 +245,7 @@ def test_errors_are_typed_as_expressions(dock, qtbot):
     assert editor.window.analysis.settings.value(POINT_ERROR) == 0.125
     assert not np.array_equal(first(editor, band.AREA), before, equal_nan=True)
     # Eight uniform parameters: the Lebesgue constant is 6.9297.
-    until(lambda: "half-width 0.866" in note(editor, "overlayBand"))
+    until_settled(editor, lambda: "half-width 0.866" in note(editor, "overlayBand"))
     assert "times ε" in note(editor, "overlayBand")
     assert legend(editor) == ["Worst case, ε = 0.125"]
     type_into(panel(editor, QLineEdit, "parameterError"), "1e-3")
@@ -271,14 +271,14 @@ def test_the_first_error_is_a_hundredth_of_the_size_and_stays(editor):
 def test_another_seed_draws_other_curves(dock, qtbot):
     editor = dock
     editor.trigger("overlayEnsemble")
-    until(lambda: figures(editor, ensemble.LINES))
+    until_settled(editor, lambda: figures(editor, ensemble.LINES))
     before = first(editor, ensemble.LINES)
     qtbot.mouseClick(panel(editor, QToolButton, "newSeedButton"), Qt.MouseButton.LeftButton)
     assert not figures(editor, ensemble.LINES)
-    until(lambda: figures(editor, ensemble.LINES))
+    until_settled(editor, lambda: figures(editor, ensemble.LINES))
     assert not np.array_equal(first(editor, ensemble.LINES), before, equal_nan=True)
     qtbot.keyClick(panel(editor, QSlider, "ensembleCount"), Qt.Key.Key_Left)
-    until(lambda: note(editor, "overlayEnsemble") == "29 curves, seed 1.")
+    until_settled(editor, lambda: note(editor, "overlayEnsemble") == "29 curves, seed 1.")
 
 
 def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock):
@@ -291,10 +291,10 @@ def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock):
     assert not editor.window.canvas.drawing.annotations.figure_layer.figures
     assert not editor.window.canvas.drawing.annotations.figure_layer.ghosts
     problem = panel(editor, QLabel, "analysisProblem")
-    until(lambda: "distinct" in problem.text() or "coincide" in problem.text())
+    until_settled(editor, lambda: "distinct" in problem.text() or "coincide" in problem.text())
     editor.trigger("undo")
     assert figures(editor, comb.TEETH)
-    until(lambda: not problem.text())
+    until_settled(editor, lambda: not problem.text())
 
 
 def test_the_band_is_one_even_shade(editor):

@@ -17,7 +17,8 @@ from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.overlay_settings import Count, Factor
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.look.line_styles import LineStyle, Sign
-from tests.waiting import LIMIT, until
+from tests.gui.editor_facts import until_settled
+from tests.waiting import LIMIT
 
 RED, LIME = QColor("#ff0000"), QColor("#00ff00")
 PLATE = LineStyle(RED.name(), sign=Sign.AREA)
@@ -165,7 +166,7 @@ def test_the_dock_has_its_switch_its_settings_and_what_it_says(editor, qtbot):
     qtbot.keyClick(found(editor, QCheckBox, "overlayPlateSwitch"), Qt.Key.Key_Space)
     assert editor.action("overlayPlate").isChecked()
     note = found(editor, QLabel, "overlayPlateNote")
-    until(lambda: note.text() == "4 corners.")
+    until_settled(editor, lambda: note.text() == "4 corners.")
     small = seen(editor, RED)
     size, corners = found(editor, QSlider, "plateSize"), found(editor, QSlider, "plateCorners")
     assert not size.parentWidget().geometry().intersects(corners.parentWidget().geometry())
@@ -174,10 +175,10 @@ def test_the_dock_has_its_switch_its_settings_and_what_it_says(editor, qtbot):
     assert found(editor, QLabel, "plateSizeValue").text() == "× 1.6"
     assert seen(editor, RED) > 1.5 * small
     qtbot.keyClick(corners, Qt.Key.Key_Right)
-    until(lambda: note.text() == "5 corners.")
+    until_settled(editor, lambda: note.text() == "5 corners.")
     assert legend(editor) == ["Plate with 5 corners"]
     editor.trigger("toggleScrub")
-    until(lambda: note.text() == "Put the scrub line somewhere.")
+    until_settled(editor, lambda: note.text() == "Put the scrub line somewhere.")
 
 
 def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor):
@@ -186,7 +187,7 @@ def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor):
     editor.trigger("overlayMiddles")
     assert legend(editor) == ["Middles …"]
     MAY_END.set()
-    until(lambda: legend(editor) == ["Middle"])
+    until_settled(editor, lambda: legend(editor) == ["Middle"])
     assert seen(editor, LIME) > 10
     MAY_END.clear()
     x, y = editor.point(3)
@@ -199,7 +200,7 @@ def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor):
     editor.escape()
     note = found(editor, QLabel, "overlayMiddlesNote")
     count = len(editor.session.active_view.points) - 1
-    until(lambda: note.text() == f"{count} dots.")
+    until_settled(editor, lambda: note.text() == f"{count} dots.")
 
 
 def test_a_plot_is_drawn_chosen_and_read_at_the_scrub_line(editor, qtbot):

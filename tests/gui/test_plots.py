@@ -21,7 +21,7 @@ from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
 from app.view_model.look.line_styles import DASHED, LineStyle
 from curvecore import lebesgue_function
-from tests.waiting import until
+from tests.gui.editor_facts import until_settled
 
 ACTIONS = {
     "plotSpeed": lengths.SPEED,
@@ -316,7 +316,7 @@ def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor):
     editor.trigger("plotSpeed")
     assert not canvas(editor).plots
     settling.setInterval(SETTLE_MS)
-    until(lambda: canvas(editor).plots)
+    until_settled(editor, lambda: canvas(editor).plots)
     exact = np.linalg.norm(editor.session.active_view.curve.evaluate(line(editor).t[::50], 1), axis=1)
     assert line(editor).values[::50] == pytest.approx(exact)
 
@@ -375,7 +375,7 @@ def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor):
     before = plots.scale_of(title)
     wheel(editor, plots, plots.to_pixel(0.25, 0.5), 8)
     assert plots.scale_of(title).holding(before) == plots.scale_of(title)
-    until(lambda: plots.scale_of(title).high < 0.9 * before.high)
+    until_settled(editor, lambda: plots.scale_of(title).high < 0.9 * before.high)
 
 
 def test_arrow_keys_move_the_scrub_line(editor):

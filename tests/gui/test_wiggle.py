@@ -18,7 +18,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.wiggle.commands import WiggleCommands
 from app.features.wiggle.panel import WigglePanel
 from app.view_model.analysis.wording import short
-from tests.waiting import until
+from tests.gui.editor_facts import until_settled
 
 LEFT = Qt.MouseButton.LeftButton
 HEIGHTS = (0.04, 0.06, 0.1, 0.2, 0.5, 1.0, 0.5, 0.2, 0.1, 0.06, 0.04)
@@ -50,7 +50,7 @@ def panel(editor):
 
 def settled(editor):
     editor.settle()
-    until(lambda: not commands(editor)._task.is_busy)
+    until_settled(editor, lambda: not commands(editor)._task.is_busy)
     editor.settle()
 
 
