@@ -63,6 +63,8 @@ PASSING = {
     *("ViewCommands._before_folding", "ViewCommands._before_presentation"),
     # What was to be done had the work been stopped that has ended; what tries files, made for the first.
     *("FileWork._stopped", "FamilyFiles._made_task"),
+    # The sentence that was put away last; the next one takes its place.
+    "OwnFamilyCommands._dismissed",
     # What a panel covered when it was brought up; it is asked for only when that is closed.
     "_covered",
     # How often something has happened.
