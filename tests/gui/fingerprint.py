@@ -56,8 +56,10 @@ PASSING = {
     # Where the pointer was last, before it left, and with which button.
     *("_button", "_last", "_place_now", "_pointer", "CurvePicker.entered", "Scrolling._zooms"),
     "Snappers._hovered",
-    # A drag that is over until the next press.
-    "LiveSlider._is_over",
+    # A drag that is over until the next press; what was typed last, until more is; the panel named last.
+    *("LiveSlider._is_over", "GuideCommands._typed", "PointTableModel._is_refused", "FieldForm._entry"),
+    *("FieldEdit._entered", "FocusCommands._named", "TransformPanelCommands._turning"),
+    "WiggleCommands._scrub_before",
     # Where a motion was stopped, what a panel showed that is closed; both begin anew.
     *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),
     *("ViewCommands._before_folding", "ViewCommands._before_presentation"),
@@ -79,7 +81,7 @@ DRAWN = {"PointInk", "Stamps", "_Batch"}
 
 RENDERED_ANEW = {
     *("CommandPalette", "DigitsTable", "NoticeBar", "JobBar", "Legend", "MotionBar", "MotionDialog"),
-    *("PlotPane", "PreferencesDialog", "RecoveryBar", "ShortcutSheet", "WeightBars"),
+    *("PlotPane", "PointTable", "PreferencesDialog", "RecoveryBar", "ShortcutSheet", "WeightBars"),
 }
 """Widgets that are made when they are first wanted, and filled whenever they are shown."""
 

@@ -25,11 +25,13 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QTabWidget, QWid
 from shiboken6 import isValid
 
 from app.features.help.shortcut_sheet import ShortcutSheet
+from app.features.import_export.commands import ImportCommands
 from app.features.motion.commands import MotionCommands
 from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
 from app.features.style.commands import StyleCommands
 from app.features.view.zoom_commands import ZoomCommands
+from app.features.wiggle.commands import WiggleCommands
 from app.testing import Editor
 from app.view_model.animation.motion_settings import MotionSettings
 from app.window.command_palette import CommandPalette
@@ -161,6 +163,10 @@ class KeptEditor:
             if isinstance(sheet, (ShortcutSheet, CommandPalette)):
                 sheet.hide()
         window.context.work.jobs.give_up()
+        window.commands[ImportCommands]._opened = None
+        wiggle = window.commands[WiggleCommands]
+        wiggle._task.give_up()
+        wiggle._has_scrub = False
         # The program that a test has made, and that has ended, knew of other windows.
         files = window.context.files
         window.commands.drops.open_window, files.open_window, files.show_elsewhere = self._elsewhere

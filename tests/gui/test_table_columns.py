@@ -59,9 +59,17 @@ DISTANCE = Column(
 
 
 @pytest.fixture
-def table(monkeypatch, editor):
-    """A table of four points with the two columns behind those that every Lagrange curve has."""
-    monkeypatch.setattr(columns, "COLUMNS", (*columns.COLUMNS, CURVATURE, DISTANCE))
+def table(editor):
+    """A table of four points with the two columns behind those that every Lagrange curve has.
+
+    The columns are gone again when the window is reset.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(columns, "COLUMNS", (*columns.COLUMNS, CURVATURE, DISTANCE))
+        yield drawn_table(editor)
+
+
+def drawn_table(editor):
     curve = make_curve([(3.0, 4.0), (6.0, 8.0), (0.0, 5.0), (-3.0, 4.0)], family=LAGRANGE)
     editor.session.change("Begin", lambda _document: Document((curve,)))
     editor.settle()
