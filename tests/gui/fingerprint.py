@@ -81,7 +81,7 @@ DRAWN = {"PointInk", "Stamps", "_Batch"}
 
 RENDERED_ANEW = {
     *("CommandPalette", "DigitsTable", "NoticeBar", "JobBar", "Legend", "MotionBar", "MotionDialog"),
-    *("PlotPane", "PointTable", "PreferencesDialog", "RecoveryBar", "ShortcutSheet", "WeightBars"),
+    *("PlotPane", "PreferencesDialog", "RecoveryBar", "ShortcutSheet", "WeightBars"),
 }
 """Widgets that are made when they are first wanted, and filled whenever they are shown."""
 

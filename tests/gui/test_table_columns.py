@@ -59,24 +59,18 @@ DISTANCE = Column(
 
 
 @pytest.fixture
-def table(editor):
-    """A table of four points with the two columns behind those that every Lagrange curve has.
-
-    The columns are gone again when the window is reset.
-    """
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(columns, "COLUMNS", (*columns.COLUMNS, CURVATURE, DISTANCE))
-        yield drawn_table(editor)
-
-
-def drawn_table(editor):
+def table(monkeypatch, editor):
+    """A table of four points with the two columns behind those that every Lagrange curve has."""
+    monkeypatch.setattr(columns, "COLUMNS", (*columns.COLUMNS, CURVATURE, DISTANCE))
     curve = make_curve([(3.0, 4.0), (6.0, 8.0), (0.0, 5.0), (-3.0, 4.0)], family=LAGRANGE)
     editor.session.change("Begin", lambda _document: Document((curve,)))
     editor.settle()
     view = editor.window.point_table
     editor.window.resize(1600, 900)
     view.setFocus()
-    return view
+    yield view
+    # Before the window is reset, which is before `monkeypatch` ends.
+    columns.COLUMNS = BUILT_IN
 
 
 KAPPA = len(columns.columns_of(derivatives=0))
