@@ -7,6 +7,7 @@ import gc
 import locale
 import math
 import os
+import subprocess
 import sys
 from enum import Enum
 from itertools import compress, count
@@ -101,6 +102,19 @@ def own_families():
 
     with families_of_files(FAMILIES, [str(path) for path in FILES]):
         yield FAMILIES
+
+
+@pytest.fixture
+def children(monkeypatch):
+    """The processes that were started to read drawings."""
+    started, start = [], subprocess.Popen
+
+    def note(*arguments, **options):
+        started.append(start(*arguments, **options))
+        return started[-1]
+
+    monkeypatch.setattr("app.exchange.child.subprocess.Popen", note)
+    return started
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 import io
 import json
-import subprocess
 import sys
 
 import pytest
@@ -23,19 +22,6 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "bad.csv").write_text("1,2\n1,3\n=cmd,3\n")
     monkeypatch.chdir(tmp_path)
     return tmp_path
-
-
-@pytest.fixture
-def children(monkeypatch):
-    """The processes that read drawings."""
-    started, start = [], subprocess.Popen
-
-    def note(*arguments, **options):
-        started.append(start(*arguments, **options))
-        return started[-1]
-
-    monkeypatch.setattr("app.exchange.child.subprocess.Popen", note)
-    return started
 
 
 def written(folder):

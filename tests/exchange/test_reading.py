@@ -22,19 +22,6 @@ ROOT = Path(__file__).parents[2]
 BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3" * 90_000 + b'"/></svg>'
 
 
-@pytest.fixture
-def children(monkeypatch):
-    """The processes that read."""
-    started, start = [], subprocess.Popen
-
-    def note(*arguments, **options):
-        started.append(start(*arguments, **options))
-        return started[-1]
-
-    monkeypatch.setattr("app.exchange.child.subprocess.Popen", note)
-    return started
-
-
 @pytest.mark.usefixtures("drawings_read_here")
 @pytest.mark.parametrize("ending", [".curve.json", ".svg", ".dxf", ".csv", ".TSV"])
 def test_what_goes_out_comes_in(ending, sketch, tmp_path):
