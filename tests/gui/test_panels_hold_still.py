@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from layouts import Layouts
+from event_count import layouts_of
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QSize
 from PySide6.QtWidgets import (
@@ -88,7 +88,7 @@ def test_neither_a_step_nor_a_tool_lays_the_window_out_anew(arch):
     for name in ("undo", "redo"):
         arch.trigger(name)
     arch.settle()
-    window, toolbar = Layouts(arch.window), Layouts(arch.window.toolbar)
+    window, toolbar = layouts_of(arch.window), layouts_of(arch.window.toolbar)
     for name in ("undo", "redo", "addTool", "selectTool", "selectAll"):
         arch.trigger(name)
         arch.settle()
@@ -106,7 +106,7 @@ def test_scrolled_content_asks_for_room_only_where_it_needs_other_room(qtbot):
     column_of(label, parent=area.content)
     with qtbot.waitExposed(holder):
         holder.show()
-    layouts, least = Layouts(holder), holder.minimumSizeHint().width()
+    layouts, least = layouts_of(holder), holder.minimumSizeHint().width()
     label.setText("two")
     deliver_events()
     deliver_events()

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from event_count import paints_of
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QLocale, QObject, QPoint, Qt
+from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtGui import QAction, QFocusEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToolButton
@@ -804,23 +805,10 @@ def test_everything_has_a_name_and_a_tooltip(hermite):
     assert hermite.view.accessibleName() == "Points"
 
 
-class Paints(QObject):
-    """Count of the times that a widget is painted."""
-
-    def __init__(self, widget):
-        super().__init__(widget)
-        self.count = 0
-        widget.installEventFilter(self)
-
-    def eventFilter(self, _watched, event):
-        self.count += event.type() == QEvent.Type.Paint
-        return False
-
-
 @pytest.mark.parametrize("points", [((0, 0), (1, 2), (3, 2)), ((0, 0), (1, 2), (3, 2), (4, 0), (5, 1))])
 def test_other_rows_are_painted_once(arch, points):
     """They were painted, laid out, and painted again: with every point that was added."""
-    paints = Paints(arch.window.point_table.viewport())
+    paints = paints_of(arch.window.point_table.viewport())
     arch.session.commit(Document((make_curve(points),)), "Other points")
     arch.settle()
     arch.settle()

@@ -6,7 +6,7 @@ from decimal import Decimal
 
 import numpy as np
 import pytest
-from layouts import Layouts
+from event_count import layouts_of
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
@@ -374,7 +374,7 @@ def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
 def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor):
     """Labels whose text changed had it done 400 times in a drag of 400 moves: a tenth of every frame."""
     editor, panel = new_editor, new_editor.window.basis_panel
-    layouts = Layouts(editor.window)
+    layouts = layouts_of(editor.window)
     for family in FAMILIES:
         editor.choose_family(family)
         start = panel.rail_pixel(editor.parameters[3])
@@ -403,7 +403,7 @@ def test_other_digits_of_a_note_lay_nothing_out(editor, width):
         editor.session.preview(set_parameter(editor.session.committed, 0, 3, t, before))
         editor.wait_for_rest()
         if not notes:
-            layouts = Layouts(editor.window)
+            layouts = layouts_of(editor.window)
         notes.append(pane.findChild(QWidget, "basisExtent").toolTip())
     assert len(set(notes)) == 3
     assert layouts.count == 0
