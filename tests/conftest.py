@@ -1,4 +1,4 @@
-"""What every test gets: no display, a home of its own, repeatable randomness; documents are looked at."""
+"""What every test gets: no display, repeatable randomness; documents are looked at."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import os
 import subprocess
 import sys
 from enum import Enum
-from itertools import compress, count
+from itertools import compress
 from operator import is_not
 from pathlib import Path
 
@@ -47,7 +47,8 @@ from tests.waiting import LIMIT_MS
 for _wait in (QtBot.waitActive, QtBot.waitExposed, QtBot.waitSignal, QtBot.waitUntil):
     _wait.__kwdefaults__["timeout"] = LIMIT_MS
 
-pytest_plugins = ["tests.time_limit", "tests.left_over"]
+# In this order: each finds the homes of the tests in the environment.
+pytest_plugins = ["tests.homes", "tests.time_limit", "tests.left_over", "tests.worker_reports"]
 
 settings.register_profile(
     "curvebench",
@@ -66,32 +67,6 @@ providers.is_local_module_file = lambda _path: False
 os.fsync = os.fstat
 
 _generations = Generations()
-
-_HOMES = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA")
-_XDG = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
-
-
-@pytest.fixture(scope="session")
-def _homes(tmp_path_factory):
-    """Where the homes are: to number the next one pytest would read the names of all before it."""
-    return tmp_path_factory.mktemp("homes"), count()
-
-
-@pytest.fixture(autouse=True)
-def own_home(_homes, monkeypatch):
-    """Keep the person's own settings, recent files and recovery files out of reach."""
-    folder, numbers = _homes
-    home = folder / f"home{next(numbers)}"
-    home.mkdir(mode=0o700)
-    for name in _HOMES:
-        monkeypatch.setenv(name, str(home))
-    for name in _XDG:
-        monkeypatch.setenv(name, str(home / name.lower()))
-    core = sys.modules.get("PySide6.QtCore")
-    if core is not None:
-        for scope in (core.QSettings.Scope.UserScope, core.QSettings.Scope.SystemScope):
-            core.QSettings.setPath(core.QSettings.Format.IniFormat, scope, str(home / "settings"))
-    return home
 
 
 @pytest.fixture(scope="module")

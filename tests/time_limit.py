@@ -23,7 +23,7 @@ LIMIT_S = 600.0
 """For what hangs, on a machine with any load."""
 
 _SHARE = 0.1
-"""Part of the limit that earlier phases of a test may use of it.
+"""Part of the limit that earlier phases and tests may use of it.
 
 To end one thread and to start the next one takes some milliseconds of a busy machine.
 """
@@ -35,21 +35,24 @@ class Watchdog:
     """The thread that watches, and how long it has watched."""
 
     def __init__(self) -> None:
-        self._began = -math.inf
+        self._seconds, self._began = 0.0, -math.inf
 
     def begin_phase(self, item: pytest.Item) -> None:
         """Let the limit count from now on, unless it has done so for a moment only."""
         marker = item.get_closest_marker("time_limit")
         seconds = marker.args[0] if marker else LIMIT_S
         now = time.monotonic()
-        if seconds > 0.0 and now - self._began > _SHARE * seconds:
-            self._began = now
+        if seconds == self._seconds and now - self._began <= _SHARE * seconds:
+            return
+        self.end()
+        if seconds > 0.0:
+            self._seconds, self._began = seconds, now
             faulthandler.dump_traceback_later(seconds, exit=True, file=item.config.stash[_descriptor])
 
     def end(self) -> None:
         """Take the limit back; the next phase has one of its own."""
         faulthandler.cancel_dump_traceback_later()
-        self._began = -math.inf
+        self._seconds, self._began = 0.0, -math.inf
 
 
 watchdog = Watchdog()
@@ -66,11 +69,12 @@ def pytest_unconfigure(config):
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_runtest_protocol():
+def pytest_runtest_protocol(nextitem):
     try:
         return (yield)
     finally:
-        watchdog.end()
+        if nextitem is None:
+            watchdog.end()
 
 
 @pytest.hookimpl(tryfirst=True)
