@@ -21,6 +21,7 @@ from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.families.family_file import families_in
+from app.features.motion.commands import MotionCommands
 from app.tools.tool import TOOLS
 from app.view_model.curve.nearest import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
@@ -31,11 +32,6 @@ NO_FILM = ("playMotion", "motionLoop", "motionOnce", "motionPingPong")
 
 
 pytestmark = pytest.mark.usefixtures("own_families_in_windows")
-
-
-@pytest.fixture(params=EVERY)
-def name(request):
-    return request.param
 
 
 @pytest.fixture(params=OWN)
@@ -54,9 +50,7 @@ def drawn(editor):
         if kind is not ParametrizationKind.CHORD_LENGTH:
             document = edits.set_parametrization(document, 0, kind, np.linspace(0.0, 1.0, 6).tolist())
         editor.session.commit(document, "Begin")
-        if is_fitted:
-            editor.settle()
-        else:
+        if not is_fitted:
             editor.fit()
             is_fitted = True
         return editor
@@ -114,78 +108,85 @@ def test_it_is_offered_wherever_families_are(editor):
         editor.key(Qt.Key.Key_Escape)
 
 
-def test_its_key_chooses_it_and_undo_takes_it_back(editor, name):
-    editor.choose_family("hermite" if name == "lagrange" else "lagrange")
-    before = editor.session.document
-    key = editor.action(FAMILIES.named(name).action_name).shortcut().toString()
-    if place_of(name) <= 9:
-        assert key == str(place_of(name))
-        QTest.keyClicks(editor.window.canvas, key)
-    else:
-        # There are no more digits.
-        assert key == ""
-        editor.choose_family(name)
-    editor.settle()
-    assert editor.curve.family.name == name
-    assert editor.action(editor.curve.family.action_name).isChecked()
-    assert editor.session.undo_stack.undoText() == f"Switch to {FAMILIES.named(name).title}"
-    assert is_true(editor)
-    editor.trigger("undo")
-    assert editor.session.document == before
+def test_its_key_chooses_it_and_undo_takes_it_back(editor):
+    for name in EVERY:
+        editor.choose_family("hermite" if name == "lagrange" else "lagrange")
+        assert editor.curve.family.name != name
+        before = editor.session.document
+        key = editor.action(FAMILIES.named(name).action_name).shortcut().toString()
+        if place_of(name) <= 9:
+            assert key == str(place_of(name)), name
+            QTest.keyClicks(editor.window.canvas, key)
+        else:
+            # There are no more digits.
+            assert key == "", name
+            editor.choose_family(name)
+        editor.settle()
+        assert editor.curve.family.name == name, name
+        assert editor.action(editor.curve.family.action_name).isChecked(), name
+        assert editor.session.undo_stack.undoText() == f"Switch to {FAMILIES.named(name).title}", name
+        assert is_true(editor), name
+        editor.trigger("undo")
+        assert editor.session.document == before, name
 
 
 # Drawing and dragging
 
 
-def test_points_are_drawn_one_by_one(editor, name):
-    editor.new()
-    editor.choose_family(name)
-    for index, (x, y) in enumerate(((0.2, 0.3), (1.0, 2.0), (2.5, 1.0), (3.5, 2.4)), start=1):
-        editor.add_point(x, y)
-        assert len(editor.curve.points) == index
-        if index > 1:
-            assert is_true(editor)
-    editor.fit()
-    # Points lie over it here and there.
-    assert colours_along(editor) > 0.9
+def test_points_are_drawn_one_by_one(editor):
+    for name in EVERY:
+        editor.new()
+        editor.choose_family(name)
+        for index, (x, y) in enumerate(((0.2, 0.3), (1.0, 2.0), (2.5, 1.0), (3.5, 2.4)), start=1):
+            editor.add_point(x, y)
+            assert len(editor.curve.points) == index, name
+            if index > 1:
+                assert is_true(editor), name
+        editor.fit()
+        # Points lie over it here and there.
+        assert colours_along(editor) > 0.9, name
 
 
-def test_a_point_is_dragged_under_every_rule(drawn, name):
+def test_a_point_is_dragged_under_every_rule(drawn):
     """Families of files under every one, each of the others under a third; tests/view_model has all."""
-    kinds = list(ParametrizationKind)
-    for kind in kinds if name in OWN else kinds[place_of(name) % 3 :: 3]:
-        editor = drawn(name, kind)
-        editor.drag_point(2, (3.0, 2.0))
-        assert editor.point(2) == pytest.approx((3.0, 2.0), abs=2 * editor.pixel), kind
-        assert is_true(editor), kind
-        editor.trigger("undo")
-        assert editor.point(2) == POINTS[2], kind
-        assert is_true(editor), kind
+    for name in EVERY:
+        kinds = list(ParametrizationKind)
+        for kind in kinds if name in OWN else kinds[place_of(name) % 3 :: 3]:
+            editor = drawn(name, kind)
+            editor.drag_point(2, (3.0, 2.0))
+            assert editor.point(2) == pytest.approx((3.0, 2.0), abs=2 * editor.pixel), (name, kind)
+            assert is_true(editor), (name, kind)
+            editor.trigger("undo")
+            assert editor.point(2) == POINTS[2], (name, kind)
+            assert is_true(editor), (name, kind)
 
 
-def test_what_is_seen_during_a_drag_is_the_curve(drawn, name):
-    editor = drawn(name)
-    editor.press(editor.point(2))
-    for step in (2, 5):
-        editor.move((2.5 + 0.1 * step, 1.0 + 0.15 * step))
-        assert is_true(editor)
-        assert colours_along(editor) > 0.85
-    editor.escape()
-    assert editor.point(2) == POINTS[2]
+def test_what_is_seen_during_a_drag_is_the_curve(drawn):
+    for name in EVERY:
+        editor = drawn(name)
+        editor.press(editor.point(2))
+        for step in (2, 5):
+            editor.move((2.5 + 0.1 * step, 1.0 + 0.15 * step))
+            assert is_true(editor), name
+            assert colours_along(editor) > 0.85, name
+        editor.escape()
+        assert editor.point(2) == POINTS[2], name
 
 
-def test_several_points_are_turned_scaled_and_nudged(drawn, name):
-    editor = drawn(name)
-    editor.select([1, 2, 3])
-    editor.drag(editor.grip(1, 1), (5.0, 4.0))
-    assert is_true(editor)
-    editor.trigger("rotateSelection")
-    editor.type_amount("30")
-    editor.key(Qt.Key.Key_Return)
-    assert is_true(editor)
-    editor.key(Qt.Key.Key_Right)
-    assert is_true(editor)
-    assert editor.session.undo_stack.count() >= 4
+def test_several_points_are_turned_scaled_and_nudged(drawn):
+    for name in EVERY:
+        editor = drawn(name)
+        before = editor.session.undo_stack.index()
+        editor.select([1, 2, 3])
+        editor.drag(editor.grip(1, 1), (5.0, 4.0))
+        assert is_true(editor), name
+        editor.trigger("rotateSelection")
+        editor.type_amount("30")
+        editor.key(Qt.Key.Key_Return)
+        assert is_true(editor), name
+        editor.key(Qt.Key.Key_Right)
+        assert is_true(editor), name
+        assert editor.session.undo_stack.index() >= before + 3, name
 
 
 @pytest.mark.parametrize("name", [*OWN, EVERY[-1]])
@@ -206,27 +207,28 @@ def test_the_curve_is_bent_and_follows_the_pointer(drawn, name):
         assert now[2] < found.parameter < now[3], kind
 
 
-def test_parameters_are_dragged_and_typed_on_the_rail(drawn, name):
-    editor = drawn(name)
-    document, is_idle = editor.session.document, editor.session.active_view.curve.idle_parameters[2]
-    editor.drag_parameter(2, 0.45)
-    if is_idle:
-        # It would be a step of the history that changes nothing; one that does something makes it go along.
-        assert editor.session.document is document
-        before = editor.parameters
-        editor.drag_parameter(len(before) - 1, 0.9)
-        assert editor.parameters[-1] == pytest.approx(0.9, abs=0.01)
-        share = (before[2] - before[0]) / (before[-1] - before[0])
-        assert editor.parameters[2] == pytest.approx(share * editor.parameters[-1])
-    else:
-        assert editor.parameters[2] == pytest.approx(0.45, abs=0.01)
-    assert editor.curve.is_manual
-    assert is_true(editor)
-    editor.rail.type(3, "0.7")
-    assert editor.parameters[3] == 0.7
-    assert is_true(editor)
-    editor.scrub(0.6)
-    assert editor.session.scrub.t == pytest.approx(0.6, abs=0.01)
+def test_parameters_are_dragged_and_typed_on_the_rail(drawn):
+    for name in EVERY:
+        editor = drawn(name)
+        document, is_idle = editor.session.document, editor.session.active_view.curve.idle_parameters[2]
+        editor.drag_parameter(2, 0.45)
+        if is_idle:
+            # It would be a step of the history that changes nothing; one that does something takes it along.
+            assert editor.session.document is document, name
+            before = editor.parameters
+            editor.drag_parameter(len(before) - 1, 0.9)
+            assert editor.parameters[-1] == pytest.approx(0.9, abs=0.01), name
+            share = (before[2] - before[0]) / (before[-1] - before[0])
+            assert editor.parameters[2] == pytest.approx(share * editor.parameters[-1]), name
+        else:
+            assert editor.parameters[2] == pytest.approx(0.45, abs=0.01), name
+        assert editor.curve.is_manual, name
+        assert is_true(editor), name
+        editor.rail.type(3, "0.7")
+        assert editor.parameters[3] == 0.7, name
+        assert is_true(editor), name
+        editor.scrub(0.6)
+        assert editor.session.scrub.t == pytest.approx(0.6, abs=0.01), name
 
 
 # Reshaping
@@ -334,56 +336,61 @@ def test_a_tick_leads_back_from_parameters_that_the_family_refuses(drawn, tmp_pa
     assert editor.session.active_view.ticks[3] > 0.6
 
 
-def test_two_of_them_are_joined_or_it_is_said_why_not(drawn, own):
-    editor = drawn(own)
-    second = make_curve([(x + 6.0, y + 2.0) for x, y in POINTS], name="Second", family=FAMILIES.named(own))
-    editor.session.commit(Document((editor.curve, second)), "Second")
-    before = editor.session.document
-    editor.trigger("joinCurve")
-    if own != "tests_cosine_steps":
-        assert f"Two {FAMILIES.named(own).title} curves cannot be joined" in editor.status
-        assert editor.session.document == before
-    else:
-        assert len(editor.session.document.curves) == 1
-        assert len(editor.curve.points) == 11
-        assert is_true(editor)
+def test_two_of_them_are_joined_or_it_is_said_why_not(drawn):
+    for own in OWN:
+        editor = drawn(own)
+        beside = [(x + 6.0, y + 2.0) for x, y in POINTS]
+        second = make_curve(beside, name="Second", family=FAMILIES.named(own))
+        editor.session.commit(Document((editor.curve, second)), "Second")
+        before = editor.session.document
+        editor.trigger("joinCurve")
+        if own != "tests_cosine_steps":
+            assert f"Two {FAMILIES.named(own).title} curves cannot be joined" in editor.status, own
+            assert editor.session.document == before, own
+        else:
+            assert len(editor.session.document.curves) == 1, own
+            assert len(editor.curve.points) == 11, own
+            assert is_true(editor), own
 
 
-def test_the_way_back_is_the_same_curve(drawn, name):
-    editor = drawn(name)
-    before = editor.session.active_view.curve.evaluate(0.25)
-    editor.trigger("reverseCurve")
-    assert editor.session.active_view.curve.evaluate(0.75) == pytest.approx(before, abs=1e-12)
+def test_the_way_back_is_the_same_curve(drawn):
+    for name in EVERY:
+        editor = drawn(name)
+        before = editor.session.active_view.curve.evaluate(0.25)
+        editor.trigger("reverseCurve")
+        assert editor.session.active_view.curve.evaluate(0.75) == pytest.approx(before, abs=1e-12), name
 
 
 # Table, files
 
 
-def test_the_table_shows_and_takes_its_numbers(drawn, own):
-    editor = drawn(own)
-    table = editor.window.point_table.model()
-    assert not any(column.is_derivative for column in table.columns)
-    assert table.setData(table.index(2, 1), 3.25)
-    assert editor.point(2) == (3.25, 1.0)
-    assert table.setData(table.index(2, 0), 0.5)
-    assert editor.parameters[2] == 0.5
-    assert is_true(editor)
-    editor.trigger("undo")
-    editor.trigger("undo")
-    assert editor.point(2) == POINTS[2]
+def test_the_table_shows_and_takes_its_numbers(drawn):
+    for own in OWN:
+        editor = drawn(own)
+        table = editor.window.point_table.model()
+        assert not any(column.is_derivative for column in table.columns), own
+        assert table.setData(table.index(2, 1), 3.25), own
+        assert editor.point(2) == (3.25, 1.0), own
+        assert table.setData(table.index(2, 0), 0.5), own
+        assert editor.parameters[2] == 0.5, own
+        assert is_true(editor), own
+        editor.trigger("undo")
+        editor.trigger("undo")
+        assert editor.point(2) == POINTS[2], own
 
 
-def test_it_is_saved_and_opened_as_it_was(drawn, name, tmp_path):
-    editor = drawn(name)
-    path = tmp_path / "name.curve.json"
-    editor.session.save(path)
-    assert json.loads(path.read_text())["curves"][0]["family"] == name
-    before = editor.session.document
-    editor.new()
-    editor.session.open(path)
-    assert editor.session.document == before
-    assert is_true(editor)
-    assert editor.message == ""
+def test_it_is_saved_and_opened_as_it_was(drawn, tmp_path):
+    for name in EVERY:
+        editor = drawn(name)
+        path = tmp_path / "name.curve.json"
+        editor.session.save(path)
+        assert json.loads(path.read_text())["curves"][0]["family"] == name, name
+        before = editor.session.document
+        editor.new()
+        editor.session.open(path)
+        assert editor.session.document == before, name
+        assert is_true(editor), name
+        assert editor.message == "", name
 
 
 # Everything that shows something
@@ -408,10 +415,14 @@ def switches(editor):
 def test_everything_that_can_be_switched_on_goes_on_through_a_drag(drawn):
     editor = drawn(OWN[0])
     editor.select([2])
+    # It plays from the first comparison on, and every frame draws as much as a move.
+    player = editor.window.commands[MotionCommands].stage.player
+    now = 0.0
+    player.clock = lambda: now
     names = switches(editor)
     assert {"overlayComb", "overlayMarks", "ghostLagrange", "plotCurvature", "toggleLaboratory"} <= {*names}
     # Curves of all other families come last and go first: every switch has all that is on drawn anew.
-    heavy = [each for each in names if each.startswith("ghost") or each == "motionCompare"]
+    heavy = [each for each in names if each.startswith(("ghost", "motion"))]
     light = [each for each in names if each not in heavy]
     for name in [*light, *heavy]:
         if not editor.action(name).isChecked():
@@ -423,6 +434,7 @@ def test_everything_that_can_be_switched_on_goes_on_through_a_drag(drawn):
         before = editor.session.document
         # One move: every event draws all that is switched on.
         editor.press(editor.point(2))
+        now += 0.1
         editor.move((3.5, 2.2))
         assert is_true(editor), own
         editor.release((3.5, 2.2))
@@ -477,11 +489,12 @@ def texts_of(panel):
     return found
 
 
-def test_a_motion_runs_along_it(drawn, name):
-    editor = drawn(name)
-    editor.trigger("playMotion")
-    editor.trigger("stopMotion")
-    assert is_true(editor)
+def test_a_motion_runs_along_it(drawn):
+    for name in EVERY:
+        editor = drawn(name)
+        editor.trigger("playMotion")
+        editor.trigger("stopMotion")
+        assert is_true(editor), name
 
 
 def test_what_is_no_polynomial_is_not_called_one(drawn, own):
