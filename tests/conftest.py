@@ -159,6 +159,8 @@ def pytest_collection():
         return (yield)
     finally:
         gc.freeze()
+        # Behind many a test there would be next to nothing to collect.
+        gc.set_threshold(10_000, 10, 10)
 
 
 @pytest.hookimpl(wrapper=True)

@@ -18,8 +18,13 @@ _AGAIN_S = 0.02
 _BUSY = 0.8
 """Share of the limit that must have gone by at work, not waiting for other programs."""
 
-_WAITING = 10.0
-"""Multiple of the limit after which code that waits is stopped, too."""
+
+def _longest_wait(seconds: float) -> float:
+    """Return after how many seconds of the clock code is stopped that waits instead of working.
+
+    A busy machine may take several to give a program a tenth of a second.
+    """
+    return 5.0 + 10.0 * seconds
 
 
 class OverdueError(BaseException):
@@ -69,7 +74,7 @@ class _Clock:
 
     def _is_over(self, seconds: float) -> bool:
         worked = time.thread_time() - self._worked
-        return worked >= _BUSY * seconds or time.monotonic() - self._began >= _WAITING * seconds
+        return worked >= _BUSY * seconds or time.monotonic() - self._began >= _longest_wait(seconds)
 
 
 _clock = _Clock()
@@ -79,7 +84,7 @@ class stopped_after:  # noqa: N801 - reads as a word of the language
     """Raise `OverdueError` in what runs within as soon as the time is over.
 
     That bounds every loop of Python's; one in C is bounded by the size of its arrays. Time that the machine
-    gives to other programs does not count, up to `_WAITING` times the limit.
+    gives to other programs does not count, up to `_longest_wait`.
     """
 
     def __init__(self, seconds: float) -> None:

@@ -334,7 +334,7 @@ def test_a_loop_that_passes_over_mistakes_is_stopped_as_well(write, short_limits
 
 
 def test_a_call_that_waits_is_stopped_too(write, short_limits, monkeypatch):
-    monkeypatch.setattr(time_limit, "_WAITING", 1.5)
+    monkeypatch.setattr(time_limit, "_longest_wait", lambda seconds: 1.5 * seconds)
     path = write(
         GAUSSIAN.replace("    return _bells(t", "    import time; time.sleep(60)\n    return _bells(t")
     )
@@ -346,7 +346,7 @@ def test_time_that_the_machine_gives_to_others_does_not_count(write, short_limit
     """Beside busy programs a file was stopped 1 s after its limit, however little it had worked."""
     slow = SimpleNamespace(monotonic=lambda: 10.0 * time.monotonic(), thread_time=time.thread_time)
     monkeypatch.setattr(time_limit, "time", slow)
-    monkeypatch.setattr(time_limit, "_WAITING", 1000.0)
+    monkeypatch.setattr(time_limit, "_longest_wait", lambda _seconds: 1000.0)
     families_in(write(f"import time\ntime.sleep(0.3)\n{GAUSSIAN}"))
 
 
