@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Set
+from collections.abc import Callable, Hashable, Iterator, Mapping, Set
 from typing import Any, Generic, TypeVar, cast
 
 import msgspec
@@ -10,26 +10,31 @@ import msgspec
 from ..state.window_state import WindowState
 from .state import ActionState
 
+_Key = TypeVar("_Key", bound=Hashable)
 _Value = TypeVar("_Value")
 
 _WINDOW = "window"
 """The fact that has facts of its own: an action that shows the grid does not depend on the tool."""
 
 
-class Derived(Generic[_Value]):
-    """A value that is computed from an `ActionState` and from nothing else."""
+class DerivedValues(Generic[_Key, _Value]):
+    """Values by key, each computed from an `ActionState` and from nothing else."""
 
-    def __init__(self, compute: Callable[[ActionState], _Value]) -> None:
-        self._compute = compute
-        self._read: set[str] | None = None
+    def __init__(self, computes: Mapping[_Key, Callable[[ActionState], _Value]]) -> None:
+        self._computes = computes
+        # The facts that each has read; none of those that are yet to be computed.
+        self._reads: dict[_Key, set[str]] = {}
 
-    def of(self, state: ActionState, changed: Set[str]) -> _Value:
-        """Return the value for `state`, in which the facts `changed` differ from the state before."""
-        if self._read is None or not self._read.isdisjoint(changed):
+    def renewed(self, state: ActionState, changed: Set[str]) -> Iterator[tuple[_Key, _Value]]:
+        """Yield the values for `state` that read any of the facts `changed`, and those not computed yet."""
+        reads = self._reads
+        for key in [
+            each for each in self._computes if each not in reads or not reads[each].isdisjoint(changed)
+        ]:
             read = set[str]()
-            self._value = self._compute(cast("ActionState", _Reader(state, read)))
-            self._read = read
-        return self._value
+            value = self._computes[key](cast("ActionState", _Reader(state, read)))
+            reads[key] = read
+            yield key, value
 
 
 class _Reader:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, partial
 
 from PySide6.QtCore import QObject, Signal
@@ -13,7 +13,7 @@ from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..view_model.curve.curve_view import CurveView
 from .declaration import Action, Declared, Opened, all_declared
-from .derived import Derived, changed_facts
+from .derived import DerivedValues, changed_facts
 from .key_gate import KeyGate
 from .keymap import (
     Binding,
@@ -92,15 +92,16 @@ class Actions(QObject):
     def _sort_out(self) -> None:
         """Find what has to be asked about each: all the time, so nobody looks through hundreds for it."""
         declared = [(each, self._actions[name]) for name, each in self._declared.items()]
-        self._switches = {
-            name: Derived(each.is_on) for name, each in self._declared.items() if each.checked is not None
-        }
-        self._titled = [(action, Derived(each.title)) for each, action in declared if each.title is not None]
+        switches = {name: each.is_on for name, each in self._declared.items() if each.checked is not None}
+        self._switches, self._are_on = tuple(switches), DerivedValues(switches)
+        self._titles = DerivedValues(
+            {action: each.title for each, action in declared if each.title is not None}
+        )
         # Those with the same needs are enabled together, and asked about once.
         self._alike: dict[tuple[Need, Need], list[QAction]] = {}
         for each, action in declared:
             self._alike.setdefault(_needs_of(each), []).append(action)
-        self._whys_not = {needs: Derived(partial(_why_not, needs)) for needs in self._alike}
+        self._whys_not = DerivedValues({needs: partial(_why_not, needs) for needs in self._alike})
         self._missing = {}
         self._rendered: ActionState | None = None
         self._by_section: dict[Section, list[QAction]] = {}
@@ -244,15 +245,14 @@ class Actions(QObject):
             return
         changed = changed_facts(self._rendered, state) if self._rendered is not None else set[str]()
         self._take_back_opened()
-        for needs, why_not in self._whys_not.items():
-            missing = why_not.of(state, changed)
+        for needs, missing in self._whys_not.renewed(state, changed):
             if needs not in self._missing or self._missing[needs] != missing:
                 self._missing[needs] = missing
                 for action in self._alike[needs]:
                     _enable(action, *(missing or (None,)))
-        self._check({name for name, is_on in self._switches.items() if is_on.of(state, changed)})
-        for action, title in self._titled:
-            action.setText(title.of(state, changed))
+        self._check(dict(self._are_on.renewed(state, changed)))
+        for action, title in self._titles.renewed(state, changed):
+            action.setText(title)
         # Last: where something raises, the next time asks about these facts again.
         self._rendered = state
 
@@ -263,11 +263,13 @@ class Actions(QObject):
             for each in self._switches:
                 self._actions[each].setChecked(each in self._on)
 
-    def _check(self, on: set[str]) -> None:
-        before, self._on = self._on, on
-        for name in sorted(before ^ on, key=on.__contains__):
-            self._actions[name].setChecked(name in on)
-        if on != before:
+    def _check(self, are_on: Mapping[str, bool]) -> None:
+        """Check these actions, or uncheck them, as they are on or not."""
+        others = [name for name, is_on in are_on.items() if is_on != (name in self._on)]
+        self._on = self._on.symmetric_difference(others)
+        for name in sorted(others, key=self._on.__contains__):
+            self._actions[name].setChecked(name in self._on)
+        if others:
             self.switched.emit()
 
     def open_section(self, section: Section) -> None:
@@ -296,7 +298,7 @@ class Actions(QObject):
             action, each = self._actions[name], self._declared[name]
             action.setText(each.text)
             action.setStatusTip(each.tip)
-            self._missing.pop(_needs_of(each), None)
+            _enable(action, *(self._missing.get(_needs_of(each)) or (None,)))
         self._opened.clear()
 
     def set_theme(self, theme: Theme) -> None:

@@ -5,7 +5,7 @@ import random
 import pytest
 from msgspec.structs import replace
 
-from app.actions.derived import Derived, changed_facts
+from app.actions.derived import DerivedValues, changed_facts
 from app.actions.needs import NOTHING
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
@@ -113,17 +113,25 @@ def test_one_changed_fact_asks_only_the_actions_that_depend_on_it(editor):
 
 def test_facts_are_noted_that_properties_and_methods_read(editor):
     state = editor.window.actions_by_name._facts.read()
-    is_hermite = Derived(lambda state: state.has_derivatives)
-    adds = Derived(lambda state: state.window.uses(ADD))
-    assert not is_hermite.of(state, set())
-    assert not adds.of(state, set())
-    changed = replace(state, family=HERMITE, window=replace(state.window, tool=ADD))
-    differences = changed_facts(state, changed)
-    assert differences == {"family", "window.tool"}
-    assert is_hermite.of(changed, differences)
-    assert adds.of(changed, differences)
+    values = DerivedValues(
+        {
+            "is_hermite": lambda state: state.has_derivatives,
+            "adds": lambda state: state.window.uses(ADD),
+            "adds_to_hermite": lambda state: state.has_derivatives and state.window.uses(ADD),
+        }
+    )
+    nothing = dict.fromkeys(("is_hermite", "adds", "adds_to_hermite"), False)
+    assert dict(values.renewed(state, set())) == nothing
+    assert dict(values.renewed(state, set())) == {}
+    as_hermite = replace(state, family=HERMITE)
+    changed = replace(as_hermite, window=replace(state.window, tool=ADD))
+    assert changed_facts(state, changed) == {"family", "window.tool"}
+    assert dict(values.renewed(changed, changed_facts(state, changed))) == dict.fromkeys(nothing, True)
     # Not asked again where only other facts differ.
-    assert is_hermite.of(state, {"window.tool"})
+    assert dict(values.renewed(as_hermite, {"window.tool"})) == {"adds": False, "adds_to_hermite": False}
+    assert dict(values.renewed(state, {"family"})) == {"is_hermite": False, "adds_to_hermite": False}
+    # The last one did not get as far as the tool.
+    assert dict(values.renewed(replace(state, window=changed.window), {"window.tool"})) == {"adds": True}
 
 
 def test_another_selected_point_asks_no_action_anything(editor):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import msgspec
 from PySide6.QtCore import QEvent, QMargins, QObject, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtGui import QAction, QHideEvent, QKeyEvent, QKeySequence, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QLineEdit, QScrollArea, QSizePolicy, QWidget
 
 from ...appearance.icons import icon
@@ -164,7 +164,6 @@ class ShortcutSheet(OverlayFrame):
         self.show()
         self.raise_()
         self.setFocus()
-        _application().installEventFilter(self)
 
     def _show_found(self, text: str) -> None:
         """Show the rows in which all words of a text are."""
@@ -179,7 +178,6 @@ class ShortcutSheet(OverlayFrame):
 
     def dismiss(self) -> None:
         """Hide, and give the focus back."""
-        _application().removeEventFilter(self)
         had_focus = self.hasFocus() or self.isAncestorOf(QApplication.focusWidget() or self.below)
         self.hide()
         if had_focus and self._focus_before is not None:
@@ -209,6 +207,15 @@ class ShortcutSheet(OverlayFrame):
 
     # Qt's events
 
+    def showEvent(self, event: QShowEvent) -> None:
+        _application().installEventFilter(self)
+        super().showEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        # Whatever hides it: every event of the program would come by.
+        _application().removeEventFilter(self)
+        super().hideEvent(event)
+
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             if QKeySequence(event.keyCombination()) not in self._toggle.shortcuts():
@@ -226,8 +233,6 @@ class ShortcutSheet(OverlayFrame):
             scroll.setValue(scroll.value() + by)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if not self.isVisible():
-            return False
         match event.type():
             case QEvent.Type.Resize if watched is self._over:
                 self.place()
