@@ -24,7 +24,8 @@ _ABSENT = object()
 _OUR_NAMES = QRegularExpression("^(?!qt_|_q_|ScrollLeftButton$|ScrollRightButton$).")
 """Not those of Qt: the last two are what a row of tabs is scrolled with, as wide as it was last."""
 
-# Looked up once: for every name that is asked of one of its classes Qt for Python looks for features.
+# Looked up once: for every name that is asked of an object of its classes Qt for Python looks for features.
+# An `isinstance` that is false asks for one, too.
 _object_name, _is_checked, _is_enabled = QObject.objectName, QAction.isChecked, QAction.isEnabled
 _is_visible, _text, _shortcut, _key_text = (
     QAction.isVisible,
@@ -32,6 +33,8 @@ _is_visible, _text, _shortcut, _key_text = (
     QAction.shortcut,
     QKeySequence.toString,
 )
+_is_visible_to, _is_widget_enabled, _tool_tip = QWidget.isVisibleTo, QWidget.isEnabled, QWidget.toolTip
+_property, _current_index = QObject.property, QTabWidget.currentIndex
 
 _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySide6", "shiboken6", "Shiboken"}
 
@@ -100,6 +103,8 @@ class _Kind:
         They never change, though what they refer to may.
     names
         The attributes that all objects of the type have.
+    text
+        What returns the text of a widget of the type; None where it has none.
     """
 
     def __init__(self, kind: type) -> None:
@@ -108,6 +113,9 @@ class _Kind:
         self.is_set = issubclass(kind, set | frozenset)
         self.is_dict = issubclass(kind, dict)
         self.is_rendered_anew = kind.__name__ in RENDERED_ANEW
+        self.is_action, self.is_widget = issubclass(kind, QAction), issubclass(kind, QWidget)
+        self.is_dock, self.is_tabs = issubclass(kind, QDockWidget), issubclass(kind, QTabWidget)
+        self.text = next((each.text for each in (QLabel, QAbstractButton) if issubclass(kind, each)), None)
         package = kind.__module__.partition(".")[0]
         is_known = issubclass(kind, (*_PLAIN, *_FUNCTIONS, set, frozenset, dict, list, tuple))
         self.is_ours = not is_known and package == "app"
@@ -124,19 +132,26 @@ class _Kind:
         self.name, self.type = kind.__name__, kind
         self.passing = {name.removeprefix(f"{base.__name__}.") for base in kind.__mro__ for name in PASSING}
         self.names = sorted(names - self.passing)
+        self._said_of_all: dict[str, object] = {}
 
     def said_of_all(self, name: str) -> object:
-        return getattr(self.type, name, _ABSENT)
+        """Return what the type itself says; asked once, for where it says nothing Qt for Python is slow."""
+        if name not in self._said_of_all:
+            self._said_of_all[name] = getattr(self.type, name, _ABSENT)
+        return self._said_of_all[name]
 
 
-_kinds: dict[type, _Kind] = {}
+class _Kinds(dict[type, _Kind]):
+    def __missing__(self, kind: type) -> _Kind:
+        self[kind] = _Kind(kind)
+        return self[kind]
+
+
+_kinds = _Kinds()
 
 
 def _kind_of(value: object) -> _Kind:
-    kind = _kinds.get(type(value))
-    if kind is None:
-        kind = _kinds[type(value)] = _Kind(type(value))
-    return kind
+    return _kinds[type(value)]
 
 
 class _Record:
@@ -153,9 +168,11 @@ class _Record:
     def __init__(self, value: object) -> None:
         # Its id is its own as long as it lives.
         self._value = value
-        told: list[tuple[str, object]] = []
+        kind = _kind_of(value)
+        told: list[tuple[str, object]] = [("", kind.name)]
         self.others: list[tuple[str, object]] = []
-        self._tell("", value, told)
+        for name in kind.names:
+            self._tell(f".{name}", getattr(value, name, None), told)
         self.told = tuple(told)
 
     def _tell(self, place: str, value: object, told: list[tuple[str, object]]) -> None:
@@ -165,9 +182,9 @@ class _Record:
         elif kind.is_function:
             told.append((place, value.__qualname__))
         elif kind.is_record:
-            told.append((place, kind.name))
-            for name in kind.names:
-                self._tell(f"{place}.{name}", getattr(value, name, None), told)
+            record = _record_of(value)
+            told.append((place, record.told))
+            self.others += [(f"{place}{within}", each) for within, each in record.others]
         elif kind.type is tuple:
             told.append((place, len(value)))
             for index, each in enumerate(value):
@@ -183,6 +200,7 @@ def forget() -> None:
     """Let go of the records that were told of, and of the windows that these refer to."""
     _records.clear()
     _visits.clear()
+    _visits_of_commands.clear()
 
 
 def _record_of(value: object) -> _Record:
@@ -209,23 +227,26 @@ class _Visit:
         self._slots = kind.names if kind.is_ours else ()
         self._own = getattr(value, "__dict__", {}) if kind.is_ours else value
         self._keys = tuple(self._own) if isinstance(self._own, dict) else None
-        self._items, self._in_slots = self._parts()
+        self._items, self._in_slots = tuple(self._now()), self._now_in_slots()
         self.told: dict[str, object] = {}
         self.others: list[tuple[str, object, _Kind]] = []
 
-    def _parts(self) -> tuple[tuple[object, ...], list[object]]:
-        items = tuple(self._own if self._keys is None else self._own.values())
-        return items, [getattr(self._value, name, None) for name in self._slots]
+    def _now(self) -> Collection[object]:
+        return self._own if self._keys is None else self._own.values()
+
+    def _now_in_slots(self) -> list[object]:
+        return [getattr(self._value, name, None) for name in self._slots]
 
     def holds(self) -> bool:
         """Whether all that the object refers to is the same as then, not only equal."""
         if len(self._own) != len(self._items) or (self._keys is not None and tuple(self._own) != self._keys):
             return False
-        items, in_slots = self._parts()
-        return all(map(is_, items, self._items)) and all(map(is_, in_slots, self._in_slots))
+        is_same = all(map(is_, self._now(), self._items))
+        return is_same and (not self._slots or all(map(is_, self._now_in_slots(), self._in_slots)))
 
 
 _visits: dict[int, _Visit] = {}
+_visits_of_commands: dict[int, _Visit] = {}
 
 
 def _look_at(visit: _Visit, place: str, value: object, kind: _Kind) -> None:
@@ -270,6 +291,15 @@ def _look_at_ours(visit: _Visit, place: str, value: object, kind: _Kind) -> None
             _look_at(visit, f"{place}.{name}", each, known)
 
 
+def _look_at_commands(visit: _Visit, place: str, commands: object, kind: _Kind) -> None:
+    """Tell of a set of commands: no name leads to it. Its widgets are told of where they are seen."""
+    for name, value in vars(commands).items():
+        each = None if _kind_of(value).is_widget else value
+        known = _kind_of(each)
+        if not known.is_opaque and name not in kind.passing:
+            _look_at(visit, f"{place}.{name}", each, known)
+
+
 class Fingerprint:
     """What can be told of a window: the plain values of all objects of ours that it reaches, and its widgets.
 
@@ -283,14 +313,19 @@ class Fingerprint:
         self.told: dict[str, object] = {}
         self._window = window
         self._seen: set[int] = set()
-        self._walk("window", window, _kind_of(window))
+        self._walk([("window", window, _kind_of(window))])
         for commands in window.commands._sets.values():
             self._tell_commands(commands)
         for each in _visits.keys() - self._seen:
             del _visits[each]
         # Together: to look for children takes long, and hardly longer for all than for some.
-        children = window.findChildren(QObject, _OUR_NAMES)
-        actions = [child for child in children if issubclass(type(child), QAction)]
+        actions = []
+        for child in window.findChildren(QObject, _OUR_NAMES):
+            kind = _kind_of(child)
+            if kind.is_action:
+                actions.append(child)
+            elif kind.is_widget:
+                self._tell_widget(child, kind)
         texts, keys = map(_text, actions), map(_key_text, map(_shortcut, actions))
         told = zip(
             map(_is_checked, actions),
@@ -302,56 +337,49 @@ class Fingerprint:
             strict=True,
         )
         self.told.update(zip([f"action {name}" for name in map(_object_name, actions)], told, strict=True))
-        for child in children:
-            if issubclass(type(child), QWidget):
-                self._tell_widget(child)
 
     def _tell_commands(self, commands: object) -> None:
-        """Tell of a set of commands: no name leads to it. Its widgets are told of where they are seen."""
-        kind = _kind_of(commands)
-        visit = _Visit("commands", commands, kind)
-        for name, value in vars(commands).items():
-            each = None if isinstance(value, QWidget) else value
-            known = _kind_of(each)
-            if not known.is_opaque and name not in kind.passing:
-                _look_at(visit, f"commands {kind.name}.{name}", each, known)
+        visit = _visits_of_commands.get(id(commands))
+        if visit is None or not visit.holds():
+            kind = _kind_of(commands)
+            visit = _visits_of_commands[id(commands)] = _Visit(f"commands {kind.name}", commands, kind)
+            _look_at_commands(visit, visit.place, commands, kind)
         self.told.update(visit.told)
-        for each in visit.others:
-            self._walk(*each)
+        self._walk(visit.others[::-1])
 
-    def _tell_widget(self, widget: QWidget) -> None:
-        name = widget.objectName()
-        if isinstance(widget, QDockWidget):
-            self.told[f"dock {name}"] = bool(widget.property("hasRoom"))
-        if isinstance(widget, QTabWidget) and widget.currentIndex() > 0:
+    def _tell_widget(self, widget: QWidget, kind: _Kind) -> None:
+        name = _object_name(widget)
+        if kind.is_dock:
+            self.told[f"dock {name}"] = bool(_property(widget, "hasRoom"))
+        if kind.is_tabs and (page := _current_index(widget)) > 0:
             # Whoever shows it again sees the page that was seen last.
-            self.told[f"page of {name}"] = widget.currentIndex()
+            self.told[f"page of {name}"] = page
         # What is out of sight is told what to say before it is shown.
-        if widget.isVisibleTo(self._window) and name not in USED_LAST:
-            self.told[f"widget {name}"] = self._told_of(widget)
+        if _is_visible_to(widget, self._window) and name not in USED_LAST:
+            text = "" if kind.text is None else kind.text(widget)
+            self.told[f"widget {name}"] = _is_widget_enabled(widget), text, _tool_tip(widget)
 
-    def _walk(self, place: str, value: object, kind: _Kind) -> None:
-        """Tell of what may change though it stays the same object."""
-        if kind.is_set:
-            self.told[place] = len(value)
-        elif id(value) not in self._seen:
-            self._seen.add(id(value))
-            if kind.is_ours and kind.is_rendered_anew and not value.isVisibleTo(self._window):
+    def _walk(self, left: list[tuple[str, object, _Kind]]) -> None:
+        """Tell of what may change though it stays the same object, from the last of these on."""
+        told, seen = self.told, self._seen
+        while left:
+            place, value, kind = left.pop()
+            if kind.is_set:
+                told[place] = len(value)
+                continue
+            if id(value) in seen:
+                continue
+            seen.add(id(value))
+            if kind.is_rendered_anew and kind.is_ours and not _is_visible_to(value, self._window):
                 # As if it were not there yet.
-                self.told[place] = None
-                return
+                told[place] = None
+                continue
             visit = _visits.get(id(value))
             if visit is None or visit.place != place or not visit.holds():
                 visit = _visits[id(value)] = _Visit(place, value, kind)
                 (_look_at_ours if kind.is_ours else _look_at_items)(visit, place, value, kind)
-            self.told.update(visit.told)
-            for within, each, known in visit.others:
-                self._walk(within, each, known)
-
-    @staticmethod
-    def _told_of(widget: QWidget) -> tuple[object, ...]:
-        text = widget.text() if isinstance(widget, QLabel | QAbstractButton) else ""
-        return widget.isEnabled(), text, widget.toolTip()
+            told.update(visit.told)
+            left += reversed(visit.others)
 
 
 def named_actions(window: QWidget) -> list[QAction]:
