@@ -79,6 +79,8 @@ PASSING = {
 }
 """Names of attributes that may differ, some of one class only."""
 
+_PASSING = [(name.rpartition(".")[0], name.rpartition(".")[2]) for name in PASSING]
+
 DRAWN = {"PointInk", "Stamps", "_Batch"}
 """Classes, with those derived from them, of which all that differs is what was drawn last."""
 
@@ -130,7 +132,8 @@ class _Kind:
             slots = vars(base).get("__slots__", ())
             names.update((slots,) if isinstance(slots, str) else slots)
         self.name, self.type = kind.__name__, kind
-        self.passing = {name.removeprefix(f"{base.__name__}.") for base in kind.__mro__ for name in PASSING}
+        owners = {"", *(base.__name__ for base in kind.__mro__)}
+        self.passing = {name for owner, name in _PASSING if owner in owners}
         self.names = sorted(names - self.passing)
         self._said_of_all: dict[str, object] = {}
 
@@ -210,6 +213,9 @@ def _record_of(value: object) -> _Record:
     return record
 
 
+_Entry = tuple[int, str, object, _Kind]
+
+
 class _Visit:
     """What was told of an object or a collection, for as long as all that it refers to is the same.
 
@@ -217,8 +223,10 @@ class _Visit:
     ----------
     told
         What is told of it and of what never changes in it, by the places.
+    sets
+        The sets that it refers to, with the places: of these there is only the size to tell.
     others
-        What it refers to beside that: the places, the objects, and their kinds.
+        What it refers to beside that: the ids of the objects, the places, the objects, and their kinds.
     """
 
     def __init__(self, place: str, value: object, kind: _Kind) -> None:
@@ -229,7 +237,8 @@ class _Visit:
         self._keys = tuple(self._own) if isinstance(self._own, dict) else None
         self._items, self._in_slots = tuple(self._now()), self._now_in_slots()
         self.told: dict[str, object] = {}
-        self.others: list[tuple[str, object, _Kind]] = []
+        self.sets: list[tuple[str, Collection[object]]] = []
+        self.others: list[_Entry] = []
 
     def _now(self) -> Collection[object]:
         return self._own if self._keys is None else self._own.values()
@@ -239,9 +248,11 @@ class _Visit:
 
     def holds(self) -> bool:
         """Whether all that the object refers to is the same as then, not only equal."""
-        if len(self._own) != len(self._items) or (self._keys is not None and tuple(self._own) != self._keys):
-            return False
-        is_same = all(map(is_, self._now(), self._items))
+        own = self._own
+        if self._keys is None:
+            is_same = len(own) == len(self._items) and all(map(is_, own, self._items))
+        else:
+            is_same = tuple(own) == self._keys and all(map(is_, own.values(), self._items))
         return is_same and (not self._slots or all(map(is_, self._now_in_slots(), self._in_slots)))
 
 
@@ -265,8 +276,10 @@ def _look_at(visit: _Visit, place: str, value: object, kind: _Kind) -> None:
     elif kind.type is tuple and not value:
         # One object, wherever it stands.
         visit.told[f"{place}.count"] = 0
+    elif kind.is_set:
+        visit.sets.append((place, value))
     else:
-        visit.others.append((place, value, kind))
+        visit.others.append((id(value), place, value, kind))
 
 
 def _look_at_items(visit: _Visit, place: str, value: Collection[object], kind: _Kind) -> None:
@@ -313,7 +326,7 @@ class Fingerprint:
         self.told: dict[str, object] = {}
         self._window = window
         self._seen: set[int] = set()
-        self._walk([("window", window, _kind_of(window))])
+        self._walk([(id(window), "window", window, _kind_of(window))])
         for commands in window.commands._sets.values():
             self._tell_commands(commands)
         for each in _visits.keys() - self._seen:
@@ -344,8 +357,13 @@ class Fingerprint:
             kind = _kind_of(commands)
             visit = _visits_of_commands[id(commands)] = _Visit(f"commands {kind.name}", commands, kind)
             _look_at_commands(visit, visit.place, commands, kind)
-        self.told.update(visit.told)
+        self._tell(visit)
         self._walk(visit.others[::-1])
+
+    def _tell(self, visit: _Visit) -> None:
+        self.told.update(visit.told)
+        for place, value in visit.sets:
+            self.told[place] = len(value)
 
     def _tell_widget(self, widget: QWidget, kind: _Kind) -> None:
         name = _object_name(widget)
@@ -359,26 +377,23 @@ class Fingerprint:
             text = "" if kind.text is None else kind.text(widget)
             self.told[f"widget {name}"] = _is_widget_enabled(widget), text, _tool_tip(widget)
 
-    def _walk(self, left: list[tuple[str, object, _Kind]]) -> None:
+    def _walk(self, left: list[_Entry]) -> None:
         """Tell of what may change though it stays the same object, from the last of these on."""
-        told, seen = self.told, self._seen
+        seen = self._seen
         while left:
-            place, value, kind = left.pop()
-            if kind.is_set:
-                told[place] = len(value)
+            own_id, place, value, kind = left.pop()
+            if own_id in seen:
                 continue
-            if id(value) in seen:
-                continue
-            seen.add(id(value))
-            if kind.is_rendered_anew and kind.is_ours and not _is_visible_to(value, self._window):
+            seen.add(own_id)
+            if kind.is_rendered_anew and not _is_visible_to(value, self._window):
                 # As if it were not there yet.
-                told[place] = None
+                self.told[place] = None
                 continue
-            visit = _visits.get(id(value))
+            visit = _visits.get(own_id)
             if visit is None or visit.place != place or not visit.holds():
-                visit = _visits[id(value)] = _Visit(place, value, kind)
+                visit = _visits[own_id] = _Visit(place, value, kind)
                 (_look_at_ours if kind.is_ours else _look_at_items)(visit, place, value, kind)
-            told.update(visit.told)
+            self._tell(visit)
             left += reversed(visit.others)
 
 
