@@ -77,10 +77,14 @@ class Extent(msgspec.Struct, frozen=True):
 
 
 class ColumnNumbers(msgspec.Struct, frozen=True):
-    """Greatest magnitude of the numbers in a column, 0 where there is none, and their extent."""
+    """Greatest magnitude of the numbers in a column, 0 where there is none, and their extent.
+
+    `telling` are the digits that tell them apart.
+    """
 
     greatest: float
     extent: Extent
+    telling: int
 
     @property
     def negligible(self) -> float:
@@ -90,9 +94,11 @@ class ColumnNumbers(msgspec.Struct, frozen=True):
 
 def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
     """Return what is known of each column of `values`, (n, columns)."""
-    magnitudes = np.abs(values)
-    magnitudes[~np.isfinite(magnitudes)] = 0.0
+    magnitudes, are_finite = np.abs(values), np.isfinite(values)
+    magnitudes[~are_finite] = 0.0
     greatest = magnitudes.max(axis=0, initial=0.0)
+    least = values.min(axis=0, initial=math.inf, where=are_finite)
+    spread = values.max(axis=0, initial=-math.inf, where=are_finite) - least
     shown = (magnitudes > 0) & (magnitudes >= NEGLIGIBLE * greatest)
     rows, columns = np.nonzero(shown)
     decades = np.floor(np.log10(magnitudes[rows, columns]) + _ROUNDED_UP).astype(np.intp)
@@ -104,7 +110,11 @@ def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
         seen[column].append((-1 if sign else 1, place + _LEAST_DECADE))
     is_signed = np.atleast_1d(np.any(values < 0, axis=0))
     return [
-        ColumnNumbers(most, _extent_of(seen[column], most, is_signed=bool(is_signed[column])))
+        ColumnNumbers(
+            most,
+            _extent_of(seen[column], most, is_signed=bool(is_signed[column])),
+            telling_digits(spread[column], most),
+        )
         for column, most in enumerate(greatest.tolist())
     ]
 
@@ -131,11 +141,11 @@ def column_decimals(values: FloatArray, digits: int) -> int:
     return next((decimals for decimals, is_exact in enumerate(are_exact.tolist()) if is_exact), most)
 
 
-def telling_digits(values: FloatArray) -> int:
-    """Return how many digits it takes to tell numbers apart, three of their spread: 12 of 1700000000.04."""
-    finite = values[np.isfinite(values)]
-    spread = float(np.ptp(finite)) if finite.size else 0.0
-    greatest = float(np.abs(finite).max(initial=0.0))
+def telling_digits(spread: float, greatest: float) -> int:
+    """Return how many digits it takes to tell numbers apart, three of their spread: 12 of 1700000000.04.
+
+    They are 0 where the spread is none, or beyond all floats.
+    """
     if not NEGLIGIBLE * greatest < spread < math.inf:
         return 0
     return _whole_digits(greatest) + max(2 - math.floor(math.log10(spread)), 0)

@@ -219,7 +219,8 @@ def _largest_of(controls: list[FloatArray]) -> list[float]:
             np.abs(at[first : first + step] @ table[segment[first : first + step]]).sum(axis=2)
             for first in range(0, len(segment), step)
         ]
-        found: FloatArray = np.minimum(np.nan_to_num(np.concatenate(blocks), nan=LARGEST), LARGEST)
+        # Sums beyond all floats, and those of infinities of either sign, which are no numbers.
+        found: FloatArray = np.fmin(np.concatenate(blocks), LARGEST)
         return found
 
     owner = np.repeat(np.arange(len(controls)), counts)

@@ -207,7 +207,8 @@ def _facts(view: CurveView) -> str:
 
 def _digits_of(interval: tuple[float, float]) -> int:
     """Return how many digits tell both ends apart, six at least."""
-    return min(max(telling_digits(np.array(interval)), 6), 15)
+    start, end = interval
+    return min(max(telling_digits(end - start, max(abs(start), abs(end))), 6), 15)
 
 
 def _kind_facts(curve: ParametricCurve) -> list[str]:

@@ -39,8 +39,8 @@ class _StepDelegate(Guarded, QStyledItemDelegate):
         option.decorationSize = QSize(_MARGIN, 1)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
-        size = super().sizeHint(option, index)
-        return QSize(size.width(), option.fontMetrics.height() + 8)
+        # As wide as the list is; the style would look at all that is drawn of the row.
+        return QSize(0, option.fontMetrics.height() + 8)
 
 
 class HistoryPanel(QWidget):
@@ -66,4 +66,5 @@ class HistoryPanel(QWidget):
 
     def name_beginning(self, text: str) -> None:
         """Show `text` as what came before the first step."""
-        self.view.setEmptyLabel(text)
+        if text != self.view.emptyLabel():
+            self.view.setEmptyLabel(text)

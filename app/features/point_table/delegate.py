@@ -30,13 +30,13 @@ from ...appearance.theme import LIGHT, Theme, mix
 from ...qt.keys import ENTER, PASSING
 from ...qt.overrides import Guarded
 from ...widgets.number_text import (
+    ColumnNumbers,
     Extent,
     column_decimals,
     column_text,
     decimal_mark,
     exact_text,
     most_decimals,
-    telling_digits,
     widest_texts,
 )
 from .model import PointTableModel
@@ -201,14 +201,9 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
     def telling_widths(self, metrics: QFontMetrics) -> list[int]:
         """Return how wide the columns are at least that tell numbers apart which are close together."""
         return [
-            self._widths.of(numbers.extent, digits, metrics) if (digits := self._telling(column)) else 0
-            for column, numbers in enumerate(self._model.numbers_of_columns)
+            self._widths.of(numbers.extent, digits, metrics) if (digits := _telling(numbers)) else 0
+            for numbers in self._model.numbers_of_columns
         ]
-
-    def _telling(self, column: int) -> int:
-        """Return the digits that it takes to tell numbers apart where the usual ones do not; else 0."""
-        digits = telling_digits(self._model.values[:, column])
-        return min(digits, _MOST_DIGITS) if digits > _DIGITS[0] else 0
 
     def update_formats(self, widths: Sequence[int], metrics: QFontMetrics, *, streaming: bool) -> bool:
         """Fit the formats to columns of these widths; return whether any is another one now.
@@ -229,7 +224,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
         numbers = self._model.numbers_of_columns[column]
-        telling = 0 if self._streaming else self._telling(column)
+        telling = 0 if self._streaming else _telling(numbers)
         tried = (telling, *_DIGITS) if telling else _DIGITS
         fitting = (each for each in tried if self._widths.of(numbers.extent, each, metrics) <= width)
         digits = next(fitting, _DIGITS[-1])
@@ -318,6 +313,11 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         width = min(max(wanted, cell.width()), viewport.width())
         left = max(min(cell.right() + 1 - width, viewport.width() - width), 0)
         editor.setGeometry(QRect(left, cell.top(), width, cell.height()))
+
+
+def _telling(numbers: ColumnNumbers) -> int:
+    """Return the digits that it takes to tell numbers apart where the usual ones do not; else 0."""
+    return min(numbers.telling, _MOST_DIGITS) if numbers.telling > _DIGITS[0] else 0
 
 
 def _paint_corner_mark(painter: QPainter, rect: QRect, theme: Theme) -> None:

@@ -250,7 +250,7 @@ class PointTable(FollowsTheme, QWidget):
     def _report_selection(self) -> None:
         if not self._rendering:
             self.rows_selected.emit(self.view.selected_rows())
-        self._render_footer()
+            self._render_footer()
 
     def _report_refusal(self, reason: str) -> None:
         self._tell(f"⚠ {html_of(reason)}")

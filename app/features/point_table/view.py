@@ -105,17 +105,23 @@ class PointTableView(ClaimsKeys, QTableView):
 
     def _share_width(self) -> None:
         """Share the width among the columns; none gets less than a few digits need."""
-        room = self.viewport().width()
-        candidates = [self._needed(*digits) for digits in COMPACT_DIGITS]
-        telling = self.cell_delegate.telling_widths(self.fontMetrics())
-        if any(telling):
-            candidates.insert(0, [max(both) for both in zip(telling, candidates[-1], strict=True)])
-        needed = next((each for each in candidates if sum(each) + _EDGE // 2 <= room), candidates[-1])
+        room, needed = self.viewport().width(), list[int]()
+        for needed in self._tried_widths():
+            if sum(needed) + _EDGE // 2 <= room:
+                break
         spare = max(room - sum(needed), 0)
         # Numbers at the very edge of the window are hard to read.
         spare, rest = divmod(spare - min(spare, _EDGE), max(len(needed), 1))
         for column, width in enumerate(needed):
             self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
+
+    def _tried_widths(self) -> Iterator[list[int]]:
+        """Yield widths of all columns, the last of which are taken where none has room."""
+        telling = self.cell_delegate.telling_widths(self.fontMetrics())
+        if any(telling):
+            yield [max(both) for both in zip(telling, self._needed(*COMPACT_DIGITS[-1]), strict=True)]
+        for digits in COMPACT_DIGITS:
+            yield self._needed(*digits)
 
     def _needed(self, digits: int, of_derivatives: int) -> list[int]:
         return self.cell_delegate.needed_widths(digits, of_derivatives, self.fontMetrics())
@@ -130,8 +136,9 @@ class PointTableView(ClaimsKeys, QTableView):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._share_width()
-        self._fit_formats()
+        if event.size().width() != event.oldSize().width():
+            self._share_width()
+            self._fit_formats()
 
     # What is selected
 
