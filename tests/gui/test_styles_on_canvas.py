@@ -75,17 +75,20 @@ def uniform(image, places, reach):
 
 
 @pytest.mark.parametrize("active", [0, 2], ids=["resting", "edited"])
-@pytest.mark.parametrize("style", STYLES.values(), ids=STYLES)
-def test_canvas_and_picture_agree(editor, style, active):
-    document = drawing(style)
+def test_canvas_and_picture_agree(editor, active):
     editor.window.context.store.change(grid=False)
-    editor.session.commit(document, "Begin", active=active)
-    editor.fit()
-    editor.select([])
-    editor.wait_for_rest()
+    for name, style in STYLES.items():
+        document = drawing(style)
+        editor.session.commit(document, "Begin", active=active)
+        editor.fit()
+        editor.select([])
+        editor.wait_for_rest()
+        assert_canvas_and_picture_agree(editor, document, picture_of(style), name)
+
+
+def assert_canvas_and_picture_agree(editor, document, picture, name):
     canvas = editor.window.canvas
     shot = canvas.viewport().grab().toImage()
-    picture = picture_of(style)
     frame = drawing_of(document).frame
     points = np.vstack([view.points for view in editor.session.views])
     plane = np.stack(np.meshgrid(np.arange(-1.0, 11.5, 0.17), np.arange(-0.6, 4.6, 0.17)), axis=-1)
@@ -99,6 +102,6 @@ def test_canvas_and_picture_agree(editor, style, active):
     theirs, are_theirs = uniform(picture, np.rint(in_picture).astype(int), 2)
     is_compared = are_ours & are_theirs
     far = is_compared & (abs(ours - theirs).max(axis=1) > 2)
-    assert not far.any(), (plane[far], ours[far], theirs[far])
-    assert is_compared.sum() > 500
-    assert (ours[is_compared] != LIGHT.paper.getRgb()).any(axis=1).sum() > 10
+    assert not far.any(), (name, plane[far], ours[far], theirs[far])
+    assert is_compared.sum() > 500, name
+    assert (ours[is_compared] != LIGHT.paper.getRgb()).any(axis=1).sum() > 10, name
