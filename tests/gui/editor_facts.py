@@ -104,3 +104,11 @@ def until_settled(editor, condition):
         return condition()
 
     until(is_there)
+
+
+def stop_beside(lifecycle):
+    """Stop a program whose windows stay open: they are watched and kept by it no more."""
+    lifecycle.stop()
+    while lifecycle._autosaves:
+        _window, autosave = lifecycle._autosaves.popitem()
+        autosave.finish()

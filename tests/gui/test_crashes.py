@@ -17,32 +17,24 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPlainTextEdit, QPushButton
 
 from app.cli.lifecycle import FaultFile, Lifecycle
-from app.cli.windows import open_windows
 from app.diagnostics.crash_handler import CrashHandler
 from app.diagnostics.crash_report import report_of, versions
 from app.features.recovery.autosave import snapshot_folder
 from app.storage import files
 from app.storage.recovery import list_snapshots
-from app.testing import Editor
+from tests.gui.editor_facts import stop_beside
 from tests.waiting import until
 
 
 @pytest.fixture
-def guarded(qapp):
-    """An editor in a program that takes its exceptions itself, as `curvebench` does."""
+def guarded(qapp, editor):
+    """The editor in a program that takes its exceptions itself, as `curvebench` does."""
     before = (sys.excepthook, threading.excepthook, sys.unraisablehook)
-    (window,) = open_windows(())
-    editor = Editor.on(window)
-    editor.fit()
-    lifecycle = Lifecycle(qapp, [window])
+    editor.lifecycle = lifecycle = Lifecycle(qapp, [editor.window])
     lifecycle.start()
-    editor.lifecycle = lifecycle
     yield editor
-    lifecycle.stop()
+    stop_beside(lifecycle)
     assert (sys.excepthook, threading.excepthook, sys.unraisablehook) == before
-    if is_open(window):
-        window.asks_before_closing = False
-        window.close()
 
 
 def is_open(window):

@@ -12,6 +12,7 @@ from app.cli.lifecycle import Lifecycle
 from app.document.model import Document, make_curve
 from app.storage.files import save
 from app.window import MainWindow
+from tests.gui.editor_facts import stop_beside
 from tests.waiting import until
 
 COPY, MOVE = Qt.DropAction.CopyAction, Qt.DropAction.MoveAction
@@ -121,8 +122,7 @@ def program(editor, qapp):
     for window in editor.others():
         window.close()
         window.deleteLater()
-    lifecycle.stop()
-    editor.window.commands.drops.open_window = editor.window.context.files.open_window = None
+    stop_beside(lifecycle)
 
 
 def documents(folder, *names):
