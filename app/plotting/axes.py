@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter
+from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
 
 from curvecore.arrays import FloatArray
@@ -39,6 +39,7 @@ _MARGIN, _FOOT = 1, 6
 
 _ONE_LINE = Qt.TextFlag.TextSingleLine | Qt.TextFlag.TextDontClip
 _IN_THE_MIDDLE = int(_ONE_LINE | Qt.AlignmentFlag.AlignCenter)
+_AT_THE_RIGHT = int(_ONE_LINE | Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 
 class Axis:
@@ -171,22 +172,24 @@ class Side:
         ticks = axis.ticks_in(self._shown)
         if axis.is_ruler:
             painter.fillRect(self.box(0, self.length, 0, axis.thickness), theme.surface)
-        places = [(round(self.at(place)), text) for place, text in ticks.labels]
-        lengths = [(round(self.at(place)), _MARK * share) for place, share in ticks.marks]
-        lengths += [(along, _TICK) for along, _ in places]
+        numbers = [(round(self.at(place)), text) for place, text in ticks.labels]
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.ghost if axis.is_ruler else theme.grid_coarse)
         bars = Bars()
-        bars.fill(self._ticks_at(np.array(lengths, dtype=float).reshape(-1, 2)))
+        bars.fill(self._bars_of(ticks.marks, [along for along, _ in numbers]))
         bars.draw(painter)
         painter.setFont(axis.font)
         painter.setPen(theme.muted)
-        for along, text in places:
-            self._write(painter, along, text)
+        metrics = painter.fontMetrics()
+        for along, text in numbers:
+            self._write(painter, along, text, metrics)
 
-    def _ticks_at(self, ticks: FloatArray) -> FloatArray:
-        """Return the line along the side, and ticks (k, 2), pixel and length each, as bars."""
-        along, away = np.append(ticks[:, 0], 0.0), np.append(ticks[:, 1], 1.0)
+    def _bars_of(self, marks: Sequence[tuple[float, float]], numbered: Sequence[int]) -> FloatArray:
+        """Return `marks` (place of the plane and size each), ticks at `numbered` pixels, and the line."""
+        places, sizes = np.array(marks, dtype=float).reshape(-1, 2).T
+        along = np.round(self._shown.y(places) if self._is_upright else self._shown.x(places))
+        along = np.concatenate([along, numbered, [0.0]])
+        away = np.concatenate([_MARK * sizes, np.full(len(numbered), _TICK), [1.0]])
         ones = np.ones_like(away)
         ones[-1] = self.length
         edge = self._edge + (-away if self._out < 0 else np.zeros_like(away))
@@ -194,22 +197,24 @@ class Side:
             return np.column_stack([edge, along, away, ones])
         return np.column_stack([along, edge, ones, away])
 
-    def _write(self, painter: QPainter, along: float, text: str) -> None:
+    def _write(self, painter: QPainter, along: float, text: str, metrics: QFontMetrics) -> None:
         """Write a number beside its tick; where there is too little room for it, pressed together."""
-        metrics, away = painter.fontMetrics(), _TICK + _GAP / 2
         half = metrics.height() / 2
         if not self._is_upright:
-            box = self.box(along - half, along + half, away, away + 2 * half)
-            painter.drawText(box, _IN_THE_MIDDLE, text)
+            away = _TICK + _GAP / 2
+            painter.drawText(
+                self.box(along - half, along + half, away, away + 2 * half), _IN_THE_MIDDLE, text
+            )
             return
         width, room = metrics.horizontalAdvance(text), self.axis.thickness - _TICK - _GAP
+        end = self.point(along, _TICK + _GAP)
+        if width <= room:
+            painter.drawText(QRectF(end.x() - width, end.y() - half, width, 2 * half), _AT_THE_RIGHT, text)
+            return
         painter.save()
-        painter.translate(self.point(along, _TICK + _GAP))
-        painter.scale(min(room / max(width, 1), 1.0), 1.0)
-        box = QRectF(-width, -half, width, 2 * half)
-        painter.drawText(
-            box, int(_ONE_LINE | Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter), text
-        )
+        painter.translate(end)
+        painter.scale(room / width, 1.0)
+        painter.drawText(QRectF(-width, -half, width, 2 * half), _AT_THE_RIGHT, text)
         painter.restore()
 
 
@@ -294,6 +299,4 @@ class Axes:
         box = QRectF(-left, top, max(metrics.horizontalAdvance(text) + 6, left), across)
         painter.fillRect(box, self._theme.surface if self.are_rulers else self._theme.paper)
         painter.setPen(self._theme.muted)
-        painter.drawText(
-            box, int(_ONE_LINE | Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight), text
-        )
+        painter.drawText(box, _AT_THE_RIGHT, text)

@@ -197,7 +197,6 @@ class LayerStack:
         ground.setDevicePixelRatio(ratio)
         ground.fill(self.theme.paper)
         with QPainter(ground) as painter:
-            painter.fillRect(self._area(), self.theme.paper)
             painter.translate(origin)
             self.paint_still(painter, shown, origin)
         return ground
