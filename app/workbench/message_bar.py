@@ -61,9 +61,10 @@ class SentenceBar(OverlayFrame):
 
     def show_sentence(self, text: str, *, warns: bool) -> None:
         """Show what is wrong, or a hint."""
-        self._is_warning = warns
         self.sentence.setText(text)
-        self._paint_sign()
+        if warns != self._is_warning:
+            self._is_warning = warns
+            self._paint_sign()
         self.show()
         self.place()
         self.raise_()

@@ -152,9 +152,10 @@ class BasisPane(FollowsTheme, CentralPane):
         """Show what is wrong with the functions, and what is to be known of them, below the header."""
         text = " ".join(filter(None, ("⚠" * bool(findings), *findings, remark)))
         if text != self._findings.text():
-            self._warns = bool(findings)
             self._findings.setText(text)
-            self._colour_findings()
+            if bool(findings) != self._warns:
+                self._warns = bool(findings)
+                self._colour_findings()
             self._findings.setVisible(bool(text))
 
     def _colour_findings(self) -> None:

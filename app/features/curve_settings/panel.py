@@ -139,7 +139,10 @@ class CurveSettings(FieldForm):
             box.setCurrentIndex(list(each.rules).index(rule))
             if (tip := f"{_rule_tip(each)}\n{rule.label}: {rule.tip}") != box.toolTip():
                 box.setToolTip(tip)
-            self._form.setRowVisible(box, each.order <= curve.family.derivatives)
+            has_rule = each.order <= curve.family.derivatives
+            if self._form.isRowVisible(box) != has_rule:
+                # Qt lays the form out anew, whatever it is asked.
+                self._form.setRowVisible(box, has_rule)
         self.reset_button.setVisible(bool(orders_set(view)))
         self._facts.setText(_facts(view))
         # Nothing is wrong with a curve that is yet to be begun.

@@ -69,7 +69,7 @@ class PointTable(FollowsTheme, QWidget):
         self._pending: tuple[CurveView, bool] | None = None
         self._rendering = False
         # The view shown last, and whether it was one of a gesture.
-        self._fitted: tuple[CurveView, bool] | None = None
+        self._shown: tuple[CurveView, bool] | None = None
         self._to_reset: tuple[list[int], list[Column]] = ([], [])
         self.model = PointTableModel(self)
         self.view = PointTableView(self.model, self)
@@ -181,21 +181,19 @@ class PointTable(FollowsTheme, QWidget):
     def show_now(self, view: CurveView, *, streaming: bool = False) -> None:
         """Show `view` at once: who reads the table after a step of the history finds the present numbers."""
         self._pending = None
+        self._clear_message()
+        shown = view, streaming
+        if shown == self._shown:
+            return
+        self._shown = shown
         self._rendering = True
         self.model.show_view(view)
         # Not later, after it has been painted: it would be painted twice.
         self.view.executeDelayedItemsLayout()
-        self._fit_columns(view, streaming=streaming)
+        self.view.fit_columns(streaming=streaming)
         self.view.select_rows(self._selection)
         self._rendering = False
-        self._clear_message()
         self._render_footer()
-
-    def _fit_columns(self, view: CurveView, *, streaming: bool) -> None:
-        fitted = view, streaming
-        if fitted != self._fitted:
-            self._fitted = fitted
-            self.view.fit_columns(streaming=streaming)
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Select the rows of these points."""
