@@ -513,6 +513,7 @@ def test_all_curves_are_exported_where_none_is_chosen_or_all_are_asked_for(waves
     assert len(paths_in(path)) == 1, "the curve that is edited"
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_a_part_of_a_drawing_begins_in_its_own_corner(editor, tmp_path, monkeypatch):
     """The icon was seen from “79 -38”, where it lies on its page."""
     icon = make_curve([(79.1, 22), (95.1, 22), (95.1, 38), (79.1, 38)], name="icon", family=HERMITE)

@@ -590,6 +590,7 @@ def test_a_file_that_is_not_there(editor, tmp_path):
     assert "gone.csv" in editor.message
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 @pytest.mark.parametrize("name", ["a.svg", "a.csv"])
 def test_dropping_a_file_imports_it(editor, tmp_path, name):
     path = write(tmp_path / name, SVG if name == "a.svg" else "1,2\n3,4\n")

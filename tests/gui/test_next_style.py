@@ -101,7 +101,7 @@ def test_what_is_drawn_after_a_curve_was_deleted_looks_like_it(empty):
 
 
 @pytest.fixture
-def imported(empty, tmp_path):
+def imported(empty, tmp_path, drawings_read_here):
     """A green rectangle, and a drawing of two red squares that was imported after it."""
     rectangle(empty, 20)
     style_set(empty, "fillPaintHex", GREEN)

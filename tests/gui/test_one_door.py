@@ -57,12 +57,16 @@ def hat(name="Hat", right=0.0):
 @pytest.fixture
 def two(editor):
     """Two curves, the second one edited, two of its points selected."""
-    editor.session.commit(Document((hat(), hat("Other", 5.0))), "Begin")
+    begin_with_two(editor)
     editor.fit()
-    editor.session.selected.activate(1)
-    editor.select([1, 2])
-    editor.session.scrub.set(0.4)
     return editor
+
+
+def begin_with_two(editor):
+    editor.session.commit(Document((hat(), hat("Other", 5.0))), "Begin")
+    editor.session.selected.activate(1)
+    editor.session.selected.set_points([1, 2])
+    editor.session.scrub.set(0.4)
 
 
 def with_on_clipboard(editor, name):
@@ -117,20 +121,19 @@ def what_it_does(editor, name, begin, *, cancelled):
 
 
 @pytest.mark.parametrize(
-    ("name", "begin"),
-    [
-        *((name, under_g) for name in COMMANDS[::2]),
-        *((name, begin) for name in COMMANDS[1::6] for begin in (under_a_drag, under_the_pen)),
-    ],
+    ("names", "begin"),
+    [(COMMANDS[::2], under_g), (COMMANDS[1::6], under_a_drag), (COMMANDS[1::6], under_the_pen)],
 )
-def test_a_command_in_the_middle_of_a_gesture_does_what_it_does_without(two, name, begin):
-    with_on_clipboard(two, name)
-    within = what_it_does(two, name, begin, cancelled=False)
-    if within is None:
-        # One point is held, where the command is for several, or for what nobody set there.
-        assert name in ("alignLeft", "resetVelocities")
-    else:
-        assert within == what_it_does(two, name, begin, cancelled=True)
+def test_a_command_in_the_middle_of_a_gesture_does_what_it_does_without(two, names, begin):
+    for name in names:
+        begin_with_two(two)
+        with_on_clipboard(two, name)
+        within = what_it_does(two, name, begin, cancelled=False)
+        if within is None:
+            # One point is held, where the command is for several, or for what nobody set there.
+            assert name in ("alignLeft", "resetVelocities")
+        else:
+            assert within == what_it_does(two, name, begin, cancelled=True), name
 
 
 def test_a_panel_in_the_middle_of_a_gesture_changes_what_was_there(two):
