@@ -16,7 +16,7 @@ from ..plotting.drawing import draw_segments, is_near
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import inside, size_of, write_on_plate
+from ..plotting.plates import clear_of, inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.animation.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of
 from ..view_model.look.line_styles import DASHED
@@ -113,15 +113,6 @@ class MotionLayer(Layer):
         along = np.subtract(tip, start) / max(float(np.hypot(*np.subtract(tip, start))), 1e-9)
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
-        plate = inside(x, y, size, shown)
-        # Arrows with nearly one tip: one name stands below or above the other, and those that are there.
-        side = 0
-        while covered := [other for other in self._written if plate.intersects(other)]:
-            side = side or (1 if plate.center().y() >= covered[0].center().y() else -1)
-            plate.moveTop(
-                max(other.bottom() for other in covered)
-                if side > 0
-                else min(other.top() for other in covered) - height
-            )
+        plate = clear_of(self._written, inside(x, y, size, shown))
         self._written.append(plate)
         write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())

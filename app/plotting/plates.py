@@ -12,6 +12,9 @@ from .pixel_map import PixelMap
 
 _EDGE = 4.0
 
+_GAP = 1.0
+"""Pixels between plates that lie above one another."""
+
 
 def size_of(painter: QPainter, text: str, across: float = 10.0, down: float = 4.0) -> QSizeF:
     """Return the size of a plate for text in the painter's font, so many pixels larger in all."""
@@ -24,6 +27,20 @@ def inside(left: float, top: float, size: QSizeF, shown: PixelMap) -> QRectF:
     left = min(max(left, _EDGE), max(shown.width - size.width() - _EDGE, _EDGE))
     top = min(max(top, _EDGE), max(shown.height - size.height() - _EDGE, _EDGE))
     return QRectF(left, top, size.width(), size.height())
+
+
+def clear_of(others: Sequence[QRectF], plate: QRectF) -> QRectF:
+    """Return a plate moved down or up past the others that it would cover, away from the first of these."""
+    plate, side = QRectF(plate), 0
+    while covered := [other for other in others if plate.intersects(other)]:
+        side = side or (1 if plate.center().y() >= covered[0].center().y() else -1)
+        # Without a gap it may cover the same one again: its bottom is its top and its height, rounded.
+        plate.moveTop(
+            max(other.bottom() for other in covered) + _GAP
+            if side > 0
+            else min(other.top() for other in covered) - plate.height() - _GAP
+        )
+    return plate
 
 
 def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, shown: PixelMap) -> QRectF:
