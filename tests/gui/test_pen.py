@@ -38,14 +38,6 @@ def ring(pen):
     return pen
 
 
-@pytest.fixture
-def ruled(pen, family, kind):
-    """An empty curve of the test's family and rule, and the pen in hand."""
-    document = edits.set_family(pen.session.document, 0, family)
-    begin(pen, edits.set_parametrization(document, 0, kind, []))
-    return pen
-
-
 def lengths(editor, index, kind=1):
     """The lengths of the velocity handles of a point, by whether they are ahead."""
     handles = [each for each in handles_of(editor.session.active_view, index) if each.kind == kind]
@@ -107,20 +99,21 @@ def test_an_acceleration_goes_along_by_the_square(pen):
 
 @pytest.mark.parametrize("span", [1.0, 2.5])
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
-def test_the_handle_of_the_first_point_stays(ruled, span):
-    ruled.session.commit(edits.set_interval(ruled.session.document, 0, 0.0, span), "Span")
-    tip = at(ruled, 45, 30)
-    ruled.press(at(ruled, 0, 0))
-    ruled.move(tip)
-    assert ruled.status.partition(" · ")[2].startswith("the handle stays here")
-    assert ruled.handle().position == pytest.approx(tip, abs=2 * ruled.pixel)
-    ruled.release(tip)
-    drawn = ruled.handle().position
-    ruled.click(at(ruled, 400, 0))
-    (handle,) = (each for each in handles_of(ruled.session.active_view, 0) if each.kind == 1)
-    assert handle.ahead
-    assert handle.position == pytest.approx(drawn, rel=1e-12)
+def test_the_handle_of_the_first_point_stays(pen, kind, span):
+    empty, tip = pen.session.document, at(pen, 45, 30)
+    for family in WITH_VELOCITIES:
+        document = edits.set_parametrization(edits.set_family(empty, 0, family), 0, kind, [])
+        begin(pen, edits.set_interval(document, 0, 0.0, span))
+        pen.press(at(pen, 0, 0))
+        pen.move(tip)
+        assert pen.status.partition(" · ")[2].startswith("the handle stays here"), family
+        assert pen.handle().position == pytest.approx(tip, abs=2 * pen.pixel), family
+        pen.release(tip)
+        drawn = pen.handle().position
+        pen.click(at(pen, 400, 0))
+        (handle,) = (each for each in handles_of(pen.session.active_view, 0) if each.kind == 1)
+        assert handle.ahead, family
+        assert handle.position == pytest.approx(drawn, rel=1e-12), family
 
 
 def test_closing_with_the_pen_keeps_the_handles_short_as_well(pen):
