@@ -114,6 +114,7 @@ class ToolPlot(PlotWidget):
     gesture_ended = Signal()
     errands_changed = Signal()
     pointed_at = Signal(object)
+    _hover_wanted = Signal()
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -128,8 +129,9 @@ class ToolPlot(PlotWidget):
         self._has_words = False
         self._words_due = QTimer(self, singleShot=True)
         self._words_due.timeout.connect(self.tell)
-        self._hover_due = QTimer(self, singleShot=True, interval=0)
-        self._hover_due.timeout.connect(self.hover_again)
+        # Later, but before Qt paints: one paint shows the change and what lies under the pointer now.
+        self._is_hover_due = False
+        self._hover_wanted.connect(self._hover_if_due, Qt.ConnectionType.QueuedConnection)
 
     # A subclass fills in these.
 
@@ -199,7 +201,7 @@ class ToolPlot(PlotWidget):
             self._hovered_at(pointer)
         else:
             self._left()
-        self._hover_due.stop()
+        self._is_hover_due = False
 
     def _hovered_at(self, pointer: Pointer) -> None:
         if self.tools.is_transforming:
@@ -217,8 +219,15 @@ class ToolPlot(PlotWidget):
             self._hovered_at(self._pointer_now())
 
     def hover_soon(self) -> None:
-        """Do that when all has been drawn that has changed; a release does by itself."""
-        self._hover_due.start()
+        """Do that once all has been told that has changed; a release does by itself."""
+        if not self._is_hover_due:
+            self._is_hover_due = True
+            self._hover_wanted.emit()
+
+    def _hover_if_due(self) -> None:
+        if self._is_hover_due:
+            self._is_hover_due = False
+            self.hover_again()
 
     def _left(self) -> None:
         if not self.is_dragging:

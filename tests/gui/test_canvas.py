@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 import pytest
+from event_count import paints_of
 from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.document.model import Document, ParametrizationKind, make_curve
@@ -42,6 +43,17 @@ def test_the_add_tool_draws_many_points_in_a_row_even_by_double_clicks(editor):
         for kind in (QEvent.Type.MouseButtonDblClick, QEvent.Type.MouseButtonRelease):
             editor.send(editor.window.canvas, kind, pixel, held=kind != QEvent.Type.MouseButtonRelease)
     assert len(editor.curve.points) == 4
+
+
+def test_a_step_is_painted_once_under_a_pointer_that_rests(arch):
+    """What lies under the pointer was found after the paint, and both plots were painted twice."""
+    arch.drag_point(1, (1, 2.5))
+    arch.wait_for_rest()
+    counts = [paints_of(plot.viewport()) for plot in (arch.window.canvas, arch.window.basis_panel)]
+    assert arch.session.selected.hovered == 1
+    arch.trigger("undo")
+    assert arch.session.selected.hovered == -1
+    assert [each.count for each in counts] == [1, 1]
 
 
 def test_a_drag_repaints_the_curve_and_neither_axes_nor_grid(arch, monkeypatch):
