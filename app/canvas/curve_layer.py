@@ -30,7 +30,7 @@ FAINT_WIDTH = 1.5
 WORTH_A_WORD = 1.0
 """Pixels by which a line may be off before the canvas says so."""
 
-_GHOST_MS, _WIDTH, _EDIT_WIDTH = 900, 2.0, 1.0
+_GHOST_MS, _GHOST_STEPS, _WIDTH, _EDIT_WIDTH = 900, 16, 2.0, 1.0
 
 
 class EditedShapeLayer(Layer):
@@ -78,7 +78,8 @@ class CurveLayer(Layer):
         # The pen of the last frame, and what it was made for.
         self._made_for: tuple[object, ...] = ()
         self._made = QPen()
-        self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
+        # In steps too small to be seen: the drawing is painted at each of them, not sixty times a second.
+        self._fade = QVariantAnimation(plot, startValue=_GHOST_STEPS, endValue=0, duration=_GHOST_MS)
         self._fade.valueChanged.connect(lambda _value: self.update())
         self._fade.finished.connect(self._drop_ghost)
 
@@ -105,7 +106,7 @@ class CurveLayer(Layer):
         if self._ghost_held:
             return 1.0
         fading = self._fade.state() == QAbstractAnimation.State.Running
-        return float(self._fade.currentValue()) if fading and self._ghost is not None else 0.0
+        return self._fade.currentValue() / _GHOST_STEPS if fading and self._ghost is not None else 0.0
 
     def release_ghost(self) -> None:
         """Let the ghost that was held fade."""

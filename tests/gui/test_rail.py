@@ -311,6 +311,20 @@ def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(edi
     until_it_faded(canvas)
 
 
+def test_a_ghost_that_fades_is_painted_in_few_steps(editor):
+    curve = editor.window.canvas.drawing.curve
+    curve.show_ghost(editor.window.canvas.pixel_map)
+    curve._fade.pause()
+    opacities = []
+    for time in range(curve._fade.duration()):
+        before = curve._fade.currentValue()
+        curve._fade.setCurrentTime(time)
+        if curve._fade.currentValue() != before:
+            opacities.append(curve._fade.currentValue())
+    assert 12 <= len(opacities) <= 20
+    assert opacities == sorted(opacities, reverse=True)
+
+
 def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel):
     canvas = editor.window.canvas
     start = panel.rail_pixel(editor.parameters[3])
