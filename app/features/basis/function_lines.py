@@ -75,6 +75,8 @@ class FunctionLines:
             before._made if before is not None else {}
         )
         self._strokes: dict[tuple[int, int], RoundLine] = before._strokes if before is not None else {}
+        # The widths of those that are filled with functions of this basis.
+        self._widths: dict[tuple[int, int], float] = {}
         self._refined = self._refine() if way is FunctionDrawing.SPANS else {}
         self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._spans: dict[int, Segments] = {}
@@ -168,11 +170,16 @@ class FunctionLines:
 
     def wide(self, index: int, kind: int, width: float) -> RoundLine:
         """Return one function to be drawn wide and solid."""
+        key = (index, kind)
+        if self._widths.get(key) == width:
+            return self._strokes[key]
         if len(self._strokes) > _MOST_EACH:
             self._strokes.clear()
-        line = self._strokes.get((index, kind))
+            self._widths.clear()
+        line = self._strokes.get(key)
         if line is None:
-            line = self._strokes[index, kind] = RoundLine()
+            line = self._strokes[key] = RoundLine()
+        self._widths[key] = width
         line.fill(thinned(np.concatenate(self._pieces(index, kind)), _THINNED), self._shown, width)
         return line
 
