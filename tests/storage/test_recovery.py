@@ -273,34 +273,21 @@ sys.stdin.read()
     assert len(list_snapshots(tmp_path).snapshots) == 1
 
 
-# Kills itself at line k of the modules that write, for every k, in a child of its own.
+# A child of its own for every step of writing, killed before it.
 KILLED_AT_EVERY_STEP = """
-import gc, os, signal, sys
+import gc, os, sys
 from pathlib import Path
-from app.storage.format import encode
 from app.document.model import Document, make_curve
-from app.storage.lock import acquire
-from app.storage.processes import machine
 from app.storage.recovery import Origin, SnapshotFile, list_snapshots
+from tests.storage.kill_at_every_step import be_killed_before
 
 old, new = (Document((make_curve([(i, k / 3) for i in range(3)]),)) for k in (1, 2))
-watched = ("recovery.py", "files.py", "lock.py")
 
-def run(folder, last, begin):
-    seen = 0
-    def trace(frame, event, _argument):
-        nonlocal seen
-        if not frame.f_code.co_filename.endswith(watched):
-            return None
-        if event == "line":
-            seen += 1
-            if seen == last:
-                os.kill(os.getpid(), signal.SIGKILL)
-        return trace
+def run(folder, step, begin):
     file = SnapshotFile(folder)
     if begin == "again":
         file.write(old, Origin())
-    sys.settrace(trace)
+    sys.setprofile(be_killed_before(step))
     file.write(new, Origin())
     os._exit(0)
 
@@ -314,7 +301,7 @@ gc.freeze()
 os.fsync = os.fstat
 
 for begin in ("first", "again"):
-    outcomes, step, ended = set(), 0, False
+    outcomes, step, ended = set(), -1, False
     while not ended:
         step += 1
         folder = Path(sys.argv[1]) / begin / str(step)
@@ -328,7 +315,7 @@ for begin in ("first", "again"):
         documents = [each.document for each in found.snapshots]
         assert documents in ([], [old], [new]), (begin, step)
         outcomes.add({(): "none", (old,): "old", (new,): "new"}[tuple(documents)])
-    print(begin, step > 30, *sorted(outcomes))
+    print(begin, step > 10, *sorted(outcomes))
 """
 
 
