@@ -58,7 +58,7 @@ def test_of_another_kind():
 @pytest.mark.time_limit(0)
 def test_without_a_limit():
     import time
-    time.sleep(1.2)
+    time.sleep(0.7)
 """
 
 
@@ -67,7 +67,7 @@ def planted(tmp_path_factory):
     folder = tmp_path_factory.mktemp("planted")
     (folder / "test_planted.py").write_text(PLANTED)
     (folder / "pytest.ini").write_text("[pytest]\n")
-    (folder / "conftest.py").write_text("from tests import time_limit\n\ntime_limit.LIMIT_S = 1.0\n")
+    (folder / "conftest.py").write_text("from tests import time_limit\n\ntime_limit.LIMIT_S = 0.5\n")
     options = (
         "-p",
         "xdist",
