@@ -1,12 +1,12 @@
 """k-digit results, digit for digit, against arithmetic on integers that knows nothing of `decimal`."""
 
 import pkgutil
-from fractions import Fraction
 from functools import reduce
 from operator import add, mul
 
 import numpy as np
 import pytest
+from flint import fmpq
 
 from curvecore import (
     CurveError,
@@ -31,23 +31,31 @@ from curvecore.arrays import parameter_array
 from curvecore.rounding.decimal_methods import HERMITE_METHODS, LAGRANGE_METHODS, Data
 from tests.effort import calls_of
 
+TEN = fmpq(10)
+
+
+def exact(value):
+    """A number of any kind, as a fraction."""
+    return value if isinstance(value, fmpq) else fmpq(*value.as_integer_ratio())
+
 
 class Digits:
     """A number whose every operation is rounded to k digits, half to even, by integer division."""
 
     def __init__(self, value, k):
-        self.value, self.k = Fraction(value), k
+        self.value, self.k = exact(value), k
 
     def rounded(self, value):
         if value == 0:
             return Digits(0, self.k)
-        exponent = len(str(abs(value.numerator))) - len(str(value.denominator)) - self.k
-        while abs(value) >= Fraction(10) ** (exponent + self.k):
+        above, below = abs(value.p), value.q
+        exponent = len(str(above)) - len(str(below)) - self.k
+        if above >= below * TEN ** (exponent + self.k):
             exponent += 1
-        while abs(value) < Fraction(10) ** (exponent + self.k - 1):
-            exponent -= 1
-        unit = Fraction(10) ** exponent
-        return Digits(round(value / unit) * unit, self.k)
+        unit = TEN**exponent
+        whole, rest = divmod(above * unit.q, below * unit.p)
+        whole += 2 * rest + whole % 2 > below * unit.p
+        return Digits((whole if value > 0 else -whole) * unit, self.k)
 
     def __add__(self, other):
         return self.rounded(self.value + other.value) if isinstance(other, Digits) else NotImplemented
@@ -189,7 +197,7 @@ def independent_hermite(method, jets, ends, t):
 
 
 def as_fractions(decimals):
-    return [[Fraction(x) for x in row] for row in decimals]
+    return [[exact(x) for x in row] for row in decimals]
 
 
 @pytest.mark.parametrize("method", available_methods(0))
