@@ -95,13 +95,17 @@ def interpolated(parameters: Sequence[float], jets: Sequence[Sequence[float]]) -
     places = [Fraction(float(parameter)) for parameter in parameters]
     data = [[Fraction(float(value)) for value in jet] for jet in jets]
     differences = newton_coefficients(places, data)
-    repeated = [place for place in places for _ in range(len(data[0]))]
-    coefficients = [differences[-1]]
-    for difference, place in zip(reversed(differences[:-1]), reversed(repeated[:-1]), strict=True):
-        raised = [Fraction(0), *coefficients]
+    # In t 2**e, in which the parameters are integers, and over one denominator: fractions would be reduced
+    # after every operation.
+    integers, scale = scaled_integers([place for place in parameters for _ in jets[0]])
+    scaled = [each / scale**order for order, each in enumerate(differences)]
+    denominator = math.lcm(*(each.denominator for each in scaled))
+    newton = [each.numerator * (denominator // each.denominator) for each in scaled]
+    coefficients = newton[-1:]
+    for difference, place in zip(reversed(newton[:-1]), reversed(integers[:-1]), strict=True):
         lowered = [place * each for each in coefficients]
-        coefficients = [a - b for a, b in zip(raised, [*lowered, Fraction(0)], strict=True)]
-        coefficients[0] += difference
-    denominator = math.lcm(*(each.denominator for each in coefficients))
-    integers = (each.numerator * (denominator // each.denominator) for each in coefficients)
-    return CommonPolynomial(tuple(integers), denominator)
+        raised = [difference, *coefficients]
+        coefficients = [a - b for a, b in zip(raised, [*lowered, 0], strict=True)]
+    of_t = [each * scale**order for order, each in enumerate(coefficients)]
+    common = math.gcd(denominator, *of_t)
+    return CommonPolynomial(tuple(each // common for each in of_t), denominator // common)
