@@ -93,7 +93,7 @@ class Actions(QObject):
         """Find what has to be asked about each: all the time, so nobody looks through hundreds for it."""
         declared = [(each, self._actions[name]) for name, each in self._declared.items()]
         switches = {name: each.is_on for name, each in self._declared.items() if each.checked is not None}
-        self._switches, self._are_on = tuple(switches), DerivedValues(switches)
+        self._are_on = DerivedValues(switches)
         self._titles = DerivedValues(
             {action: each.title for each, action in declared if each.title is not None}
         )
@@ -259,9 +259,11 @@ class Actions(QObject):
     def take_back_click(self, name: str) -> None:
         """Let a switch that was clicked, and those that went off with it, show what is on."""
         # It may be there no more: its record went with what it did.
-        if name in self._switches:
-            for each in self._switches:
-                self._actions[each].setChecked(each in self._on)
+        action = self._actions.get(name)
+        if action is not None and action.isCheckable():
+            group = action.actionGroup()
+            for each in group.actions() if group is not None else (action,):
+                each.setChecked(each.objectName() in self._on)
 
     def _check(self, are_on: Mapping[str, bool]) -> None:
         """Check these actions, or uncheck them, as they are on or not."""

@@ -173,11 +173,12 @@ class Toolbar(Guarded, QToolBar):
         in_use = [each for each in names if self._actions.is_on(each)]
         if self._shown == (step, in_use):
             return
-        self._shown = step, in_use
-        for widget in self._widgets:
-            widget.set_compact(
-                step.short and (not widget.yields_late or step.others != _Style.ToolButtonTextBesideIcon)
-            )
+        before, self._shown = self._shown, (step, in_use)
+        if before is None or before[0] != step:
+            for widget in self._widgets:
+                widget.set_compact(
+                    step.short and (not widget.yields_late or step.others != _Style.ToolButtonTextBesideIcon)
+                )
         for action in self._in_words:
             button = self.widgetForAction(action)
             if isinstance(button, QToolButton):

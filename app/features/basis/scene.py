@@ -113,7 +113,6 @@ class BasisScene(QObject):
             start, end = domain
             padding = _PADDING * (end - start)
             self._camera.show_t(start - padding, end + padding)
-        self.show_values()
 
     def hold_domain(self) -> None:
         """Keep the interval in view as it is while a drag changes it: ticks must not run from the pointer."""
