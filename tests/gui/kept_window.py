@@ -21,11 +21,13 @@ import msgspec
 import pytest
 from fingerprint import Fingerprint, differences, forget, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
-from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QTabWidget, QWidget
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 from shiboken6 import isValid
 
-from app.features.help.shortcut_sheet import ShortcutSheet
+from app.features.help.commands import HelpCommands
 from app.features.import_export.commands import ImportCommands
+from app.features.laboratory.commands import LaboratoryCommands
 from app.features.motion.commands import MotionCommands
 from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
@@ -34,7 +36,7 @@ from app.features.view.zoom_commands import ZoomCommands
 from app.features.wiggle.commands import WiggleCommands
 from app.testing import Editor
 from app.view_model.animation.motion_settings import MotionSettings
-from app.window.command_palette import CommandPalette
+from app.window.program_commands import ProgramCommands
 from app.workbench.dock import LateDock
 
 _A_PLOT = "plotCurvature"
@@ -146,7 +148,9 @@ class KeptEditor:
         self._reset_layout()
         session.selected.is_lent, session.selected.next_style = False, None
         window.commands.messages.greet()
-        window.actions_by_name["fitView"].trigger()
+        # Again, below the message that has come by now.
+        window.canvas.framing.fit()
+        window.commands.wake()
         window.activateWindow()
         # Not as one who came by the keyboard.
         window.canvas.clearFocus()
@@ -163,12 +167,17 @@ class KeptEditor:
     def _put_away(self) -> None:
         """End what is going on, and close what lies over the window."""
         window = self._editor.window
-        for widget in QApplication.topLevelWidgets():
-            if widget is not window and widget.isVisible():
+        for widget in filter(QWidget.isVisible, QApplication.topLevelWidgets()):
+            if widget is not window:
                 widget.close()
-        for sheet in (*window.children(), *window.canvas.children()):
-            if isinstance(sheet, (ShortcutSheet, CommandPalette)):
+        program, laboratory = window.commands[ProgramCommands], window.commands[LaboratoryCommands]
+        for sheet in (program._palette, window.commands[HelpCommands]._sheet):
+            if sheet is not None:
                 sheet.hide()
+        for pages in (laboratory._panel, program._dialog and program._dialog.tabs):
+            if pages is not None:
+                # Whoever shows it again would see the page that was seen last.
+                pages.setCurrentIndex(0)
         window.context.work.jobs.give_up()
         window.commands[ImportCommands]._opened = None
         wiggle = window.commands[WiggleCommands]
@@ -192,9 +201,6 @@ class KeptEditor:
         if window.actions_by_name["stopMotion"].isEnabled():
             window.actions_by_name["stopMotion"].trigger()
         window.analysis.reset()
-        for pages in window.findChildren(QTabWidget):
-            # Whoever shows it again would see the page that was seen last.
-            pages.setCurrentIndex(0)
         self._keep_without_autosave()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
@@ -209,8 +215,8 @@ class KeptEditor:
 
     def _reset_actions(self) -> None:
         # Those to check before those to uncheck: of exclusive ones the first unchecks the others.
-        for action in sorted(self._checkable, key=lambda each: each.isChecked()):
-            if action.isChecked() != (action in self._checked):
+        for action in sorted(self._checkable, key=QAction.isChecked):
+            if QAction.isChecked(action) != (action in self._checked):
                 action.trigger()
 
     def _reset_settings(self) -> None:
@@ -246,7 +252,8 @@ class KeptEditor:
         window = self._editor.window
         for dock in self._docks:
             # Once opened it has had the room that it asks for.
-            dock.setProperty("hasRoom", None)
+            if dock.property("hasRoom"):
+                dock.setProperty("hasRoom", None)
         if window.size() != self._size:
             window.resize(self._size)
         for dock in self._in_front:
