@@ -180,6 +180,8 @@ def test_a_picture_of_what_rests_is_not_painted_again(editor, panel):
             timer.timeout.emit()
         return [plot.layers.is_due for plot in plots]
 
+    # What has been painted is what comes to rest.
+    editor.settle()
     editor.wait_for_rest()
     paint(0.1)
     assert expire() == [False, False]
