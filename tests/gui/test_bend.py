@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
@@ -50,18 +51,15 @@ def middle(editor, segment=1, share=0.4):
     return t, (float(x), float(y))
 
 
-def families_and_keys(*keys):
-    """Return parameters; without derivatives all keys bend as none does, which one family is to show."""
-    return [
-        pytest.param(family, held, id=f"{family.name}-{held.name}")
-        for family in FAMILIES
-        for held in (keys if family.derivatives or family is LAGRANGE else keys[:1])
-    ]
+def keys_of(family, *keys):
+    """Return keys to hold; without derivatives all bend as none does, which one family is to show."""
+    return keys if family.derivatives or family is LAGRANGE else keys[:1]
 
 
-@pytest.mark.parametrize(("family", "keys"), families_and_keys(NO_KEYS, CTRL, ALT))
-def test_the_grabbed_point_stays_under_the_pointer(arch, family, keys):
-    for kind in (ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM):
+@pytest.mark.parametrize("family", FAMILIES)
+def test_the_grabbed_point_stays_under_the_pointer(arch, family):
+    kinds = (ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM)
+    for keys, kind in product(keys_of(family, NO_KEYS, CTRL, ALT), kinds):
         ruled(arch, family, kind)
         _, start = middle(arch)
         target = (start[0] - 0.4, start[1] + 0.7)
@@ -71,13 +69,13 @@ def test_the_grabbed_point_stays_under_the_pointer(arch, family, keys):
             arch.move(to, keys=keys)
             _, now = middle(arch)
             # The press and the move are on whole pixels.
-            assert math.dist(now, to) < 1.5 * arch.pixel, kind
+            assert math.dist(now, to) < 1.5 * arch.pixel, (keys, kind)
         arch.release(target, keys=keys)
-        assert arch.session.undo_stack.undoText().startswith("Bend curve at t = 0."), kind
+        assert arch.session.undo_stack.undoText().startswith("Bend curve at t = 0."), (keys, kind)
         if keys == CTRL:
             assert all(point.velocity is None for point in arch.curve.points), kind
         is_same = [point.position for point in arch.curve.points] == list(POINTS)
-        assert is_same == (keys == NO_KEYS and bool(family.derivatives)), kind
+        assert is_same == (keys == NO_KEYS and bool(family.derivatives)), (keys, kind)
 
 
 def test_it_is_one_step_that_undo_takes_back(arch):
@@ -350,27 +348,28 @@ def test_with_a_shift_allowed_the_change_is_the_least_that_can_be():
     assert np.linalg.norm(after) < 0.9 * np.linalg.norm(np.tile(pull, (7, 1)))
 
 
-@pytest.mark.parametrize(("family", "keys"), families_and_keys(NO_KEYS, CTRL))
-def test_a_far_pull_ends_the_same_by_every_way(arch, family, keys):
+@pytest.mark.parametrize("family", FAMILIES)
+def test_a_far_pull_ends_the_same_by_every_way(arch, family):
     ruled(arch, family, ParametrizationKind.CHORD_LENGTH)
     # Wide enough that nothing comes near the edge, where the view would scroll.
     arch.window.canvas.camera.show_box((-20, 20), (-12, 24))
     _, start = middle(arch)
     far = (start[0] - 9.0, start[1] + 13.0)
-    results = []
-    for ways in ([far], [(0, 9), (-12, 3), (13, 14), (start[0], start[1]), far]):
-        arch.press(start, keys=keys)
-        for to in ways:
-            arch.move(to, keys=keys)
-            assert arch.session.active_view.is_current
-            assert arch.status.startswith("Bend at t = ")
-        line = arch.session.active_view.flattened(0.1 * arch.pixel).points
-        assert segment_distance(np.array([far]), line[:-1], line[1:]).min() < 3 * arch.pixel
-        results.append(numbers_of(arch.curve))
-        arch.escape()
-        arch.release(far)
-    # What was grabbed is a place of the line as drawn, whose vertices may be others after a drag.
-    assert results[0] == pytest.approx(results[1], rel=1e-4, abs=0.01 * arch.pixel)
+    for keys in keys_of(family, NO_KEYS, CTRL):
+        results = []
+        for ways in ([far], [(0, 9), (-12, 3), (13, 14), (start[0], start[1]), far]):
+            arch.press(start, keys=keys)
+            for to in ways:
+                arch.move(to, keys=keys)
+                assert arch.session.active_view.is_current, keys
+                assert arch.status.startswith("Bend at t = "), keys
+            line = arch.session.active_view.flattened(0.1 * arch.pixel).points
+            assert segment_distance(np.array([far]), line[:-1], line[1:]).min() < 3 * arch.pixel, keys
+            results.append(numbers_of(arch.curve))
+            arch.escape()
+            arch.release(far)
+        # What was grabbed is a place of the line as drawn, whose vertices may be others after a drag.
+        assert results[0] == pytest.approx(results[1], rel=1e-4, abs=0.01 * arch.pixel), keys
 
 
 def numbers_of(curve):

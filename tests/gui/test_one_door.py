@@ -102,7 +102,7 @@ def under_the_pen(editor):
 def what_it_does(editor, name, begin, *, cancelled):
     """What a command makes of the document in a gesture, or behind a cancelled one; None where disabled."""
     before = editor.session.committed
-    editor.select([1, 2])
+    editor.session.selected.set_points([1, 2])
     begin(editor)
     if cancelled:
         editor.escape()
@@ -113,7 +113,7 @@ def what_it_does(editor, name, begin, *, cancelled):
     editor.trigger(name)
     assert not editor.session.is_previewing
     after = editor.session.document
-    editor.trigger("selectTool")
+    editor.action("selectTool").trigger()
     while editor.session.committed is not before:
         editor.session.undo_stack.undo()
     editor.session.selected.activate(1)

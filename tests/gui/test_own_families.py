@@ -40,13 +40,20 @@ def _forgotten(monkeypatch):
     forget_family_files()
 
 
+_without_mistakes: set[bytes] = set()
+"""Texts of files that were tried; the one of the template is in most tests."""
+
+
 @pytest.fixture
 def tried_here(monkeypatch):
     """Try files in this process: starting another one takes longer than most of the questions here."""
 
     def try_out(path, report):
         report(0.0, "Running")
-        family_file.families_in(path)
+        text = path.read_bytes()
+        if text not in _without_mistakes:
+            family_file.families_in(path)
+            _without_mistakes.add(text)
 
     monkeypatch.setattr(trial, "try_out", try_out)
 
