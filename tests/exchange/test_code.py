@@ -23,18 +23,19 @@ def executed(text):
     return namespace
 
 
-def distance(document, text):
+def distance(document, text, step=1):
     """The largest distance of the exported functions from the curves, against the sum of |B_ir(t) d_ir|.
 
     That sum times the unit roundoff is what rounding the points alone can change; it is about the size of
-    the curve, and far more on a Lagrange curve of high degree with even parameters.
+    the curve, and far more on a Lagrange curve of high degree with even parameters. Of all samples every
+    `step`-th is asked for.
     """
     namespace = executed(text)
     sources, _ = sources_of(document)
     worst = 0.0
     for name, source in zip(names_of(sources), sources, strict=True):
         function = namespace[name]
-        t = np.concatenate([samples_of(piece) for piece in source.core.pieces])
+        t = np.concatenate([samples_of(piece) for piece in source.core.pieces])[::step]
         points = function(t)
         assert points.shape == (len(t), 2)
         terms = np.einsum("mir,ird->md", np.abs(source.core.basis(t)), np.abs(source.core.jets))
@@ -71,7 +72,8 @@ def test_many_chebyshev_points(count):
     points = np.column_stack([np.linspace(0, 1, count), np.sin(np.linspace(0, 20, count))])
     curve = make_curve(points.tolist())
     document = Document((type(curve)(curve.name, curve.family, rule, curve.points),))
-    assert distance(document, python_code(document).text) < 1e-12
+    # Two or three samples between two points.
+    assert distance(document, python_code(document).text, step=count // 60) < 1e-12
 
 
 def test_the_scipy_code_is_as_far_away_as_it_says(kind):
