@@ -160,7 +160,7 @@ class KeptEditor:
         if zoom.field._soon.isActive():
             zoom.field._write()
         zoom._past.forget()
-        for plot in (window.canvas, window.basis_panel):
+        for plot in window.central.plots:
             # Found out when it is first asked for.
             _ = plot.pixel_map
 

@@ -118,6 +118,8 @@ def test_it_is_not_painted_to_find_out_that_it_is_as_new(editor, kept_editor):
     """What the drawing keeps of a frame was told of: each test had its window painted once more."""
     editor.window.canvas.camera.show_box((0, 0.1), (0, 0.08))
     editor.settle()
+    editor.session.commit(Document((ARCH,)), "Begin")
+    editor.select([1])
     paints = []
 
     def count():
