@@ -40,6 +40,7 @@ from hypothesis.internal.conjecture import providers
 from pytestqt.qtbot import QtBot
 
 from app.families import FAMILIES, ChosenSettings, Family
+from app.qt.sources import spare_sources
 from app.tasks.generations import Generations
 from tests.waiting import LIMIT_MS
 
@@ -155,6 +156,8 @@ def pytest_collection():
     collected between tests: never in a destructor of Qt's, nor in a thread (see app/tasks/garbage.py).
     """
     gc.disable()
+    # pytest-qt has imported Qt. As the program does at its start.
+    spare_sources()
     try:
         return (yield)
     finally:
