@@ -22,7 +22,7 @@ from ...storage.image_path import PICTURES
 from ...tools.move_image import MOVE_IMAGE
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.docks import Panel
+from ...workbench.docks import LatePanel
 from ...workbench.form_edits import FormEdits, SliderGesture
 from .panel import STEPS, ImagePanel
 
@@ -40,10 +40,10 @@ class ImageCommands:
     Attributes
     ----------
     panel
-        Its form, as soon as the docks are filled.
+        Its form, once its dock has been shown.
     """
 
-    panel: ImagePanel
+    panel: ImagePanel | None = None
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -62,18 +62,19 @@ class ImageCommands:
         context.store.changed.connect(self._show_state)
         self._show_dock(False)
 
-    @Panel("imageDock", "Image")
+    @LatePanel("imageDock", "Image")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form of the picture, with its buttons."""
-        self.panel = ImagePanel(self._actions.in_strip(IMAGE_BUTTONS)[1], parent)
-        self._edits = FormEdits(self._session, self.panel)
+        panel = self.panel = ImagePanel(self._actions.in_strip(IMAGE_BUTTONS)[1], parent)
+        self._edits = FormEdits(self._session, panel)
         self._opacity = SliderGesture(
             self._session,
-            self.panel.opacity,
+            panel.opacity,
             lambda document, position: set_image_opacity(document, position / STEPS),
             lambda position: f"Fade image to {position / STEPS:.0%}".replace("%", " %"),
         )
-        return self.panel
+        self._render_panel()
+        return panel
 
     def render(self, view: CurveView) -> None:
         """Show the picture of the document, or say why it cannot be shown."""
@@ -87,13 +88,17 @@ class ImageCommands:
             self._loaded_path, self._pixels, self._problem = "", None, ""
         had_one, self._shown = self._shown is not None, image
         self._context.central.canvas.drawing.set_image(image, self._pixels)
-        self.panel.render_image(image)
-        self.panel.show_problem(self._problem)
+        self._render_panel()
         self._context.store.change(image_problem=self._problem and _MISSING.format(self._problem))
         if image is None or image.locked:
             self._context.store.change(moves_image=False)
         if had_one != (image is not None):
             self._show_dock(image is not None)
+
+    def _render_panel(self) -> None:
+        if self.panel is not None:
+            self.panel.render_image(self._shown)
+            self.panel.show_problem(self._problem)
 
     def _show_dock(self, shown: bool) -> None:
         """Show the panel while there is a picture; without one it is disabled and stays away."""
