@@ -34,7 +34,8 @@ class Dock(Guarded, QDockWidget):
 
     def __init__(self, title: str, build: Callable[[QWidget], QWidget], window: QMainWindow) -> None:
         super().__init__(title, window)
-        self._build, self._window = build, window
+        self._build: Callable[[QWidget], QWidget] | None = build
+        self._window = window
         self.is_steady = False
         # What it covered when it was brought up; that comes back when it goes.
         self._covered: list[QDockWidget] = []
@@ -45,9 +46,11 @@ class Dock(Guarded, QDockWidget):
 
     def fill(self) -> None:
         """Build the title and the content, if there is none."""
-        if self.widget() is None:
+        # One that floats is shown again, and would be filled again, as soon as it has a title.
+        build, self._build = self._build, None
+        if build is not None:
             self.setTitleBarWidget(DockTitle(self))
-            self.setWidget(Scrolled(self._build, _IN_DOCK, self, is_steady=self.is_steady))
+            self.setWidget(Scrolled(build, _IN_DOCK, self, is_steady=self.is_steady))
 
     def bring_up(self) -> None:
         """Show it, in front of the other tabs."""

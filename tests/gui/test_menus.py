@@ -135,25 +135,26 @@ class ShowOrder(QObject):
         return False
 
 
-def test_an_undocked_panel_is_shown_after_the_window_at_the_next_start(qtbot, tmp_path):
+@pytest.mark.parametrize("name", ["pointsDock", "historyDock", "styleDock"])
+def test_an_undocked_panel_is_shown_after_the_window_at_the_next_start(qtbot, tmp_path, name):
     preferences = tmp_path / "settings.ini"
     first = MainWindow(Session(), Preferences(preferences))
     first.setObjectName("mainWindow")
     qtbot.addWidget(first)
     with qtbot.waitExposed(first):
         first.show()
-    dock = first.findChild(QDockWidget, "historyDock")
+    dock = first.findChild(QDockWidget, name)
     dock.setFloating(True)
     first.close()
     assert not dock.isVisible()
     second = MainWindow(Session(), Preferences(preferences))
     second.setObjectName("mainWindow")
     qtbot.addWidget(second)
-    dock = second.findChild(QDockWidget, "historyDock")
+    dock = second.findChild(QDockWidget, name)
     order = ShowOrder(second, dock)
     with qtbot.waitExposed(second):
         second.show()
-    until(lambda: order.shown[-1:] == ["historyDock"])
+    until(lambda: order.shown[-1:] == [name])
     assert dock.isFloating()
     assert dock.isVisible()
 
