@@ -91,8 +91,21 @@ def test_it_follows_undo_and_redo(history):
     assert view.currentIndex().row() == 3
 
 
+def view_of(editor):
+    editor.show_dock("historyDock")
+    return editor.window.findChild(QUndoView, "historyView")
+
+
+def test_the_beginning_is_named_as_it_was_before_the_panel_was_shown(editor):
+    session = editor.session
+    session.new()
+    editor.add_point(0, 0)
+    editor.add_point(1, 1)
+    assert entries(view_of(editor)) == ["New document", "Add point 0", "Add point 1"]
+
+
 def test_the_beginning_is_named_after_what_was_opened(editor, tmp_path):
-    session, view = editor.session, editor.window.findChild(QUndoView, "historyView")
+    session, view = editor.session, view_of(editor)
     for index in (1, 2, 3):
         editor.drag_point(index, to=(0.5, 0.1 * index))
     path = tmp_path / "swan.curve.json"

@@ -33,6 +33,7 @@ def nudged(arch):
 
 def history(editor):
     """The rows of the history panel."""
+    editor.window.context.docks["historyDock"].fill()
     model = editor.window.commands[HistoryCommands].panel.view.model()
     return [model.data(model.index(row, 0)) for row in range(1, model.rowCount())]
 

@@ -10,7 +10,7 @@ from ...actions.sections import EDIT_BACK, EDIT_HISTORY
 from ...actions.strips import TOOLBAR
 from ...qt.labels import menu_text
 from ...workbench.context import WindowContext
-from ...workbench.docks import UPPER, Panel
+from ...workbench.docks import UPPER, LatePanel
 from .panel import HistoryPanel
 
 
@@ -24,10 +24,10 @@ class HistoryCommands:
     Attributes
     ----------
     panel
-        The list of steps, as soon as the docks are filled.
+        The list of steps, once its dock has been shown.
     """
 
-    panel: HistoryPanel
+    panel: HistoryPanel | None = None
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
@@ -36,6 +36,11 @@ class HistoryCommands:
         canvas.gesture_ended.connect(self._follow_gesture)
         canvas.errands_changed.connect(self._follow_gesture)
         self._session.history_changed.connect(self._name_steps)
+        # What the history begins with; empty for a window that has opened nothing.
+        self._beginning = ""
+        self._session.opened.connect(self._name_beginning)
+        if self._session.files.path is not None:
+            self._name_beginning()
 
     def _name_steps(self) -> None:
         """Call Undo and Redo by the steps that they are for."""
@@ -49,15 +54,13 @@ class HistoryCommands:
         is_meant = is_held or canvas.is_dragging or canvas.tools.background.is_busy
         self._context.store.change(in_flight=is_meant and not self._session.undo_stack.canUndo())
 
-    @Panel("historyDock", "History", UPPER)
+    @LatePanel("historyDock", "History", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the list of steps."""
-        session = self._session
-        self.panel = HistoryPanel(session.undo_stack, parent)
-        session.opened.connect(self._name_beginning)
-        if session.files.path is not None:
-            self._name_beginning()
-        return self.panel
+        panel = self.panel = HistoryPanel(self._session.undo_stack, parent)
+        if self._beginning:
+            panel.name_beginning(self._beginning)
+        return panel
 
     def _name_beginning(self) -> None:
         """Name the state that the history begins with, after each document that is opened."""
@@ -67,7 +70,9 @@ class HistoryCommands:
         files, curve = session.files, session.active_curve
         name = files.beginning.file_stem or (curve.name if curve.points else "")
         opened = files.path.name if files.path is not None else name
-        self.panel.name_beginning(f"Opened {opened}" if opened else "New document")
+        self._beginning = f"Opened {opened}" if opened else "New document"
+        if self.panel is not None:
+            self.panel.name_beginning(self._beginning)
 
     @action(
         "undo",
