@@ -553,35 +553,36 @@ def test_another_document_comes_in_too(editor, tmp_path):
     assert editor.session.files.path is None
 
 
-@pytest.mark.parametrize(
-    ("name", "content", "reason"),
-    [
-        ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
-        (
-            "a.svg",
-            '<?xml version="1.0"?>\n<!DOCTYPE svg [<!ENTITY a "b">]>\n<svg/>',
-            "delete all from “<!DOCTYPE” to “]>” in a text editor",
-        ),
-        ("a.dxf", "  0\nSECTION\n", "cut off"),
-        ("a.csv", "", "The file is empty"),
-        ("a.json", "{", "a.json was not imported. It is not JSON; the file ends too early."),
-        (
-            "a.PDF",
-            "%PDF-1.5",
-            "a.PDF was not imported. It is a PDF, which is not read here; open it in Inkscape",
-        ),
-        ("a.ai", "%PDF-1.5", "It is an Illustrator drawing, which is not read here; open it in Inkscape and"),
-        ("a.gif", "GIF89a", "does not end in a known format"),
-    ],
+UNREADABLE = (
+    ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
+    (
+        "b.svg",
+        '<?xml version="1.0"?>\n<!DOCTYPE svg [<!ENTITY a "b">]>\n<svg/>',
+        "delete all from “<!DOCTYPE” to “]>” in a text editor",
+    ),
+    ("a.dxf", "  0\nSECTION\n", "cut off"),
+    ("a.csv", "", "The file is empty"),
+    ("a.json", "{", "a.json was not imported. It is not JSON; the file ends too early."),
+    (
+        "a.PDF",
+        "%PDF-1.5",
+        "a.PDF was not imported. It is a PDF, which is not read here; open it in Inkscape",
+    ),
+    ("a.ai", "%PDF-1.5", "It is an Illustrator drawing, which is not read here; open it in Inkscape and"),
+    ("a.gif", "GIF89a", "does not end in a known format"),
 )
+"""Names, contents and reasons."""
+
+
 @pytest.mark.usefixtures("drawings_read_here")
-def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reason):
+def test_what_cannot_be_read_is_explained(editor, tmp_path):
     before = editor.session.document
-    editor.window.commands[ImportCommands].import_files([write(tmp_path / name, content)])
-    editor.wait_for_work()
-    assert editor.message.count(name) == 1
-    assert reason in editor.message
-    assert editor.session.document is before
+    for name, content, reason in UNREADABLE:
+        editor.window.commands[ImportCommands].import_files([write(tmp_path / name, content)])
+        editor.wait_for_work()
+        assert editor.message.count(name) == 1, editor.message
+        assert reason in editor.message
+        assert editor.session.document is before, name
 
 
 def test_a_file_that_is_not_there(editor, tmp_path):
