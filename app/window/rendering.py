@@ -46,8 +46,8 @@ class Rendering(QObject):
         session.selected_curves_changed.connect(self._render_selected_curves)
         session.hovered_changed.connect(self._canvas.drawing.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
-        session.file_changed.connect(self._render_file)
-        session.history_changed.connect(self._render_file)
+        session.file_changed.connect(self._follow_file)
+        session.history_changed.connect(self._follow_file)
         session.message.connect(self._tell)
 
     def _render_document(self) -> None:
@@ -115,6 +115,9 @@ class Rendering(QObject):
         self._canvas.drawing.set_scrub(t)
         self._context.status_line.readouts.show_scrub(t)
         self._commands.follow_scrub(t)
+
+    def _follow_file(self) -> None:
+        self._session.telling.then(self._render_file)
 
     def _render_file(self) -> None:
         session, window = self._session, self._context.window
