@@ -18,18 +18,13 @@ from tests.gui.editor_facts import at
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
-@pytest.fixture(params=FAMILIES)
-def pen(editor, request):
-    """A curve of three points of each family, and the pen in hand."""
-    return drawn(editor, request.param)
-
-
 @pytest.fixture
 def hermite(editor):
     return drawn(editor, HERMITE)
 
 
 def drawn(editor, family):
+    """Draw a curve of three points, with the pen in hand."""
     editor.new()
     first = make_curve([at(editor, 0, 0), at(editor, 100, 60)], family=family)
     editor.session.commit(Document((replace(editor.curve, family=family, points=first.points),)), "Begin")
@@ -52,18 +47,21 @@ def ghost_pixels(editor):
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
-def test_what_is_shown_is_what_a_click_makes(pen, kind):
-    pen.session.commit(edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.4, 1.0]), "Begin")
-    document, steps = pen.session.document, pen.session.undo_stack.count()
-    assert ahead(pen) is None
-    for x, y in ((300, 150), (310, 130)):
-        pen.hover(at(pen, x, y))
-        shown = ahead(pen)
-        assert len(shown.points) == 4
-    assert pen.session.document is document
-    assert pen.session.undo_stack.count() == steps
-    pen.click(at(pen, 310, 130))
-    assert pen.curve == shown
+def test_what_is_shown_is_what_a_click_makes(editor, kind):
+    for family in FAMILIES:
+        pen = drawn(editor, family)
+        ruled = edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.4, 1.0])
+        pen.session.commit(ruled, "Begin")
+        document, steps = pen.session.document, pen.session.undo_stack.count()
+        assert ahead(pen) is None, family
+        for x, y in ((300, 150), (310, 130)):
+            pen.hover(at(pen, x, y))
+            shown = ahead(pen)
+            assert len(shown.points) == 4, family
+        assert pen.session.document is document, family
+        assert pen.session.undo_stack.count() == steps, family
+        pen.click(at(pen, 310, 130))
+        assert pen.curve == shown, family
 
 
 def test_it_is_painted_with_the_pen_alone(hermite):

@@ -280,22 +280,26 @@ def handle_end(editor, kind):
 
 
 @pytest.mark.parametrize("kind", [1, 2])
-@pytest.mark.parametrize(
-    ("target", "label"),
-    [((2.5, 3.5), "grid"), (OTHER[1], "point 1 of Base"), ((2.3, 2.04), "level with point 1")],
-)
-def test_the_end_of_a_handle_snaps(quintic, kind, target, label):
+def test_the_end_of_a_handle_snaps(quintic, kind):
     start = handle_end(quintic, kind)
-    quintic.press(start)
-    # Points 1 and 2 are almost level: nearer to the one that is meant.
-    beside = near(quintic, target, dx=0, dy=1)
-    quintic.move(beside)
-    assert quintic.window.canvas.marks.snap.label == label
-    assert f"snapped to: {label}" in quintic.status
-    quintic.release(beside)
-    along = 1 if label.startswith("level") else slice(None)
-    assert np.array(handle_end(quintic, kind))[along] == pytest.approx(np.array(target)[along], abs=1e-12)
-    assert quintic.window.canvas.marks.snap is None
+    for target, label in (
+        ((2.5, 3.5), "grid"),
+        (OTHER[1], "point 1 of Base"),
+        ((2.3, 2.04), "level with point 1"),
+    ):
+        quintic.press(start)
+        # Points 1 and 2 are almost level: nearer to the one that is meant.
+        beside = near(quintic, target, dx=0, dy=1)
+        quintic.move(beside)
+        assert quintic.window.canvas.marks.snap.label == label
+        assert f"snapped to: {label}" in quintic.status
+        quintic.release(beside)
+        along = 1 if label.startswith("level") else slice(None)
+        end = np.array(handle_end(quintic, kind))
+        assert end[along] == pytest.approx(np.array(target)[along], abs=1e-12), label
+        assert quintic.window.canvas.marks.snap is None, label
+        quintic.trigger("undo")
+        assert handle_end(quintic, kind) == start
 
 
 def test_the_end_of_a_handle_meets_another_curve(quintic):
