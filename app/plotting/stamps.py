@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
@@ -22,7 +22,7 @@ _COLUMNS = 16
 
 _FEW, _PLACES = 64, 4
 """Looks up to which each mark is kept at so many places within a pixel, along x and y: an eye cannot tell
-it from one drawn where it belongs. Of more, on whole pixels."""
+it from one drawn where it belongs. Of more, on whole pixels. A sheet grows up to as many."""
 
 
 class Stamps:
@@ -39,12 +39,14 @@ class Stamps:
     def __init__(self, shape: Callable[[QPainter, float, int], None], reach: float = 1.0) -> None:
         self._shape, self._reach = shape, reach
         self._forms = np.empty(0, dtype=np.intp)
-        # The colours and forms that there are, and which of them each point has.
-        self._looks: list[tuple[int, int]] = []
+        # The colours and forms on the sheet, in their order there, and which of them each point has.
+        self._looks: dict[tuple[int, int], int] = {}
         self._look_of = np.empty(0, dtype=np.intp)
         self._made_of: tuple[object, ...] = ()
+        # The sheet: what it is painted for, the size of a cell, the places within a pixel.
         self._sheet = QPixmap()
-        self._cell = 0
+        self._painted_for: tuple[object, ...] = ()
+        self._cell, self._finer = 0, 1
         self._fragments = Fragments()
         # What the fragments were made for: under a drag most points stay where they are.
         self._places, self._indices = np.empty((0, 2)), np.empty(0, dtype=np.intp)
@@ -75,7 +77,7 @@ class Stamps:
         self._fragments.draw(painter, self._sheet)
 
     def _fill(self, places: FloatArray, indices: IntArray, ratio: float) -> None:
-        finer = _places_within_a_pixel(len(self._looks))
+        finer = self._finer
         steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
         whole, within = np.divmod(steps, finer)
         cells = (self._look_of[indices] * finer + within[:, 1]) * finer + within[:, 0]
@@ -100,32 +102,50 @@ class Stamps:
         self._made_of, self._forms = wanted, forms
         # Form by form of each colour that is there: most points look alike but for their colours.
         most = int(forms.max(initial=0)) + 1
-        looks, self._look_of = np.unique(
-            cells_of(np.arange(count), count) * most + forms, return_inverse=True
-        )
-        self._looks = [divmod(look, most) for look in looks.tolist()]
-        self._draw_sheet(min(count, _COLOURS), theme, radius, rim, ratio)
+        cells, points = np.unique(cells_of(np.arange(count), count) * most + forms, return_inverse=True)
+        colours = self._colours(min(count, _COLOURS), theme)
+        looks = [(colours[colour], form) for colour, form in (divmod(cell, most) for cell in cells.tolist())]
+        self._look_of = np.array(self._numbers_of(looks, theme, radius, rim, ratio), dtype=np.intp)[points]
         return True
 
-    def _draw_sheet(self, colours: int, theme: Theme, radius: float, rim: float, ratio: float) -> None:
-        finer = _places_within_a_pixel(len(self._looks))
-        # Even, so that whole pixels lie on whole pixels.
-        self._cell = 2 * math.ceil((radius * self._reach + rim) * ratio) + 4
-        rows = -(-len(self._looks) * finer * finer // _COLUMNS)
+    def _numbers_of(
+        self, looks: Sequence[tuple[QColor, int]], theme: Theme, radius: float, rim: float, ratio: float
+    ) -> list[int]:
+        """Return the places of looks on the sheet; those that it lacks are drawn."""
+        painted_for = (theme, radius, rim, ratio, len(looks) > _FEW)
+        wanted = {(colour.rgba(), form): colour for colour, form in looks}
+        most = len(self._looks.keys() | wanted.keys())
+        if painted_for != self._painted_for or most > max(_FEW, len(self._looks)):
+            self._painted_for, self._looks = painted_for, {}
+            self._finer = 1 if len(looks) > _FEW else _PLACES
+            # Even, so that whole pixels lie on whole pixels.
+            self._cell = 2 * math.ceil((radius * self._reach + rim) * ratio) + 4
+        new = {look: colour for look, colour in wanted.items() if look not in self._looks}
+        if new:
+            pen = QPen(self._rim(theme), rim * ratio) if rim else QPen(Qt.PenStyle.NoPen)
+            self._draw_on_sheet(new, pen, radius * ratio)
+        return [self._looks[colour.rgba(), form] for colour, form in looks]
+
+    def _draw_on_sheet(self, new: Mapping[tuple[int, int], QColor], pen: QPen, radius: float) -> None:
+        """Make the sheet larger by `new` colours and forms."""
+        finer, before = self._finer, self._sheet
+        rows = -(-(len(self._looks) + len(new)) * finer * finer // _COLUMNS)
         self._sheet = QPixmap(_COLUMNS * self._cell, rows * self._cell)
         self._sheet.fill(Qt.GlobalColor.transparent)
         painter = QPainter(self._sheet)
+        if self._looks:
+            painter.drawPixmap(0, 0, before)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        painter.setPen(QPen(self._rim(theme), rim * ratio) if rim else Qt.PenStyle.NoPen)
+        painter.setPen(pen)
         within = [(x / finer, y / finer) for y in range(finer) for x in range(finer)]
-        of_colours = self._colours(colours, theme)
-        for number, (colour, form) in enumerate(self._looks):
-            painter.setBrush(of_colours[colour])
+        for look, colour in new.items():
+            number = self._looks[look] = len(self._looks)
+            painter.setBrush(colour)
             for cell, (x, y) in enumerate(within, number * len(within)):
                 left, top = cell % _COLUMNS * self._cell, cell // _COLUMNS * self._cell
                 centre = QPointF(left + self._cell / 2 + x, top + self._cell / 2 + y)
                 painter.translate(centre)
-                self._shape(painter, radius * ratio, form)
+                self._shape(painter, radius, look[1])
                 painter.translate(-centre)
         painter.end()
 
@@ -150,10 +170,6 @@ class RingStamps(Stamps):
 
     def _rim(self, theme: Theme) -> QColor:
         return theme.accent
-
-
-def _places_within_a_pixel(count: int) -> int:
-    return _PLACES if count <= _FEW else 1
 
 
 def cells_of(indices: IntArray, count: int) -> IntArray:
