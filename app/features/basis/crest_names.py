@@ -105,7 +105,8 @@ class CrestNames:
     """
 
     def __init__(self, plot: PlotWidget, again: Callable[[], None]) -> None:
-        self._pictures: dict[int, QPixmap] = {}
+        # By point and colour: with more points or fewer, one may have another colour.
+        self._pictures: dict[tuple[int, int], QPixmap] = {}
         self._made_of: tuple[object, ...] = ()
         self._measured: tuple[object, ...] = ()
         self._cell = QSizeF()
@@ -143,17 +144,18 @@ class CrestNames:
 
     def _write(self, painter: QPainter, owners: list[int], count: int, theme: Theme, scale: float) -> None:
         """Write the numbers of points of `count` where they were found to have room."""
-        made_of = (self._measured, count, theme, painter.device().devicePixelRatioF())
+        made_of = (self._measured, theme, painter.device().devicePixelRatioF())
         if made_of != self._made_of:
             self._made_of = made_of
             self._pictures.clear()
         left, top = self._cell.width() / 2, self._cell.height() / 2
+        inks, rim = point_colours(count, theme), _RIM * scale
         for owner, (x, y) in zip(owners, self._written.tolist(), strict=True):
-            if owner not in self._pictures:
-                ink, rim = point_colours(count, theme)[owner], _RIM * scale
-                self._pictures[owner] = with_halo(painter, self._cell, str(owner), theme.paper, ink, rim)
+            ink = inks[owner]
+            if (name := (owner, ink.rgba())) not in self._pictures:
+                self._pictures[name] = with_halo(painter, self._cell, str(owner), theme.paper, ink, rim)
             # On whole pixels, where letters are sharp.
-            painter.drawPixmap(int(x - left), int(y - top), self._pictures[owner])
+            painter.drawPixmap(int(x - left), int(y - top), self._pictures[name])
 
     def _find_crests(self, basis: BasisView, kinds: list[int]) -> None:
         known = self._crests_of
