@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtCore import QObject, QPoint, Qt
+from PySide6.QtGui import QAction, QColor, QImage
 from PySide6.QtTest import QTest
 
-from app.actions.keymap import is_so_already, why_not
 from tests.waiting import until
 
 
@@ -70,16 +69,17 @@ def picture(path, width=60, height=80, colour="#ff0000"):
     return path
 
 
+# Looked up once, see fingerprint.py; the last three make up why an action is not possible.
+_enabled, _checked, _text, _tip = QAction.isEnabled, QAction.isChecked, QAction.text, QAction.toolTip
+_property, _WHY_NOT = QObject.property, ("isSoAlready", "reason", "needs")
+
+
 def shown_by_actions(actions):
     """Return what each action shows, by its name; of those whose menu has told more, nothing."""
     return {
         name: (
-            action.isEnabled(),
-            action.isChecked(),
-            action.text(),
-            action.toolTip(),
-            why_not(action),
-            is_so_already(action),
+            *(_enabled(action), _checked(action), _text(action), _tip(action)),
+            *[_property(action, key) or None for key in _WHY_NOT],
         )
         for name, action in actions._actions.items()
         if name not in actions._opened
