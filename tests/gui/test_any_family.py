@@ -105,7 +105,7 @@ def test_it_is_offered_wherever_families_are(editor):
         assert action.shortcut().toString() == (str(place) if place <= 9 else "")
         assert editor.action(family.action_name.replace("family", "ghost")).isCheckable()
         assert family.label in editor.find_command(family.label)
-        editor.key(Qt.Key.Key_Escape)
+    editor.key(Qt.Key.Key_Escape)
 
 
 def test_its_key_chooses_it_and_undo_takes_it_back(editor):
@@ -137,11 +137,13 @@ def test_points_are_drawn_one_by_one(editor):
     for name in EVERY:
         editor.new()
         editor.choose_family(name)
-        for index, (x, y) in enumerate(((0.2, 0.3), (1.0, 2.0), (2.5, 1.0), (3.5, 2.4)), start=1):
-            editor.add_point(x, y)
+        editor.trigger("addTool")
+        for index, place in enumerate(((0.2, 0.3), (1.0, 2.0), (2.5, 1.0), (3.5, 2.4)), start=1):
+            editor.click(place)
             assert len(editor.curve.points) == index, name
             if index > 1:
                 assert is_true(editor), name
+        editor.trigger("selectTool")
         editor.fit()
         # Points lie over it here and there.
         assert colours_along(editor) > 0.9, name
