@@ -26,7 +26,8 @@ ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / "tests" / "data" / "hostile_files.py"
 
 SECONDS = 4
-MEGABYTES = 130
+MEGABYTES = 150
+"""Of the whole process: 126 to 130, as its memory lies, and 133 where it is the first to compile."""
 
 _spec = importlib.util.spec_from_file_location("hostile_files", SCRIPT)
 hostile = importlib.util.module_from_spec(_spec)
