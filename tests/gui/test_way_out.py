@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
@@ -17,21 +16,24 @@ def button(editor):
     return editor.window.message_bar.findChild(QToolButton, "offeredAction")
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_a_click_uses_uniform_parameters(editor, family):
-    editor.session.commit(Document((make_curve(TWICE, family=family),)), "Begin")
-    editor.settle()
-    assert "1 and 2 coincide" in editor.message
-    assert button(editor).isVisible()
-    assert button(editor).text() == "Use Uniform Parameters"
-    QTest.mouseClick(button(editor), Qt.MouseButton.LeftButton)
-    editor.settle()
-    assert editor.curve.parametrization.kind is ParametrizationKind.UNIFORM
-    assert editor.session.active_view.is_current
-    assert editor.message == ""
-    assert editor.session.undo_stack.undoText() == "Use uniform parameters"
-    editor.trigger("undo")
-    assert button(editor).isVisible()
+def test_a_click_uses_uniform_parameters(editor):
+    for family in FAMILIES:
+        editor.session.commit(Document((make_curve(TWICE, family=family),)), "Begin")
+        editor.settle()
+        assert "1 and 2 coincide" in editor.message, family
+        assert button(editor).isVisible(), family
+        assert button(editor).text() == "Use Uniform Parameters", family
+        QTest.mouseClick(button(editor), Qt.MouseButton.LeftButton)
+        editor.settle()
+        assert editor.curve.parametrization.kind is ParametrizationKind.UNIFORM, family
+        assert editor.session.active_view.is_current, family
+        assert editor.message == "", family
+        assert editor.session.undo_stack.undoText() == "Use uniform parameters", family
+        editor.trigger("undo")
+        assert button(editor).isVisible(), family
+        # The next one begins without a message.
+        editor.trigger("redo")
+        assert editor.message == "", family
 
 
 def test_it_goes_with_the_problem(editor):
