@@ -258,7 +258,7 @@ _SumsIn = Callable[[FloatArray, IntArray], FloatArray]
 def _largest_sums(sums: _SumsIn, intervals: _Intervals, owners: int, search: _SearchPlan) -> FloatArray:
     """Return the largest value of `sums` in the intervals of each owner, at least 1."""
     left = intervals
-    if np.bincount(left.owner).max() > _MANY:
+    if len(left.owner) > _MANY and np.bincount(left.owner).max() > _MANY:
         quarters = left.low[:, None] + (left.high - left.low)[:, None] * np.array([0.25, 0.5, 0.75])
         highest = sums(quarters, left.segment).max(axis=1)
         left = left.taken(_highest(highest, left.owner, _MANY // 2, above=_MANY))
@@ -285,8 +285,7 @@ def _largest_sums(sums: _SumsIn, intervals: _Intervals, owners: int, search: _Se
 
 def _highest(peaks: FloatArray, owner: IntArray, count: int, above: int) -> IntArray:
     """Return which intervals to keep, ascending: of an owner of more than `above` the `count` highest."""
-    many = np.bincount(owner) > above
-    if not many.any():
+    if len(peaks) <= above or not (many := np.bincount(owner) > above).any():
         return np.arange(len(peaks))
     order = np.lexsort((-peaks, owner))
     rank = np.arange(len(order)) - np.searchsorted(owner, owner)

@@ -5,21 +5,23 @@ from __future__ import annotations
 import re
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from app.actions.declaration import action
 from app.actions.keymap import refusal
 from app.actions.sections import CURVE, CURVE_SHAPE
 from app.families import HERMITE, LAGRANGE
+from app.features.help.shortcut_sheet import ShortcutSheet
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.window import MainWindow
 from app.window.connect import COMMAND_SETS
 from app.window.preferences_dialog import PreferencesDialog
+from tests.count_drag import codes_called
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -207,6 +209,19 @@ def test_no_two_actions_come_with_the_same_key(editor):
         assert keymap.is_default(name)
         for key in binding.defaults:
             assert keymap.owner_of(key) == name
+
+
+def test_the_sheet_hears_events_only_while_it_is_shown(editor):
+    """Hidden by anything but its own close, it went on listening to every event of the program."""
+    listens = ShortcutSheet.eventFilter.__wrapped__.__code__
+
+    def heard():
+        return codes_called(lambda: QApplication.sendEvent(editor.window, QEvent(QEvent.Type.User)))
+
+    editor.trigger("showShortcuts")
+    assert listens in heard()
+    editor.window.findChild(ShortcutSheet).hide()
+    assert listens not in heard()
 
 
 def test_the_sheet_keeps_its_field_and_its_button_where_nothing_is_found(editor):
