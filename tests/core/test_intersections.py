@@ -42,7 +42,7 @@ def test_as_many_as_crossing_chords(seed):
             QuinticHermiteCurve(points, velocities, accelerations, t),
         ):
             found = self_intersections(curve, 1e-9)
-            expected = crossings_of_chords(curve, 1201)
+            expected = crossings_of_chords(curve, 601)
             assert found.is_complete
             assert len(found.parameters) == len(expected)
             if len(expected):

@@ -158,13 +158,14 @@ def confluent(nodes, width):
     )
 
 
-@pytest.mark.parametrize("norm", [1, 2, np.inf])
 @pytest.mark.parametrize("n", [2, 5, 10, 20])
-def test_vandermonde_matrices(exact, n, norm):
+def test_vandermonde_matrices(exact, n):
     for t in (uniform(n), chebyshev(n), 100.0 + uniform(n)):
         matrix = confluent([exact.rational(x) for x in t], 1)
-        truth = float_norm(matrix, norm) * float_norm(matrix.inv(), norm)
-        assert vandermonde_condition(t, norm) == pytest.approx(truth, rel=1e-12)
+        inverse = matrix.inv()
+        for norm in (1, 2, np.inf):
+            truth = float_norm(matrix, norm) * float_norm(inverse, norm)
+            assert vandermonde_condition(t, norm) == pytest.approx(truth, rel=1e-12)
 
 
 def test_known_condition_numbers():
