@@ -195,28 +195,28 @@ def test_an_axis_is_locked_and_freed(arch):
 
 
 @pytest.mark.parametrize("way", ["escape", "right click", "undo"])
-@pytest.mark.parametrize("key", [Key.Key_G, Key.Key_S, Key.Key_R])
-def test_a_transform_can_be_cancelled(arch, key, way):
+def test_a_transform_can_be_cancelled(arch, way):
     arch.select([1, 2])
     document, steps = arch.session.document, arch.session.undo_stack.count()
-    arch.hover((0, 3))
-    arch.key(key)
-    arch.move((1, 4.5), held=False)
-    assert arch.session.document != document
-    if way == "escape":
-        arch.escape()
-    elif way == "undo":
-        arch.trigger("undo")
-    else:
-        place = arch.window.canvas.to_pixel(1, 4.5)
-        right = Qt.MouseButton.RightButton
-        arch.send(arch.window.canvas, QEvent.Type.MouseButtonPress, place, button=right)
-        arch.send(arch.window.canvas, QEvent.Type.MouseButtonRelease, place, held=False, button=right)
-    assert arch.session.document is document
-    assert arch.session.undo_stack.count() == steps
-    arch.move((2, 2), held=False)
-    assert arch.session.document is document
-    assert arch.window.canvas.marks.note is None
+    for key in (Key.Key_G, Key.Key_S, Key.Key_R):
+        arch.hover((0, 3))
+        arch.key(key)
+        arch.move((1, 4.5), held=False)
+        assert arch.session.document != document, key
+        if way == "escape":
+            arch.escape()
+        elif way == "undo":
+            arch.trigger("undo")
+        else:
+            place = arch.window.canvas.to_pixel(1, 4.5)
+            right = Qt.MouseButton.RightButton
+            arch.send(arch.window.canvas, QEvent.Type.MouseButtonPress, place, button=right)
+            arch.send(arch.window.canvas, QEvent.Type.MouseButtonRelease, place, held=False, button=right)
+        assert arch.session.document is document, key
+        assert arch.session.undo_stack.count() == steps, key
+        arch.move((2, 2), held=False)
+        assert arch.session.document is document, key
+        assert arch.window.canvas.marks.note is None, key
 
 
 def test_s_follows_the_pointer_away_from_the_centre(arch):
