@@ -246,7 +246,8 @@ def test_how_far_a_polyline_of_too_few_vertices_is_off_is_said(rng, name, n, siz
     ):
         t = flatten_parameters(curve, tolerance)
     assert np.array_equal(t, pieces.parameters)
-    off = distances(curve, t)
+    # Of a polynomial through 1,000 points each place of some 4,000 chords takes 1,000 factors.
+    off = distances(curve, t, samples=10)
     assert tolerance < off <= pieces.reached
     assert pieces.reached <= 4.0 * off
 
