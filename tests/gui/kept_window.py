@@ -49,6 +49,7 @@ class KeptEditor:
         self._editor: Editor | None = None
         # What is told of a window in which everything was opened and closed; found out once.
         self._opened: Mapping[str, object] | None = None
+        self._goes_on = False
 
     def get(self, qtbot) -> Editor:
         if self._opened is None:
@@ -88,12 +89,15 @@ class KeptEditor:
         self._checked = {action for action in self._checkable if action.isChecked()}
 
     def take_back(self) -> list[str]:
-        """Reset the window; throw it away where that fails or leaves it different, and return where it is."""
+        """Reset the window; throw it away where that fails or leaves it different, and return where it is.
+
+        Between cases of one test it is reset and not looked at: the last of them is asked for all.
+        """
         window = self._editor.window
         places: list[str] = []
         try:
             self._reset()
-            different = self.differences()
+            different = {} if self._goes_on else self.differences()
             if any(".panes." in place for place in different):
                 # What a pane has is told it when it is shown.
                 self._curtain.open()
@@ -269,6 +273,13 @@ class KeptEditor:
             window.splitter.restoreState(self._splitter)
         # The view is fitted to the place that is there.
         QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item, nextitem):
+        """Note whether another case of the same test comes next."""
+        names = [(each.path, getattr(each, "originalname", None)) for each in (item, nextitem) if each]
+        self._goes_on = len(names) == 2 and names[0] == names[1] and "editor" in nextitem.fixturenames
+        return (yield)
 
     def pytest_runtest_setup(self, item) -> None:
         """Begin a test that makes windows of its own without the one that is kept."""
