@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from enum import Enum, IntEnum
 from typing import NamedTuple, Protocol
 
@@ -20,6 +21,7 @@ from ..plotting.pens import sign_pixmap
 from ..qt.labels import Label, tip_of
 from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.legend import LegendRow
+from ..widgets.controls import named
 from ..widgets.overlay_frame import OverlayFrame
 from ..widgets.tool_buttons import tool_button
 from .label_place import covered_lengths
@@ -61,17 +63,26 @@ class Form(IntEnum):
 
 
 class _Shown(NamedTuple):
-    """A row on screen: its words, and what stands behind them."""
+    """A row on screen: its words, the button behind them and the number at its end."""
 
     row: LegendRow
     words: Label | QToolButton
-    behind: tuple[QWidget, ...]
+    hide: QToolButton | None
+    figure: Label | None
 
     def say(self, form: Form) -> None:
         """Take the form of the moment."""
         self.words.setText(self.row.brief if form >= Form.BRIEF and self.row.brief else self.row.text)
-        for widget in self.behind:
+        for widget in filter(None, (self.hide, self.figure)):
             widget.setVisible(form < Form.BARE)
+
+    def with_figure_of(self, row: LegendRow) -> _Shown:
+        """Show the number of a row that differs in nothing else, and return that."""
+        if self.figure is not None and row.figure != self.row.figure:
+            self.figure.setText(row.figure)
+            if row.ghost is not None:
+                _name_choosing(self.words, row)
+        return self._replace(row=row)
 
 
 class Room(Protocol):
@@ -136,11 +147,17 @@ class Legend(OverlayFrame):
         """Show these lines of a group, below those of groups that were there before; hidden without any."""
         if list(rows) == list(self._groups.get(group, ())):
             return
+        before = self.rows
         if rows:
             self._groups[group] = rows
         else:
             del self._groups[group]
-        self._rebuild()
+        if [_without_figure(row) for row in before] == [_without_figure(row) for row in self.rows]:
+            self._shown = [each.with_figure_of(row) for each, row in zip(self._shown, self.rows, strict=True)]
+            self._grid.activate()
+            self._make_way()
+        else:
+            self._rebuild()
 
     def _rebuild(self) -> None:
         for widget in self._children():
@@ -178,7 +195,7 @@ class Legend(OverlayFrame):
             choose.setFont(font)
             self._grid.addWidget(choose, place, 1)
             self._grid.addWidget(hide, place, 3)
-            self._shown.append(_Shown(row, choose, (hide, *self._add_figure(place, row, font))))
+            self._shown.append(_Shown(row, choose, hide, self._add_figure(place, row, font)))
             return
         text = Label(row.text)
         text.setFont(font)
@@ -188,25 +205,22 @@ class Legend(OverlayFrame):
         )
         first = 0 if row.style is None else 1
         self._grid.addWidget(text, place, first, 1, (2 if row.figure else 4) - first)
-        self._shown.append(_Shown(row, text, self._add_figure(place, row, font)))
+        self._shown.append(_Shown(row, text, None, self._add_figure(place, row, font)))
 
-    def _add_figure(self, place: int, row: LegendRow, font: QFont) -> tuple[QWidget, ...]:
+    def _add_figure(self, place: int, row: LegendRow, font: QFont) -> Label | None:
         if not row.figure:
-            return ()
+            return None
         figure = Label(row.figure)
         figure.setFont(font)
         figure.setToolTip("The Lebesgue constant: how much errors in the points can grow")
         figure.setStyleSheet(f"color: {self._style.theme.muted.name()}")
         self._grid.addWidget(figure, place, 2, Qt.AlignmentFlag.AlignRight)
-        return (figure,)
+        return figure
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
-        # With the figure, which the narrowest form leaves out.
-        named = f"{row.text} ({row.figure})" if row.figure else row.text
-        choosing, hiding = row.tip or f"Make this the curve: {named}", f"Hide the ghost: {row.text}"
-        choose = tool_button(
-            f"legendChoose_{ghost.name}", choosing, tip_of(choosing), text=row.text, flat=True
-        )
+        hiding = f"Hide the ghost: {row.text}"
+        choose = tool_button(f"legendChoose_{ghost.name}", "", "", text=row.text, flat=True)
+        _name_choosing(choose, row)
         hide = tool_button(f"legendHide_{ghost.name}", hiding, tip_of(hiding), icon_size=11, flat=True)
         choose.setEnabled(not row.is_muted)
         hide.setIcon(icon("close", self._style.theme))
@@ -295,3 +309,13 @@ class Legend(OverlayFrame):
             f"QToolButton:hover {{ background: {hover} }}"
         )
         self._rebuild()
+
+
+def _without_figure(row: LegendRow) -> LegendRow:
+    return replace(row, figure="…") if row.figure else row
+
+
+def _name_choosing(button: QWidget, row: LegendRow) -> None:
+    """Name the button that makes a ghost the curve, with the figure, which the narrowest form leaves out."""
+    words = row.tip or f"Make this the curve: {row.text}" + (f" ({row.figure})" if row.figure else "")
+    named(button, button.objectName(), words, tip_of(words))

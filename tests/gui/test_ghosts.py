@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QToolButton
+from PySide6.QtWidgets import QCheckBox, QLabel, QToolButton, QWidget
 
 from app.appearance.theme import DARK, LIGHT, theme_of
 from app.document.edits import set_position
@@ -106,14 +106,25 @@ def test_runges_function_shows_all_families_side_by_side(editor):
 
 def test_of_a_drag_the_legend_has_no_figures(editor):
     editor.trigger("ghostHermite")
-    row = editor.window.canvas.drawing.annotations.legend.rows
+    legend = editor.window.canvas.drawing.annotations.legend
+    row, widgets = legend.rows, legend.findChildren(QWidget)
+    written = [each.text() for each in legend.findChildren(QLabel)]
+    choose = legend.findChild(QToolButton, "legendChoose_hermite")
+    name = choose.accessibleName()
     assert [each.figure for each in row] != ["Λ …", "Λ …"]
+    assert row[-1].figure in name
     x, y = editor.point(3)
     editor.press((x, y))
     editor.move((x + 0.5, y))
-    assert [each.figure for each in editor.window.canvas.drawing.annotations.legend.rows] == ["Λ …", "Λ …"]
+    assert [each.figure for each in legend.rows] == ["Λ …", "Λ …"]
+    assert [each.text() for each in legend.findChildren(QLabel)].count("Λ …") == 2
+    assert "(Λ …)" in choose.accessibleName()
     editor.escape()
-    assert editor.window.canvas.drawing.annotations.legend.rows == row
+    assert legend.rows == row
+    # The figures alone were written anew.
+    assert legend.findChildren(QWidget) == widgets
+    assert [each.text() for each in legend.findChildren(QLabel)] == written
+    assert choose.accessibleName() == name
 
 
 def test_a_ghost_has_the_settings_that_the_curve_has_or_had_of_its_family(editor):
