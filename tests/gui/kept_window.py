@@ -91,7 +91,8 @@ class KeptEditor:
     def take_back(self) -> list[str]:
         """Reset the window; throw it away where that fails or leaves it different, and return where it is.
 
-        Between cases of one test it is reset and not looked at: the last of them is asked for all.
+        Where worker processes run the tests, it is looked at behind the last test of a file, for all of them,
+        and behind one that fails. A run of one process, as of one file, looks behind each and names the test.
         """
         window = self._editor.window
         places: list[str] = []
@@ -276,10 +277,19 @@ class KeptEditor:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item, nextitem):
-        """Note whether another case of the same test comes next."""
-        names = [(each.path, getattr(each, "originalname", None)) for each in (item, nextitem) if each]
-        self._goes_on = len(names) == 2 and names[0] == names[1] and "editor" in nextitem.fixturenames
+        """Note whether another test of the same file comes next, in a worker process."""
+        self._goes_on = (
+            hasattr(item.config, "workerinput")
+            and nextitem is not None
+            and nextitem.path == item.path
+            and "editor" in nextitem.fixturenames
+        )
         return (yield)
+
+    def pytest_runtest_makereport(self, call) -> None:
+        """Have the window looked at behind a test that fails."""
+        if call.excinfo is not None:
+            self._goes_on = False
 
     def pytest_runtest_setup(self, item) -> None:
         """Begin a test that makes windows of its own without the one that is kept."""
