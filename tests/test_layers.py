@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from app.features import FEATURES
+from tests.rows import each_row
 
 ROOT = Path(__file__).resolve().parent.parent
 QT = ["PySide6", "shiboken6", "pyqtgraph"]
@@ -55,7 +56,7 @@ def packages() -> list[Path]:
     return sorted(package for name, package in maps.items() if name not in listed)
 
 
-@pytest.mark.parametrize("package", packages(), ids=lambda path: path.relative_to(ROOT).as_posix())
+@each_row("package", packages(), ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_the_map_of_a_package_names_all_of_it(package):
     text = ast.get_docstring(ast.parse((package / "__init__.py").read_text(encoding="utf-8"))) or ""
     named = set(re.findall(r"``(\w+)``", text))

@@ -14,6 +14,7 @@ import app
 import curvecore
 from app.storage.resources import resource
 from app.window.connect import all_actions
+from tests.rows import each_row
 
 ROOT = Path(__file__).resolve().parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -77,7 +78,7 @@ def test_every_icon_is_used():
     assert set(ICONS) - words - {"app"} == set()
 
 
-@pytest.mark.parametrize("name", sorted(set(ICONS) - {"app"}))
+@each_row("name", sorted(set(ICONS) - {"app"}))
 def test_icons_are_one_family(name):
     drawing = ICONS[name].read_text(encoding="utf-8")
     assert 'viewBox="0 0 24 24"' in drawing

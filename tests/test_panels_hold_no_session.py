@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.rows import each_row
+
 ROOT = Path(__file__).resolve().parent.parent
 ROOMS = [ROOT / "app/workbench", ROOT / "app/window", *(ROOT / "app/features").iterdir()]
 BUILDS = ROOT / "app/window/main_window.py"
@@ -83,7 +85,7 @@ def sessions_in(source: str) -> set[str]:
     return {name for name in names if "session" in name.lower() or name in ("host", "_host", "context")}
 
 
-@pytest.mark.parametrize("path", PANELS, ids=lambda path: path.relative_to(ROOT).as_posix())
+@each_row("path", PANELS, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_a_panel_holds_no_session(path):
     assert sessions_in(path.read_text(encoding="utf-8")) == set()
 

@@ -16,6 +16,7 @@ from curvecore import (
     worst_miss,
 )
 from tests.core.made_curves import core_families, hats
+from tests.rows import each_row
 
 POINTS = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0], [4.0, 3.0], [5.0, 0.0]])
 TIMES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
@@ -37,8 +38,8 @@ PARAMETERS = {
 }
 
 
-@pytest.mark.parametrize("kind", core_families(), ids=lambda kind: kind.name)
-@pytest.mark.parametrize("times", PARAMETERS.values(), ids=PARAMETERS)
+@each_row("kind", core_families(), ids=lambda kind: kind.name)
+@each_row("times", PARAMETERS.values(), ids=PARAMETERS)
 def test_nothing_is_wrong_with_the_families_of_the_core(kind, times, rng):
     jets = rng.standard_normal((len(times), kind.derivatives + 1, 2))
     curve = kind.from_jets(jets, times)

@@ -27,6 +27,7 @@ from curvecore import (
     flatten,
     uniform,
 )
+from tests.rows import each_row
 
 U = 2.0**-53
 PARAMETERS = np.array([-1.0, -0.5, 0.25, 1.0, 3.0])
@@ -94,7 +95,7 @@ def test_a_derivative_is_a_curve_of_the_same_data(name, order):
 
 
 @every_curve
-@pytest.mark.parametrize("shape", [(), (0,), (2, 3), (2, 0)])
+@each_row("shape", [(), (0,), (2, 3), (2, 0)])
 def test_derivatives_and_antiderivatives_take_t_of_any_shape(name, shape):
     t = np.linspace(-1.0, 3.0, int(np.prod(shape))).reshape(shape)
     for made in (CURVES[name].derivative(), CURVES[name].antiderivative()):
@@ -183,7 +184,7 @@ def exact_integrals(parameters):
 
 
 @every_curve
-@pytest.mark.parametrize(("a", "b"), [(-1.0, 3.0), (-0.75, 0.3), (0.5, 0.5), (2.0, -0.2), (0.3, 0.3 + 1e-9)])
+@each_row(("a", "b"), [(-1.0, 3.0), (-0.75, 0.3), (0.5, 0.5), (2.0, -0.2), (0.3, 0.3 + 1e-9)])
 def test_integrals_between_two_parameters(name, a, b):
     curve = CURVES[name]
     low, high = min(a, b), max(a, b)
@@ -194,10 +195,8 @@ def test_integrals_between_two_parameters(name, a, b):
 
 
 @every_polynomial
-@pytest.mark.parametrize(
-    ("a", "b"), [(-2.0, 0.0), (2.5, 4.0), (-3.0, 5.0), (3.5, 4.5), (-9.25, 13.5), (3.0, 7.0)]
-)
-@pytest.mark.parametrize("extrapolate", [True, False, "periodic"])
+@each_row(("a", "b"), [(-2.0, 0.0), (2.5, 4.0), (-3.0, 5.0), (3.5, 4.5), (-9.25, 13.5), (3.0, 7.0)])
+@each_row("extrapolate", [True, False, "periodic"])
 def test_integrals_outside_the_domain_are_those_of_scipy(name, a, b, extrapolate):
     curve = CURVES[name]
     expected = curve.to_ppoly().integrate(a, b, extrapolate=extrapolate)

@@ -18,6 +18,7 @@ from curvecore import (
     natural_spline_velocities,
     uniform,
 )
+from tests.rows import each_row
 
 T = np.array([0.0, 1.0, 2.5, 3.0, 4.0])
 POINTS = np.array([[0, 0], [1, 2], [3, 1], [4, 4], [5, 0]], dtype=float)
@@ -190,9 +191,9 @@ def exact_ratio(v, w):
     return Fraction(isqrt(int(squares[1] / squares[0] * scale**2)), scale)
 
 
-@pytest.mark.parametrize("factor", [0.1, 1 / 3, 1.0, 1.8, 7.3, 1e3])
-@pytest.mark.parametrize("direction", [(1.0, 0.0), (0.3, 0.7), (-1e-3, 0.999), (3.0, -4.0)])
-@pytest.mark.parametrize("make", ["cubic", "quintic", "septic"])
+@each_row("factor", [0.1, 1 / 3, 1.0, 1.8, 7.3, 1e3])
+@each_row("direction", [(1.0, 0.0), (0.3, 0.7), (-1e-3, 0.999), (3.0, -4.0)])
+@each_row("make", ["cubic", "quintic", "septic"])
 def test_the_direction_goes_on_and_the_speed_jumps(make, direction, factor):
     """Tied velocities: what is measured is what exact fractions say of the data."""
     before, after = np.array(direction), factor * np.array(direction)

@@ -15,6 +15,7 @@ from flint import fmpq, fmpz
 from scipy.interpolate import BPoly, BSpline
 
 from curvecore import BezierCurve, BSplineCurve
+from tests.rows import each_row
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
 LIMIT = 25.0
@@ -79,9 +80,9 @@ def spline_functions(knots, p, t, order=0):
 TERMS = {BezierCurve: bernstein_terms, BSplineCurve: spline_terms}
 
 
-@pytest.mark.parametrize("order", [0, 1, 2, 3])
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("n", [2, 3, 5, 8, 20, 60])
+@each_row("order", [0, 1, 2, 3])
+@each_row("name", NAMES)
+@each_row("n", [2, 3, 5, 8, 20, 60])
 @pytest.mark.parametrize("make", CLASSES)
 def test_bound(exact, rng, make, n, name, order):
     parameters = exact.parameter_sets(n, rng)[name]
@@ -158,8 +159,8 @@ def test_high_derivatives(exact, order):
     assert (curve.evaluate(t, 8) == 0.0).all()
 
 
-@pytest.mark.parametrize("order", [0, 1, 2, 3])
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 6, 30])
+@each_row("order", [0, 1, 2, 3])
+@each_row("n", [2, 3, 4, 5, 6, 30])
 def test_scipys_splines(rng, n, order):
     parameters = np.sort(rng.random(n))
     curve = BSplineCurve(rng.standard_normal((n, 3)), parameters)
@@ -205,9 +206,9 @@ def test_places_reproduce_t(rng, make, n):
     assert np.abs(make(places[:, None], parameters).evaluate(t)[:, 0] - t).max() < 1e-15
 
 
-@pytest.mark.parametrize("share", [0.02, 0.31, 0.5, 0.93])
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 6, 9, 40])
-@pytest.mark.parametrize("make", CLASSES)
+@each_row("share", [0.02, 0.31, 0.5, 0.93])
+@each_row("n", [2, 3, 4, 5, 6, 9, 40])
+@each_row("make", CLASSES)
 def test_one_more_control_point_keeps_the_shape(rng, make, n, share):
     parameters = np.sort(rng.random(n))
     curve = make(rng.standard_normal((n, 2)), parameters)
@@ -221,9 +222,9 @@ def test_one_more_control_point_keeps_the_shape(rng, make, n, share):
     assert np.abs(longer.evaluate(t) - curve.evaluate(t)).max() < 4e-15
 
 
-@pytest.mark.parametrize("stretch", [(0.0, 0.4), (0.1, 0.12), (0.3, 1.0), (0.0, 1.0)])
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 6, 9, 40])
-@pytest.mark.parametrize("make", CLASSES)
+@each_row("stretch", [(0.0, 0.4), (0.1, 0.12), (0.3, 1.0), (0.0, 1.0)])
+@each_row("n", [2, 3, 4, 5, 6, 9, 40])
+@each_row("make", CLASSES)
 def test_stretches(rng, make, n, stretch):
     parameters = np.sort(rng.random(n))
     curve = make(rng.standard_normal((n, 2)), parameters)
@@ -259,8 +260,8 @@ def test_changes_of_the_parameters(rng, make):
         assert np.abs(moves[:, i] - wanted).max() < 1e-5 * (1.0 + np.abs(wanted).max())
 
 
-@pytest.mark.parametrize("name", ["random", "clustered", "geometric", "shifted", "large"])
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 9])
+@each_row("name", ["random", "clustered", "geometric", "shifted", "large"])
+@each_row("n", [2, 3, 4, 5, 9])
 def test_changes_of_the_knots_are_those_of_exact_splines(exact, rng, n, name):
     """By differences of exact curves, which leave out 2**-400 of what is there; at knots and outside, too."""
     curve = BSplineCurve(rng.standard_normal((n, 1)), exact.parameter_sets(n, rng)[name])

@@ -25,6 +25,7 @@ from curvecore import (
     joint_report,
     uniform,
 )
+from tests.rows import each_row
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
 LIMIT = 25.0
@@ -118,8 +119,8 @@ def test_bound(exact, rng, name, ends):
                 assert off <= LIMIT * U * sum(map(abs, terms))
 
 
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 9, 60, 300])
+@each_row("ends", ENDS)
+@each_row("n", [2, 3, 4, 5, 9, 60, 300])
 def test_scipy_agrees(rng, n, ends):
     t = np.sort(rng.random(n))
     points = rng.standard_normal((n, 2))
@@ -236,9 +237,9 @@ def test_periodic_data_that_do_not_close_are_carried_along(rng):
         assert end == pytest.approx(start, rel=1e-13)
 
 
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("name", ["random", "geometric", "shifted", "large"])
-@pytest.mark.parametrize("n", [2, 3, 5])
+@each_row("ends", ENDS)
+@each_row("name", ["random", "geometric", "shifted", "large"])
+@each_row("n", [2, 3, 5])
 def test_parameter_derivatives_are_those_of_exact_splines(exact, rng, n, name, ends):
     """By differences of exact curves, which leave out 2**-400 of what is there.
 

@@ -12,6 +12,7 @@ import pytest
 
 import curvecore
 from curvecore import calculus
+from tests.rows import each_row
 
 OBJECTS = {name: getattr(curvecore, name) for name in curvecore.__all__}
 NAMES = {name: each for name, each in OBJECTS.items() if inspect.isclass(each) or inspect.isfunction(each)}
@@ -72,14 +73,14 @@ def test_the_names_are_those_of_the_stub(package):
         assert getattr(package, alias.name) is getattr(import_module(each.module), alias.name)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each_row("name", NAMES)
 def test_it_has_an_example_and_names_its_kin(name):
     sections = sections_of(OBJECTS[name])
     assert ">>> " in sections.get("Examples", ""), "no example"
     assert sections.get("See Also"), "no See Also"
 
 
-@pytest.mark.parametrize("name", DESCRIBED)
+@each_row("name", DESCRIBED)
 def test_its_arguments_and_results_are_described(name):
     thing = DESCRIBED[name]
     sections = sections_of(thing)
@@ -92,7 +93,7 @@ def test_its_arguments_and_results_are_described(name):
         assert set(thing._fields) <= described_in(sections.get("Attributes", "")), "not in Attributes"
 
 
-@pytest.mark.parametrize("name", [*DESCRIBED, "curvecore"])
+@each_row("name", [*DESCRIBED, "curvecore"])
 def test_its_examples_run(name):
     # A finder would look for the thing's module among all that are imported.
     text = DESCRIBED.get(name, curvecore).__doc__
@@ -102,7 +103,7 @@ def test_its_examples_run(name):
     assert not failed, "".join(told)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each_row("name", NAMES)
 def test_what_it_names_is_there(name):
     """Names in See Also lines and in single quotes of `curvecore` itself."""
     section = sections_of(OBJECTS[name]).get("See Also", "")

@@ -5,6 +5,7 @@ import pytest
 
 from app.families import FAMILIES
 from curvecore import CurveError, HermiteCurve, chebyshev, uniform
+from tests.rows import each_row
 
 PARAMETERS = np.array([-1.0, -0.5, 0.25, 1.0, 3.0])
 T = np.linspace(-1.2, 3.3, 41)
@@ -94,8 +95,8 @@ def test_shapes(family, rng):
 
 
 @every_family
-@pytest.mark.parametrize("shape", [(), (1,), (0,), (2, 3), (3, 1, 2), (2, 0)])
-@pytest.mark.parametrize("order", [0, 2])
+@each_row("shape", [(), (1,), (0,), (2, 3), (3, 1, 2), (2, 0)])
+@each_row("order", [0, 2])
 def test_parameters_of_any_shape_lead_the_shape_of_the_result(family, rng, shape, order):
     curve = build(family, rng)
     t = rng.uniform(-0.2, 1.2, shape)
@@ -151,7 +152,7 @@ def test_other_ways_to_extrapolate_are_refused(rng, wrong):
 
 
 @every_family
-@pytest.mark.parametrize("order", range(7))
+@each_row("order", range(7))
 def test_basis_times_data_is_the_curve(family, rng, order):
     curve = build(family, rng)
     basis = curve.basis(T, order)
@@ -165,7 +166,7 @@ def test_basis_times_data_is_the_curve(family, rng, order):
 
 
 @every_family
-@pytest.mark.parametrize("order", range(4))
+@each_row("order", range(4))
 def test_partition_of_unity(family, rng, order):
     basis = build(family, rng).basis(T, order)[:, :, 0]
     expected = 1.0 if order == 0 else 0.0
@@ -328,8 +329,8 @@ EXTREME_PARAMETERS = [
 
 
 @every_family
-@pytest.mark.parametrize("size", [1e-300, 1.0, 1e300, 1.7e308])
-@pytest.mark.parametrize("parameters", EXTREME_PARAMETERS)
+@each_row("size", [1e-300, 1.0, 1e300, 1.7e308])
+@each_row("parameters", EXTREME_PARAMETERS)
 def test_nothing_is_ever_infinite_or_nan(family, parameters, size, rng):
     t = np.array(
         [0.0, 5e-324, -1e-310, 1e-200, 0.5, -1.0, 1e10, 1e150, -1e200, 1.7e308, -1.7e308, *parameters]

@@ -20,6 +20,7 @@ from curvecore import (
 )
 from tests.core.made_curves import family
 from tests.effort import calls_of
+from tests.rows import each_row
 
 
 def distances(curve, parameters, box=None, samples=40):
@@ -45,8 +46,8 @@ every_family = pytest.mark.parametrize("name", ["lagrange", "hermite", "quintic_
 
 
 @every_family
-@pytest.mark.parametrize("tolerance", [1.0, 1e-1, 1e-2, 1e-3, 1e-4])
-@pytest.mark.parametrize("n", [2, 3, 8, 20])
+@each_row("tolerance", [1.0, 1e-1, 1e-2, 1e-3, 1e-4])
+@each_row("n", [2, 3, 8, 20])
 def test_within_tolerance(rng, name, tolerance, n):
     points = rng.standard_normal((n, 2))
     curve = family(name, points, chord_length(points))

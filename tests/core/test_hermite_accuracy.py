@@ -6,10 +6,10 @@ largest that was seen.
 """
 
 import numpy as np
-import pytest
 from flint import fmpq
 
 from curvecore import HermiteCurve, QuinticHermiteCurve, SepticHermiteCurve
+from tests.rows import each_row
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
 LIMIT = 20.0
@@ -27,9 +27,9 @@ def make(width, parameters, rng):
     return CLASSES[width](*data, parameters)
 
 
-@pytest.mark.parametrize("order", [0, 1, 2, 3])
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("width", CLASSES)
+@each_row("order", [0, 1, 2, 3])
+@each_row("name", NAMES)
+@each_row("width", CLASSES)
 def test_bound(exact, rng, width, name, order):
     parameters = exact.parameter_sets(20, rng)[name] * WITHIN_RANGE.get((width, name), 1.0)
     curve = make(width, parameters, rng)

@@ -24,6 +24,7 @@ from curvecore import (
     uniform,
 )
 from curvecore.analysis.nearest_point import NearestWithin
+from tests.rows import each_row
 
 POINTS = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0], [4.0, 4.0]])
 LINE = HermiteCurve(POINTS[:2], POINTS[1:3], [0, 1])
@@ -64,9 +65,9 @@ def values_of(thing):
     return thing.evaluate([0.1, 0.7]), thing.evaluate([0.1, 0.7], 1)
 
 
-@pytest.mark.parametrize("name", OBJECTS)
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize("used", [False, True])
+@each_row("name", OBJECTS)
+@each_row("way", WAYS)
+@each_row("used", [False, True])
 def test_a_copy_cannot_be_changed_and_says_the_same(name, way, used):
     """The points of a curve from a pickle could be written to, and `evaluate` went on with the old ones."""
     original = OBJECTS[name]
@@ -82,8 +83,8 @@ def test_a_copy_cannot_be_changed_and_says_the_same(name, way, used):
     np.testing.assert_equal(values_of(other), values_of(original))
 
 
-@pytest.mark.parametrize("name", OBJECTS)
-@pytest.mark.parametrize("way", WAYS)
+@each_row("name", OBJECTS)
+@each_row("way", WAYS)
 def test_what_holds_the_same_is_equal(name, way):
     original = OBJECTS[name]
     values_of(original)

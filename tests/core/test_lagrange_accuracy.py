@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from curvecore import LagrangeCurve, chebyshev
+from tests.rows import each_row
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
 LIMIT = 50.0
@@ -43,9 +44,9 @@ def worst(exact, curve, t, order):
     return max(found)
 
 
-@pytest.mark.parametrize("order", [0, 1, 2, 3])
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("n", [2, 5, 20])
+@each_row("order", [0, 1, 2, 3])
+@each_row("name", NAMES)
+@each_row("n", [2, 5, 20])
 def test_bound(exact, rng, n, name, order):
     parameters = exact.parameter_sets(n, rng)[name]
     curve = LagrangeCurve(rng.standard_normal((n, 2)), parameters)

@@ -16,6 +16,7 @@ from curvecore import (
     nearest,
     uniform,
 )
+from tests.rows import each_row
 
 
 def curves(rng, n, dim):
@@ -43,7 +44,7 @@ def test_no_sample_of_the_curve_is_nearer(rng, n, dim):
 QUARTER = 4.0 * (np.sqrt(2.0) - 1.0)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("velocities", "places"),
     [
         # A loop, a cusp, a straight line there and back, nearly a half circle, a line at even speed.
@@ -54,8 +55,8 @@ QUARTER = 4.0 * (np.sqrt(2.0) - 1.0)
         ([[1.0, 0.0], [1.0, 0.0]], [[0.25, 0.0], [0.25, 1.0], [1.0, 1e-13]]),
     ],
 )
-@pytest.mark.parametrize("scale", [1.0, 1e-120, 1e120, 1e-200, 1e200])
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-9, 1e-12])
+@each_row("scale", [1.0, 1e-120, 1e120, 1e-200, 1e200])
+@each_row("tolerance", [1e-3, 1e-9, 1e-12])
 def test_one_cubic_of_every_shape(velocities, places, scale, tolerance):
     """Nothing is nearer than what is found, by more than is said; beyond 1e140 arrays take over.
 

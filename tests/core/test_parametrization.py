@@ -16,6 +16,7 @@ from curvecore import (
     power,
     uniform,
 )
+from tests.rows import each_row
 
 POINTS = np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 5.0], [12.0, 5.0]])  # distances 5, 1, 9
 
@@ -78,8 +79,8 @@ def test_values_of_the_power_family():
     assert (power(POINTS, 0.0) == uniform(4)).all()
 
 
-@pytest.mark.parametrize("scale", [1e-300, 1e-150, 1.0, 1e150, 1e307])
-@pytest.mark.parametrize("alpha", [0.0, 0.25, 0.5, 1.0, 2.0])
+@each_row("scale", [1e-300, 1e-150, 1.0, 1e150, 1e307])
+@each_row("alpha", [0.0, 0.25, 0.5, 1.0, 2.0])
 def test_scale_does_not_matter(scale, alpha):
     parameters = power(scale * POINTS, alpha)
     check(parameters, 4)

@@ -15,6 +15,7 @@ from flint import arb, ctx, fmpq
 from scipy.interpolate import FloaterHormannInterpolator
 
 from curvecore import CurveError, FloaterHormannCurve, LagrangeCurve, chebyshev, lebesgue_constant, uniform
+from tests.rows import each_row
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
 LIMIT = 25.0
@@ -115,9 +116,9 @@ def curve_of(rng, parameters, degree, dim=2):
     return FloaterHormannCurve(rng.standard_normal((len(parameters), dim)), parameters, degree=degree)
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("n", [2, 5, 20])
-@pytest.mark.parametrize("degree", [0, 3, 10])
+@each_row("name", NAMES)
+@each_row("n", [2, 5, 20])
+@each_row("degree", [0, 3, 10])
 def test_bound(exact, rng, n, name, degree):
     parameters = exact.parameter_sets(n, rng)[name]
     curve = curve_of(rng, parameters, degree)
@@ -158,8 +159,8 @@ def test_the_usual_formula_would_not_do(exact, rng):
     assert worst(exact, curve, t) <= LIMIT
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize(("n", "degree"), [(5, 0), (6, 2), (20, 3), (60, 3)])
+@each_row("name", NAMES)
+@each_row(("n", "degree"), [(5, 0), (6, 2), (20, 3), (60, 3)])
 def test_derivatives_to_draw_are_off_by_what_is_said(exact, rng, n, degree, name):
     parameters = exact.parameter_sets(n, rng)[name]
     curve = curve_of(rng, parameters, degree)

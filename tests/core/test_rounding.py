@@ -30,6 +30,7 @@ from curvecore import (
 from curvecore.arrays import parameter_array
 from curvecore.rounding.decimal_methods import HERMITE_METHODS, LAGRANGE_METHODS, Data
 from tests.effort import calls_of
+from tests.rows import each_row
 
 TEN = fmpq(10)
 
@@ -200,9 +201,9 @@ def as_fractions(decimals):
     return [[exact(x) for x in row] for row in decimals]
 
 
-@pytest.mark.parametrize("method", available_methods(0))
-@pytest.mark.parametrize("digits", [2, 3, 8, 16])
-@pytest.mark.parametrize("n", [2, 3, 6, 10])
+@each_row("method", available_methods(0))
+@each_row("digits", [2, 3, 8, 16])
+@each_row("n", [2, 3, 6, 10])
 def test_polynomials_digit_for_digit(rng, method, digits, n):
     for t, shift in ((chebyshev(n), 0.0), (uniform(n), 100.0)):
         if digits < 5 and shift and method == "monomial":
@@ -216,9 +217,9 @@ def test_polynomials_digit_for_digit(rng, method, digits, n):
             assert row == [each.value for each in expected]
 
 
-@pytest.mark.parametrize("method", available_methods(1))
-@pytest.mark.parametrize("digits", [2, 4, 8, 16])
-@pytest.mark.parametrize("width", [2, 3, 4])
+@each_row("method", available_methods(1))
+@each_row("digits", [2, 4, 8, 16])
+@each_row("width", [2, 3, 4])
 def test_hermite_curves_digit_for_digit(rng, method, digits, width):
     t = np.array([0.5, 1.0, 1.75, 3.0])
     jets = rng.standard_normal((4, width, 2))
@@ -377,9 +378,9 @@ class Counting:
         return counted
 
 
-@pytest.mark.parametrize("derivatives", [0, 1, 2, 3])
-@pytest.mark.parametrize("n", [2, 3, 7])
-@pytest.mark.parametrize("dim", [1, 2, 3])
+@each_row("derivatives", [0, 1, 2, 3])
+@each_row("n", [2, 3, 7])
+@each_row("dim", [1, 2, 3])
 def test_operations_are_counted_right(rng, derivatives, n, dim):
     from decimal import Decimal
 

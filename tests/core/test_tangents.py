@@ -19,6 +19,7 @@ from curvecore import (
     uniform,
     zero_accelerations,
 )
+from tests.rows import each_row
 
 T = np.array([0.0, 0.1, 0.5, 0.6, 2.0, 2.5])
 VELOCITIES = [
@@ -46,7 +47,7 @@ def test_straight_lines_at_constant_velocity(rule):
 
 
 @every_rule
-@pytest.mark.parametrize("scale", [1e-150, 1e150])
+@each_row("scale", [1e-150, 1e150])
 def test_velocities_scale(rule, rng, scale):
     points = rng.standard_normal((6, 2))
     assert rule(points, scale * T) * scale == pytest.approx(rule(points, T), rel=1e-12)

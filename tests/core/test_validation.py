@@ -20,6 +20,7 @@ from curvecore import (
     flatten,
     parameter_sensitivity,
 )
+from tests.rows import each_row
 
 POINTS = [[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]
 T = [0.0, 0.5, 1.0]
@@ -29,7 +30,7 @@ def lagrange(points=POINTS, parameters=T):
     return LagrangeCurve(points, parameters)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("arguments", "message", "indices"),
     [
         (

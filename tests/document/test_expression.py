@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from app.document.expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
 from app.document.model import MAX_MAGNITUDE
 from tests.effort import calls_of
+from tests.rows import each_row
 
 MOST_CALLS = 10_000
 """A long text that is read takes about two thousand; whatever is typed, it is done before the next key."""
@@ -22,7 +23,7 @@ def refusal_of(text, decimal):
     return str(refused.value)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "value"),
     [
         ("0", 0.0),
@@ -92,7 +93,7 @@ def test_with_a_decimal_comma(text, value):
     assert parse_number(text, ",") == value
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "decimal", "word"),
     [
         ("", ".", "missing"),

@@ -17,6 +17,7 @@ from app.exchange.rescaled import enlarged
 from app.families import HERMITE
 from app.storage.format_error import FormatError
 from app.storage.validation import validate, validate_changes
+from tests.rows import each_row
 
 PAIR = (1.0, 2.0)
 
@@ -94,7 +95,7 @@ def test_the_document_above_has_a_number_wherever_one_may_be():
     validate(FULL)
 
 
-@pytest.mark.parametrize("way", NUMBERS, ids=name_of)
+@each_row("way", NUMBERS, ids=name_of)
 def test_a_number_of_numpy_becomes_one_of_python(way):
     given = with_other(FULL, way, np.float64(value_at(FULL, way)))
     assert type(value_at(given, way)) is np.float64
@@ -102,7 +103,7 @@ def test_a_number_of_numpy_becomes_one_of_python(way):
     assert plain(given) == FULL
 
 
-@pytest.mark.parametrize("way", NUMBERS, ids=name_of)
+@each_row("way", NUMBERS, ids=name_of)
 def test_what_is_no_number_is_refused_with_its_place(way):
     """Also at the door, which looks at what is new alone."""
     given = with_other(FULL, way, float("nan"))

@@ -21,6 +21,7 @@ from app.document.transforms import rotation, scaling, transform_points
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
+from tests.rows import each_row
 
 BY_DISTANCE = (
     Parametrization(ParametrizationKind.CHORD_LENGTH),
@@ -71,10 +72,10 @@ def same(a, b):
     return all(p == pytest.approx(q, abs=1e-12) for p, q in zip(a, b, strict=True))
 
 
-@pytest.mark.parametrize("rule", BY_DISTANCE)
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
-@pytest.mark.parametrize("closed", [False, True])
-@pytest.mark.parametrize("index", [0, 3, 5, 7])
+@each_row("rule", BY_DISTANCE)
+@each_row("family", WITH_VELOCITIES)
+@each_row("closed", [False, True])
+@each_row("index", [0, 3, 5, 7])
 def test_one_moved_point_changes_the_two_segments_beside_it(rule, family, closed, index):
     before = document(rule, family, closed=closed)
     for after in (
@@ -114,11 +115,9 @@ def test_the_handles_of_a_moved_point_together_stay_as_long_as_they_were(rule):
     assert new == pytest.approx(old, rel=1e-12)
 
 
-@pytest.mark.parametrize("rule", BY_DISTANCE)
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
-@pytest.mark.parametrize(
-    "by", [rotation(30.0, (1.0, 1.0)), scaling(2.0, 2.0, (0.0, 0.0)), scaling(0.5, 0.5, (3.0, 1.0))]
-)
+@each_row("rule", BY_DISTANCE)
+@each_row("family", WITH_VELOCITIES)
+@each_row("by", [rotation(30.0, (1.0, 1.0)), scaling(2.0, 2.0, (0.0, 0.0)), scaling(0.5, 0.5, (3.0, 1.0))])
 def test_points_transformed_together_take_their_handles_along(rule, family, by):
     before = document(rule, family)
     chosen = {2, 3, 4, 5}

@@ -7,6 +7,7 @@ import pytest
 from app.document.expression import ExpressionError
 from app.document.lengths import typed_length
 from app.document.units import MILLIMETRES
+from tests.rows import each_row
 
 MEANT = {
     "70": 70.0,
@@ -34,7 +35,7 @@ MEANT = {
 }
 
 
-@pytest.mark.parametrize("text", MEANT)
+@each_row("text", MEANT)
 def test_what_is_typed_is_meant_in_the_unit_of_the_document(text):
     # Of these numbers only "1/3" and pi are no decimal ones; all others are exact.
     assert typed_length(text, "mm", 200.0) == MEANT[text]
@@ -47,8 +48,8 @@ def test_the_unit_of_the_document_may_be_typed_whatever_it_is(text, unit):
     assert typed_length(text, unit) == 3.0
 
 
-@pytest.mark.parametrize("unit", MILLIMETRES)
-@pytest.mark.parametrize("other", MILLIMETRES)
+@each_row("unit", MILLIMETRES)
+@each_row("other", MILLIMETRES)
 def test_every_unit_becomes_every_other_one(unit, other):
     # Two roundings.
     assert typed_length(f"3 {unit}", other, 0.0) == pytest.approx(

@@ -21,6 +21,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.files import import_file
 from app.exchange.table.clipboard import TableTextError, read_titled_block
 from app.storage.files import StorageError
+from tests.rows import each_row
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / "tests" / "data" / "hostile_files.py"
@@ -91,7 +92,7 @@ def reports(tmp_path_factory):
     return {name: rest for name, *rest in map(json.loads, done.stdout.splitlines())}
 
 
-@pytest.mark.parametrize("name", hostile.CASES)
+@each_row("name", hostile.CASES)
 def test_a_hostile_file_gives_one_sentence(name, reports):
     code, errors, output, seconds, megabytes = reports[name]
     assert code == 1
@@ -105,7 +106,7 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
     assert megabytes < MEGABYTES
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("name", "place"),
     [
         ("malformed.curve.json", "line 1, column 10"),
@@ -175,7 +176,7 @@ def test_an_unreadable_file_is_refused(tmp_path):
     assert "may not be read" in refused(path)
 
 
-@pytest.mark.parametrize(
+@each_row(
     "text",
     ["nan", "inf", "-inf", "9**9**9", "9^9^9^9", "__import__('os')", "1e999", "(" * 150, "0x10", "1_000"],
 )

@@ -19,6 +19,7 @@ from app.storage import files
 from app.storage.files import StorageError
 from app.view_model.curve.curve_view import view_of
 from curvecore import arc_length
+from tests.rows import each_row
 
 pytestmark = pytest.mark.usefixtures("qapp")
 
@@ -144,7 +145,7 @@ def test_a_failed_export_leaves_the_old_file(name, half_drawn, nothing, tmp_path
     assert list(tmp_path.iterdir()) == [path]
 
 
-@pytest.mark.parametrize("width", [0, -3])
+@each_row("width", [0, -3])
 def test_a_picture_has_a_width(width, sketch, tmp_path):
     with pytest.raises(ExchangeError, match="The width must be at least 1"):
         export(sketch, tmp_path / "a.svg", Options(width=width))
@@ -156,7 +157,7 @@ def test_a_picture_beyond_all_screens_is_refused(sketch, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("name", ["a", "a.tiff", "svg", "a.png.txt"])
+@each_row("name", ["a", "a.tiff", "svg", "a.png.txt"])
 def test_unknown_formats_are_named_with_the_known_ones(name, sketch, tmp_path):
     with pytest.raises(ExchangeError) as refusal:
         export(sketch, tmp_path / name)

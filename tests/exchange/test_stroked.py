@@ -16,6 +16,7 @@ from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.outlines import painted_extent
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
+from tests.rows import each_row
 
 ROOT = math.sqrt(2.0)
 STYLES = [Style(width=0.6, cap=cap, join=join) for cap, join in product(LineCap, LineJoin)]
@@ -90,8 +91,8 @@ def places_beside(family):
     return np.vstack([at + aside, at - aside])
 
 
-@pytest.mark.parametrize("style", STYLES, ids=lambda each: f"{each.cap.value} {each.join.value}")
-@pytest.mark.parametrize("family", FAMILIES)
+@each_row("style", STYLES, ids=lambda each: f"{each.cap.value} {each.join.value}")
+@each_row("family", FAMILIES)
 def test_no_place_beside_a_smooth_curve_lies_outside_and_some_lie_on_every_side(family, style):
     curve = replace(make_curve(SMOOTH, family=family), style=style)
     drawing = drawing_of(Document((curve,)))

@@ -24,6 +24,7 @@ from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.fitting.cubics import RELATIVE_TOLERANCE
 from curvecore.bezier.control_points import bezier_segments, cubic_path
+from tests.rows import each_row
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -69,7 +70,7 @@ def measured(pieces, curve, parameters, samples=40):
     return np.hypot(*(on_path - curve.evaluate(t)).T).max()
 
 
-@pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5, 1e-7])
+@each_row("tolerance", [1e-1, 1e-3, 1e-5, 1e-7])
 def test_the_path_stays_within_the_stated_deviation(sketch, tolerance):
     text = svg_of(sketch, Options(tolerance=tolerance)).text
     (pieces,) = paths(text)
@@ -226,7 +227,7 @@ def test_points_in_one_place_at_the_origin_are_refused():
     assert refusal(document) == "There is nothing to draw: all points coincide."
 
 
-@pytest.mark.parametrize("tolerance", [0.0, -1.0, float("nan"), float("inf")])
+@each_row("tolerance", [0.0, -1.0, float("nan"), float("inf")])
 def test_the_tolerance_is_positive(sketch, tolerance):
     assert refusal(sketch, tolerance=tolerance) == "The tolerance must be a positive number."
 

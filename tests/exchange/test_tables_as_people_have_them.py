@@ -13,6 +13,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.files import ImportOptions, import_file
 from app.exchange.formats import FORMATS, ContentKind
 from app.exchange.table.columns import guess, role_of, words_on
+from tests.rows import each_row
 
 
 def read(tmp_path, name, content, **options):
@@ -164,7 +165,7 @@ def test_rows_without_numbers_are_left_out_or_end_the_curve(missing, curves, gap
         assert read(tmp_path, name, content, missing=missing)[0] == curves
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("name", "content", "sentence"),
     [
         ("a.npy", npy(np.array([{}], dtype=object), allow_pickle=True), "holds Python objects"),
@@ -193,7 +194,7 @@ def test_what_is_no_table_is_refused(name, content, sentence, tmp_path):
     assert sentence in str(refusal.value)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("title", "role"),
     [
         ("t", "t"), ("Time [s]", "t"), ("time_s", "t"), ("Zeit", "t"), ("pos_x", "x"), ("posX", "x"),

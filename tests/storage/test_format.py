@@ -28,6 +28,7 @@ from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
 from tests.effort import calls_of
+from tests.rows import each_row
 
 numbers = st.floats(min_value=-MAX_MAGNITUDE, max_value=MAX_MAGNITUDE)
 vectors = st.none() | st.tuples(numbers, numbers)
@@ -283,7 +284,7 @@ REFUSED_VALUES = [
 ]
 
 
-@pytest.mark.parametrize(("path", "value", "message"), REFUSED_VALUES)
+@each_row(("path", "value", "message"), REFUSED_VALUES)
 def test_wrong_values_are_refused_with_their_place(path, value, message):
     with pytest.raises(FormatError) as refusal:
         decode(spoiled(path, value))
@@ -341,7 +342,7 @@ REFUSED_TEXTS = [
 ]
 
 
-@pytest.mark.parametrize(("data", "message"), REFUSED_TEXTS, ids=range(len(REFUSED_TEXTS)))
+@each_row(("data", "message"), REFUSED_TEXTS, ids=range(len(REFUSED_TEXTS)))
 def test_bad_text_is_refused(data, message):
     with pytest.raises(FormatError) as refusal:
         decode(data)

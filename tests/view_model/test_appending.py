@@ -16,6 +16,7 @@ from app.view_model.curve.handles import handles_of
 from app.view_model.pieces.pasting import appended
 from app.view_model.points.appending import with_point_appended
 from app.view_model.points.point_columns import COLUMNS, POSITION
+from tests.rows import each_row
 
 FAR = (9.0, 1.0)
 
@@ -39,9 +40,9 @@ def longest(document):
     return max(math.dist(each.position, each.anchor) for each in handles if each.kind == 1)
 
 
-@pytest.mark.parametrize("append", [by_pen, by_paste, by_table])
-@pytest.mark.parametrize("kind", [*ParametrizationKind])
-@pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
+@each_row("append", [by_pen, by_paste, by_table])
+@each_row("kind", [*ParametrizationKind])
+@each_row("family", [family for family in FAMILIES if family.derivatives])
 def test_a_far_point_makes_no_handle_longer(family, kind, append):
     document = Document((make_curve([(0, 0), (0.3, 0.1), (0.5, 0)], family=family),))
     document = edits.set_parametrization(document, 0, kind, [0.0, 0.6, 1.0])

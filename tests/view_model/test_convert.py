@@ -18,6 +18,7 @@ from app.view_model.curve.measure import is_kept
 from app.view_model.fitting.convert import converted, outlook
 from app.view_model.points.smoothness import jolts_of, with_corners
 from curvecore import CurveError, LagrangeCurve
+from tests.rows import each_row
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
 TAKERS = [family for family in FAMILIES if family.takes_shapes]
@@ -39,8 +40,8 @@ def apart(before, after):
 
 
 @pytest.mark.parametrize("manual", [False, True])
-@pytest.mark.parametrize("count", [2, 3, 4, 6])
-@pytest.mark.parametrize(("one", "other"), PAIRS)
+@each_row("count", [2, 3, 4, 6])
+@each_row(("one", "other"), PAIRS)
 def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
     before = view(one, count, manual=manual)
     size = np.ptp(before.points, axis=0).max()

@@ -11,6 +11,7 @@ from app.families import FAMILIES
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import handles_at
 from app.view_model.points.deleting import without_points_but_handles
+from tests.rows import each_row
 
 PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.5), (6.0, 1.0), (5.0, -2.0))
 T = (0.0, 0.1, 0.35, 0.5, 0.8, 0.9, 1.0)
@@ -26,11 +27,9 @@ def handles(view):
     return found
 
 
-@pytest.mark.parametrize(
-    "family", [each for each in FAMILIES if each.derivatives], ids=lambda each: each.name
-)
-@pytest.mark.parametrize("kind", list(ParametrizationKind), ids=lambda each: each.value)
-@pytest.mark.parametrize(("closed", "gone"), [(False, {2}), (False, {0, 3}), (True, {1, 2}), (True, {0})])
+@each_row("family", [each for each in FAMILIES if each.derivatives], ids=lambda each: each.name)
+@each_row("kind", list(ParametrizationKind), ids=lambda each: each.value)
+@each_row(("closed", "gone"), [(False, {2}), (False, {0, 3}), (True, {1, 2}), (True, {0})])
 def test_every_handle_that_stays_is_where_it_was(family, kind, closed, gone):
     curve = make_curve(PLACES, family=family)
     points = [

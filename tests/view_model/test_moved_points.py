@@ -7,6 +7,7 @@ from app.families import FAMILIES
 from curvecore import CurveError, LagrangeCurve, chebyshev, uniform
 from curvecore.drag.moved_points import MovedPoints
 from tests.polylines import worst_distance
+from tests.rows import each_row
 
 BOX = (-0.5, -0.5, 4.5, 3.0)
 TOLERANCE = 1e-3
@@ -25,9 +26,9 @@ def wave(family, n, middle):
     return curve, unit
 
 
-@pytest.mark.parametrize("box", [None, BOX, (-0.5, -0.5, 2.0, 3.0)], ids=["whole", "all seen", "half seen"])
-@pytest.mark.parametrize("n", [3, 7, 20])
-@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
+@each_row("box", [None, BOX, (-0.5, -0.5, 2.0, 3.0)], ids=["whole", "all seen", "half seen"])
+@each_row("n", [3, 7, 20])
+@each_row("family", FAMILIES, ids=lambda family: family.name)
 def test_a_moved_point_is_followed_within_the_tolerance(family, n, box):
     curve, unit = wave(family, n, n // 2)
     moved = MovedPoints(curve, curve.with_jets(unit), TOLERANCE, box)

@@ -26,6 +26,7 @@ from app.view_model.fitting.reshape import (
 from app.view_model.pieces.joining import joined
 from app.view_model.pieces.splitting import Split, split
 from app.view_model.points.smoothness import made_smooth, made_symmetric, with_corners
+from tests.rows import each_row
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.0), (6.0, -1.0), (7.0, 1.0))
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
@@ -126,9 +127,9 @@ def test_under_a_rule_the_shape_stays_or_the_change_is_measured(family, kind):
     assert 1e-4 < moved <= made.residual + 0.002
 
 
-@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL])
-@pytest.mark.parametrize("count", [2, 3, 4, 5, 6, 12])
-@pytest.mark.parametrize("family", OVER_CONTROL_POINTS)
+@each_row("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL])
+@each_row("count", [2, 3, 4, 5, 6, 12])
+@each_row("family", OVER_CONTROL_POINTS)
 def test_one_more_control_point_keeps_the_shape_under_every_rule(family, count, kind):
     """A B-spline leaves its rule for that; the inner parameters of a Bézier curve do nothing anyway."""
     points = [(float(x), float(x * x % 5)) for x in range(count)]
@@ -162,9 +163,9 @@ def test_there_is_no_second_knot_where_there_is_one():
     assert distance(before, view_of(made.curve)) < ROUNDING
 
 
-@pytest.mark.parametrize("place", [0.3, "a parameter"])
-@pytest.mark.parametrize("count", [2, 3, 4, 5, 6, 12])
-@pytest.mark.parametrize("family", OVER_CONTROL_POINTS)
+@each_row("place", [0.3, "a parameter"])
+@each_row("count", [2, 3, 4, 5, 6, 12])
+@each_row("family", OVER_CONTROL_POINTS)
 def test_a_curve_over_control_points_is_split_exactly(family, count, place):
     before = view(family, [(float(x), float(x * x % 5)) for x in range(count)], manual=False)
     t = float(before.parameters[count // 2]) if place == "a parameter" and count > 2 else 0.3
@@ -384,9 +385,9 @@ def test_some_curves_cannot_be_joined(first, second, reason):
 # Reverse
 
 
-@pytest.mark.parametrize("closed", [False, True])
-@pytest.mark.parametrize("manual", [False, True])
-@pytest.mark.parametrize("family", FAMILIES)
+@each_row("closed", [False, True])
+@each_row("manual", [False, True])
+@each_row("family", FAMILIES)
 def test_reversing_keeps_the_shape_and_twice_is_the_curve(family, manual, closed):
     before = view(family, manual=manual, closed=closed and family is not LAGRANGE, corner=1)
     document = edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 1.0), ahead=True)
@@ -411,10 +412,10 @@ def test_parameters_that_would_coincide_are_not_reversed():
 # Closed
 
 
-@pytest.mark.parametrize("manual", [False, True])
-@pytest.mark.parametrize("corner", [None, 2])
-@pytest.mark.parametrize("rule", VelocityRule)
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
+@each_row("manual", [False, True])
+@each_row("corner", [None, 2])
+@each_row("rule", VelocityRule)
+@each_row("family", WITH_VELOCITIES)
 def test_a_closed_curve_is_smooth_across_its_seam(family, rule, corner, manual):
     closed = view(family, closed=True, velocity_rule=rule, corner=corner, manual=manual)
     start, end = closed.curve.domain
@@ -457,10 +458,10 @@ def test_a_corner_at_the_seam_has_two_sides():
 # Corners
 
 
-@pytest.mark.parametrize("closed", [False, True])
-@pytest.mark.parametrize("rule", VelocityRule)
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
-@pytest.mark.parametrize("chosen", [[2], [1, 2, 4]])
+@each_row("closed", [False, True])
+@each_row("rule", VelocityRule)
+@each_row("family", WITH_VELOCITIES)
+@each_row("chosen", [[2], [1, 2, 4]])
 def test_corners_and_smooth_points_keep_the_shape(family, rule, closed, chosen):
     before = view(family, closed=closed, velocity_rule=rule, manual=False)
     cornered = view_of(with_corners(before, chosen))

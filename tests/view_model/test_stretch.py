@@ -16,6 +16,7 @@ from app.view_model.boxes.pivot import Pivot, Turning, anchored
 from app.view_model.boxes.stretch import stretched
 from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
+from tests.rows import each_row
 
 POINTS = [(0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.5), (6.0, 1.0)]
 RULES = [kind for kind in ParametrizationKind if kind is not ParametrizationKind.MANUAL]
@@ -79,8 +80,8 @@ def test_nothing_has_no_bounds():
     assert bounds_of(views_of(document), points_of(0, ())) is None
 
 
-@pytest.mark.parametrize("kind", RULES)
-@pytest.mark.parametrize("family", FAMILIES)
+@each_row("kind", RULES)
+@each_row("family", FAMILIES)
 def test_curves_fill_the_box_that_they_are_given_exactly(family, kind):
     document = document_of(family, kind)
     views, group = views_of(document), whole_curves(document, {0})
