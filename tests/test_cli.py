@@ -24,6 +24,7 @@ from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
 from app.workbench.file_names import file_stem, title_of
+from tests.rows import each_row
 from tests.waiting import until
 
 ROOT = Path(__file__).parents[1]
@@ -403,7 +404,7 @@ def test_convert_takes_settings_of_the_family_and_info_tells_them(tmp_path, caps
     assert "hermite alone, which has no settings" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("typed", "name"),
     [
         *((family.name, family.name) for family in FAMILIES),
@@ -460,7 +461,7 @@ def test_convert_refuses_in_one_line(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == [bad]
 
 
-@pytest.mark.parametrize(
+@each_row(
     "words",
     [
         ["render", LETTER],

@@ -7,8 +7,6 @@ import re
 from functools import cache
 from pathlib import Path
 
-import pytest
-
 from tests.rows import each_row
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -90,7 +88,7 @@ def test_a_panel_holds_no_session(path):
     assert sessions_in(path.read_text(encoding="utf-8")) == set()
 
 
-@pytest.mark.parametrize(
+@each_row(
     "code",
     [
         "from app.session import Session",

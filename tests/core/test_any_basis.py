@@ -29,6 +29,7 @@ from curvecore import (
     worst_case_band,
 )
 from tests.core.made_curves import core_families, hats
+from tests.rows import each_row
 
 
 def polynomials(t, parameters):
@@ -262,7 +263,7 @@ def test_what_needs_polynomials_says_so(points):
         monomial_condition(curve)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("basis", "message"),
     [
         (lambda t, x: np.zeros((len(t), 1)), r"the basis of wrong must have the shape \(m, n\) = \(3, 3\)"),

@@ -20,6 +20,7 @@ from curvecore import (
     parameter_at_length,
     uniform,
 )
+from tests.rows import each_row
 
 CUSP = HermiteCurve([[0, 0], [1, 0]], [[3, 3], [3, -3]], [0, 1])
 CUSP_LENGTH = 2.0 * np.sqrt(2.0) - 1.0  # c' = (3 u**2, 3 u) with u = 1 - 2 t
@@ -121,7 +122,7 @@ def test_lagrange_lengths_decade_by_decade(rng, exact, n):
         assert length.error <= max(tolerance, 1e-10 * truth)
 
 
-@pytest.mark.parametrize("tolerance", TOLERANCES)
+@each_row("tolerance", TOLERANCES)
 def test_a_cusp_is_within_the_bound_too(tolerance):
     length = arc_length(CUSP, tolerance)
     assert abs(length.value - CUSP_LENGTH) <= length.error
@@ -199,7 +200,7 @@ def test_a_chain_with_a_break_counts_its_pieces():
     assert arc_length(Chain(pieces), 1e-12).value == pytest.approx(2.0, abs=1e-12)
 
 
-@pytest.mark.parametrize("size", [1e-300, 1e-150, 1e150, 1e300])
+@each_row("size", [1e-300, 1e-150, 1e150, 1e300])
 def test_sizes_do_not_matter(rng, size):
     scale = 2.0 ** round(np.log2(size))
     points, t = rng.standard_normal((5, 2)), uniform(5)

@@ -19,9 +19,10 @@ from curvecore import (
     uniform,
 )
 from tests.core.made_curves import de_casteljau
+from tests.rows import each_row
 
 
-@pytest.mark.parametrize("by", [0, 1, 2, 7])
+@each_row("by", [0, 1, 2, 7])
 def test_degree_elevation_keeps_the_curve(rng, by):
     controls = rng.standard_normal((4, 2))
     higher = elevate_degree(controls, by)

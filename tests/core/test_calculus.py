@@ -79,7 +79,7 @@ def test_a_call_is_an_evaluation(name):
 
 
 @every_curve
-@pytest.mark.parametrize("order", [1, 2, 3])
+@each_row("order", [1, 2, 3])
 def test_a_derivative_is_a_curve_of_the_same_data(name, order):
     curve = CURVES[name]
     derivative = curve.derivative(order)
@@ -353,7 +353,7 @@ def test_a_wild_polynomial_keeps_the_roots_of_its_quiet_middle():
     assert len(middle) == np.count_nonzero(np.diff(np.sign(curve(fine)[:, 0] - 1.0)))
 
 
-@pytest.mark.parametrize("shift", [0.0, 1e6, -1e150, 1e-300])
+@each_row("shift", [0.0, 1e6, -1e150, 1e-300])
 def test_values_out_of_reach_have_no_solutions(shift):
     curve = LagrangeCurve([[0.0], [1.0], [0.5]], [0, 1, 2])
     assert curve.solve(3.0 + abs(shift)).tolist() == []
@@ -368,7 +368,7 @@ def test_solutions_do_not_depend_on_the_scale(scale):
     )
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("ask", "message"),
     [
         (lambda c: c.derivative(-1), "order must be at least 0"),
@@ -429,8 +429,8 @@ def test_scipy_objects_are_the_curve(name):
         assert np.array_equal(polynomial.x, curve.breaks)
 
 
-@pytest.mark.parametrize("name", ["lagrange", "hermite", "quintic"])
-@pytest.mark.parametrize("form", ["to_bpoly", "to_ppoly"])
+@each_row("name", ["lagrange", "hermite", "quintic"])
+@each_row("form", ["to_bpoly", "to_ppoly"])
 def test_there_and_back_is_the_same_curve(name, form):
     curve = CURVES[name]
     again = type(curve).from_bpoly(getattr(curve, form)())
@@ -455,7 +455,7 @@ def test_splines_of_scipy_are_hermite_curves(rng):
     )
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("family", "polynomial", "message"),
     [
         (HermiteCurve, CURVES["quintic"], "must be a curve of hermite, which through its values differs"),

@@ -37,7 +37,7 @@ def joined(before, after):
 P, V, A = np.array([2.0, 1.0]), np.array([3.0, 4.0]), np.array([-1.0, 2.0])
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("after", "label", "parametric", "geometric"),
     [
         ((P, V, A), "C2", 2, 2),
@@ -73,8 +73,8 @@ def joined_septics(before, after):
     return joint
 
 
-@pytest.mark.parametrize("dim", [2, 3])
-@pytest.mark.parametrize(
+@each_row("dim", [2, 3])
+@each_row(
     ("change", "label"),
     [
         ((1.0, 0.0, 0.0), "C3"),
@@ -102,7 +102,7 @@ def test_septics_are_three_times_continuous(rng):
     assert [joint.label for joint in joint_report(curve)] == ["C3"] * 3
 
 
-@pytest.mark.parametrize("angle", [1e-12, 1e-6, 0.1, 1.0, 3.0, np.pi])
+@each_row("angle", [1e-12, 1e-6, 0.1, 1.0, 3.0, np.pi])
 def test_angles(angle):
     turned = [np.cos(angle) * 3.0 - np.sin(angle) * 4.0, np.sin(angle) * 3.0 + np.cos(angle) * 4.0]
     joint = joined((P, V, A), (P, turned, A))

@@ -179,8 +179,8 @@ def test_ten_thousand_points_of_a_spline(rng):
     assert curve.bezier_pieces().shape == (9997, 4, 2)
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 9])
-@pytest.mark.parametrize("make", CLASSES)
+@each_row("n", [2, 3, 4, 5, 9])
+@each_row("make", CLASSES)
 def test_ends_and_positive_functions(rng, make, n):
     parameters = np.sort(rng.random(n))
     curve = make(rng.standard_normal((n, 2)), parameters)
@@ -196,8 +196,8 @@ def test_ends_and_positive_functions(rng, make, n):
         assert (basis[(t > low) & (t < high), i] > 0.0).all()
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 9])
-@pytest.mark.parametrize("make", CLASSES)
+@each_row("n", [2, 3, 4, 5, 9])
+@each_row("make", CLASSES)
 def test_places_reproduce_t(rng, make, n):
     """With the Greville abscissae as points the curve is t itself (linear precision)."""
     parameters = np.sort(rng.random(n))
@@ -235,7 +235,7 @@ def test_stretches(rng, make, n, stretch):
     assert np.abs(part.evaluate(t) - curve.evaluate(t)).max() < 4e-15
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 9])
+@each_row("n", [2, 3, 4, 5, 9])
 def test_knots_of_a_spline(n):
     """What stands next to the ends does nothing; of each parameter inside there is one knot."""
     curve = BSplineCurve(np.zeros((n, 2)), np.arange(n) ** 2.0)

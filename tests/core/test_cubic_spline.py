@@ -140,7 +140,7 @@ def test_scipy_agrees(rng, n, ends):
         assert np.abs(summed - curve.evaluate(at, order)).max() <= 1e-13 * max(np.abs(expected).max(), size)
 
 
-@pytest.mark.parametrize("ends", ENDS)
+@each_row("ends", ENDS)
 def test_it_is_the_hermite_curve_with_its_velocities(rng, ends):
     t = np.sort(rng.random(12))
     curve = CubicSplineCurve(rng.standard_normal((12, 3)), t, ends=ends)
@@ -156,7 +156,7 @@ def test_it_is_the_hermite_curve_with_its_velocities(rng, ends):
         assert (own.jets == other.jets).all()
 
 
-@pytest.mark.parametrize("ends", ENDS)
+@each_row("ends", ENDS)
 def test_its_joints_are_smooth_to_the_second_derivative(rng, ends):
     t = np.sort(rng.random(12))
     points = rng.standard_normal((12, 2))

@@ -68,7 +68,7 @@ def test_goes_through_its_points_exactly(family, rng):
 
 
 @every_polynomial
-@pytest.mark.parametrize("size", [1e-300, 1e300, 1.7e308])
+@each_row("size", [1e-300, 1e300, 1.7e308])
 def test_goes_through_extreme_points_exactly(family, size):
     points = size * np.array([[1.0, -1.0], [1.0, 1.0], [1.0, -0.25], [1.0, 0.5], [1.0, 0.0]])
     data = [points, *[np.zeros_like(points)] * (width_of(family) - 1)]
@@ -118,7 +118,7 @@ def test_parameters_in_any_order_of_memory_keep_their_places(family, rng):
 
 
 @every_family
-@pytest.mark.parametrize("order", [0, 1])
+@each_row("order", [0, 1])
 def test_outside_the_domain_a_curve_goes_on_ends_or_repeats_itself(family, rng, order):
     curve = build(family, rng)
     first, last = curve.domain
@@ -144,7 +144,7 @@ def test_a_period_that_rounding_fills_up_stays_inside_the_domain(family, rng):
         assert ends.min() <= 1e-13
 
 
-@pytest.mark.parametrize("wrong", ["Periodic", None, 1, "no"])
+@each_row("wrong", ["Periodic", None, 1, "no"])
 def test_other_ways_to_extrapolate_are_refused(rng, wrong):
     curve = build("lagrange", rng)
     with pytest.raises(CurveError, match=r"extrapolate must be True, False or 'periodic', not"):

@@ -61,7 +61,7 @@ def test_within_tolerance(rng, name, tolerance, n):
 
 
 @every_family
-@pytest.mark.parametrize("box", [(-0.3, -0.3, 0.3, 0.3), (0.0, 0.0, 1e-3, 1e-3), (5.0, 5.0, 6.0, 6.0)])
+@each_row("box", [(-0.3, -0.3, 0.3, 0.3), (0.0, 0.0, 1e-3, 1e-3), (5.0, 5.0, 6.0, 6.0)])
 def test_box(rng, name, box):
     points = rng.standard_normal((12, 2))
     points[4] = [5e-4, 5e-4]
@@ -270,8 +270,8 @@ TURNS_BACK = {
 }
 
 
-@pytest.mark.parametrize("name", TURNS_BACK)
-@pytest.mark.parametrize("tolerance", [0.1, 1e-2, 1e-3, 1e-4])
+@each_row("name", TURNS_BACK)
+@each_row("tolerance", [0.1, 1e-2, 1e-3, 1e-4])
 def test_the_tips_of_a_curve_that_turns_back_are_drawn(name, tolerance):
     """They lay up to 34 tolerances beyond the polyline: the samples beside them all lay on it."""
     points = np.array(TURNS_BACK[name], dtype=float)
@@ -317,9 +317,9 @@ def chain(rng, count, made=HermiteCurve, joints=3):
     return Chain(pieces)
 
 
-@pytest.mark.parametrize("made", [HermiteCurve, LagrangeCurve])
-@pytest.mark.parametrize("box", [None, (-1.0, -1.0, 2.0, 2.0)])
-@pytest.mark.parametrize("tolerance", [1.0, 1e-2, 1e-4])
+@each_row("made", [HermiteCurve, LagrangeCurve])
+@each_row("box", [None, (-1.0, -1.0, 2.0, 2.0)])
+@each_row("tolerance", [1.0, 1e-2, 1e-4])
 def test_a_chain_is_within_tolerance_and_keeps_its_corners(rng, made, box, tolerance):
     curve = chain(rng, 9, made)
     pieces = flatten_pieces(curve, tolerance, box)

@@ -5,6 +5,7 @@ import pytest
 
 from curvecore import FrozenFlattening, LagrangeCurve, chebyshev
 from tests.polylines import worst_distance
+from tests.rows import each_row
 
 BOX = (-0.5, -0.5, 4.5, 3.0)
 TOLERANCE = 1e-3
@@ -15,7 +16,7 @@ def wave(n):
     return LagrangeCurve(np.column_stack([4 * t, 1 + 0.7 * np.sin(9 * t)]), t)
 
 
-@pytest.mark.parametrize("n", [2, 3, 7, 20, 60])
+@each_row("n", [2, 3, 7, 20, 60])
 def test_a_moved_point_is_followed_within_the_tolerance(n):
     curve, rng = wave(n), np.random.default_rng(n)
     frozen = FrozenFlattening(curve, TOLERANCE, BOX)

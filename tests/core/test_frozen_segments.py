@@ -1,7 +1,6 @@
 """Vertices that stay at their places on the segments of a changing curve, against the curve itself."""
 
 import numpy as np
-import pytest
 
 from curvecore import (
     FrozenSegments,
@@ -14,6 +13,7 @@ from curvecore import (
     uniform,
 )
 from tests.polylines import worst_distance
+from tests.rows import each_row
 
 BOX = (-0.5, -0.5, 4.5, 3.0)
 TOLERANCE = 1e-3
@@ -32,9 +32,9 @@ def wave_points(n):
     return np.column_stack([4 * s, 1 + 0.7 * np.sin(9 * s)])
 
 
-@pytest.mark.parametrize("parameters", [uniform, chord_length])
-@pytest.mark.parametrize("degree", [3, 5])
-@pytest.mark.parametrize("n", [2, 7, 20])
+@each_row("parameters", [uniform, chord_length])
+@each_row("degree", [3, 5])
+@each_row("n", [2, 7, 20])
 def test_a_moved_point_is_followed_within_the_tolerance(n, degree, parameters):
     points, rng = wave_points(n), np.random.default_rng(n)
     frozen = FrozenSegments(curve_through(points, degree, parameters), TOLERANCE, BOX)

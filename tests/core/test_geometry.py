@@ -23,6 +23,7 @@ from curvecore.analysis.bounding_boxes import bounding_boxes
 from curvecore.analysis.lengths import arc_lengths
 from curvecore.bezier.pieces import bezier_pieces
 from tests.core.made_curves import family
+from tests.rows import each_row
 
 FAMILIES = ["lagrange", "hermite", "quintic_hermite"]
 every_family = pytest.mark.parametrize("name", FAMILIES)
@@ -42,7 +43,7 @@ def parabola(count=3):
     return LagrangeCurve(np.stack((t, t * t), axis=1), t)
 
 
-@pytest.mark.parametrize("segments", [4, 8, 16, 32])
+@each_row("segments", [4, 8, 16, 32])
 def test_a_circle_of_quintics_has_the_circles_curvature(segments):
     """Birkhoff and Priver (1967): |e'| <= 5**.5 h**5 M / 30000, |e''| <= h**4 M / 1920, M = max |c^(6)|."""
     curve = circle(segments)
@@ -107,7 +108,7 @@ def test_a_point_at_rest_has_no_curvature():
     assert speed(cusp, 0.5) == 0.0
 
 
-@pytest.mark.parametrize("size", [1e-150, 1e-300, 1e150, 1e300])
+@each_row("size", [1e-150, 1e-300, 1e150, 1e300])
 def test_curvature_of_tiny_and_huge_curves(size):
     velocity, acceleration = np.array([[3.0, 4.0]]) * size, np.array([[-4.0, 3.0]]) * size
     with np.errstate(over="ignore"):
@@ -283,7 +284,7 @@ def test_straight_lines_have_none_of_it():
 
 
 @every_family
-@pytest.mark.parametrize("size", [1e-300, 1e-150, 1e150, 1e300])
+@each_row("size", [1e-300, 1e-150, 1e150, 1e300])
 def test_sizes_do_not_matter(name, size):
     """Multiplied by a power of two the curve keeps its places, and its box is as much larger."""
     scale = 2.0 ** round(np.log2(size))

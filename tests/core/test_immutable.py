@@ -121,7 +121,7 @@ def test_a_zero_is_a_zero():
     assert hash(one) == hash(other)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("curve", "text"),
     [
         (OBJECTS["hermite"], "HermiteCurve(n=4, dim=2, domain=(0, 1))"),
@@ -163,7 +163,7 @@ def test_a_curve_is_of_what_was_chosen_for_its_functions():
 MASKED = np.ma.masked_array(POINTS, mask=POINTS == 3.0)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("make", "message"),
     [
         (lambda: LagrangeCurve(MASKED, uniform(4)), "points[2, 0] is masked; every value must be given"),

@@ -16,6 +16,7 @@ from curvecore import (
     self_intersections,
     uniform,
 )
+from tests.rows import each_row
 
 
 def crossings_of_chords(curve, count):
@@ -107,7 +108,7 @@ def two_parabolas(apart):
     return Chain([up, bow, down])
 
 
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9, 1e-12])
+@each_row("tolerance", [1e-3, 1e-6, 1e-9, 1e-12])
 def test_a_tangential_touch(tolerance):
     found = self_intersections(two_parabolas(0.0), tolerance)
     # Newton's method halves the distance to a touch 20 times; it begins where parabolas 2 x**2 apart are
@@ -116,8 +117,8 @@ def test_a_tangential_touch(tolerance):
     assert found.is_complete
 
 
-@pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
-@pytest.mark.parametrize("times", [4, 1000])
+@each_row("tolerance", [1e-6, 1e-9, 1e-12])
+@each_row("times", [4, 1000])
 def test_a_near_miss_is_none(tolerance, times):
     found = self_intersections(two_parabolas(times * tolerance), tolerance)
     assert found.parameters.shape == (0, 2)
@@ -142,8 +143,8 @@ def test_all_pairs_of_branches_at_a_multiple_point(visits):
     assert found.is_complete
 
 
-@pytest.mark.parametrize("tolerance", [1e-6, 1e-9])
-@pytest.mark.parametrize("loops", [3, 4])
+@each_row("tolerance", [1e-6, 1e-9])
+@each_row("loops", [3, 4])
 def test_loops_that_begin_and_end_in_one_point(loops, tolerance):
     """Of three loops through a point, 3 of 5 pairs were found; the two ends of the closed curve are none."""
     angle = np.arange(loops + 1) * (2.0 * np.pi / loops)
@@ -195,7 +196,7 @@ def test_a_curve_along_itself_ends_and_is_never_complete(tolerance):
         assert len(found.parameters) <= 1024
 
 
-@pytest.mark.parametrize("size", [1e-300, 1e-150, 1e150, 1e300])
+@each_row("size", [1e-300, 1e-150, 1e150, 1e300])
 def test_sizes_do_not_matter(size):
     scale = 2.0 ** round(np.log2(size))
     t = np.linspace(-2.0, 1.5, 4)

@@ -12,6 +12,7 @@ from curvecore import (
     monotone_velocities,
     uniform,
 )
+from tests.rows import each_row
 
 RULES = {
     "monotone": (monotone_velocities, monotone_changes, PchipInterpolator),
@@ -25,8 +26,8 @@ def spaced(rng, n):
 
 
 @every_rule
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 8, 30])
-@pytest.mark.parametrize("whole", [False, True])
+@each_row("n", [2, 3, 4, 5, 8, 30])
+@each_row("whole", [False, True])
 def test_scipy_agrees(rng, name, n, whole):
     """Whole numbers bring ties: equal points, straight runs, flat ones."""
     velocities, _, reference = RULES[name]
@@ -73,7 +74,7 @@ def test_no_coordinate_swings_beyond_its_data(rng):
 
 
 @every_rule
-@pytest.mark.parametrize("n", [2, 3, 4, 7, 20])
+@each_row("n", [2, 3, 4, 7, 20])
 def test_the_jacobian_times_the_points_is_the_velocity(rng, name, n):
     """Both rules are homogeneous of degree one: Euler's theorem. Of ties, too, where one side counts."""
     velocities, changes, _ = RULES[name]
@@ -89,7 +90,7 @@ def test_the_jacobian_times_the_points_is_the_velocity(rng, name, n):
 
 
 @every_rule
-@pytest.mark.parametrize("n", [2, 3, 4, 7, 20])
+@each_row("n", [2, 3, 4, 7, 20])
 def test_changes_are_those_of_small_moves(rng, name, n):
     velocities, changes, _ = RULES[name]
     t, points = spaced(rng, n), rng.standard_normal((n, 2))

@@ -7,6 +7,7 @@ import pytest
 
 from curvecore import LagrangeCurve, chebyshev, uniform
 from curvecore.drag.moved_parameters import MovedParameters
+from tests.rows import each_row
 
 U = 2.0**-53
 
@@ -22,8 +23,8 @@ def moved(t, which, share=0.3):
     return other
 
 
-@pytest.mark.parametrize("n", [5, 20, 40])
-@pytest.mark.parametrize("which", [[1], [0], [1, 2], [1, 2, 3]])
+@each_row("n", [5, 20, 40])
+@each_row("which", [[1], [0], [1, 2], [1, 2, 3]])
 def test_every_function_has_a_small_relative_error(exact, n, which):
     t = chebyshev(n)
     # Places that are parameters, old and new, are among them.

@@ -28,7 +28,7 @@ def check(parameters, n):
     assert (np.diff(parameters) > 0.0).all()
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 50, 51, 9999, 10_000])
+@each_row("n", [2, 3, 4, 5, 50, 51, 9999, 10_000])
 def test_point_free_rules(n):
     check(uniform(n), n)
     check(chebyshev(n), n)
@@ -36,7 +36,7 @@ def test_point_free_rules(n):
     assert (uniform(n) == [float(Fraction(i, n - 1)) for i in range(n)]).all()
 
 
-@pytest.mark.parametrize("n", [2, 3, 8, 9, 5000])
+@each_row("n", [2, 3, 8, 9, 5000])
 def test_chebyshev_is_symmetric_and_accurate_next_to_both_ends(n):
     parameters = chebyshev(n)
     assert np.abs(parameters + parameters[::-1] - 1.0).max() <= 2.0**-53
@@ -45,7 +45,7 @@ def test_chebyshev_is_symmetric_and_accurate_next_to_both_ends(n):
     assert parameters[1] == pytest.approx(expected[1], rel=1e-15)
 
 
-@pytest.mark.parametrize("n", [2, 3, 8, 9, 5000])
+@each_row("n", [2, 3, 8, 9, 5000])
 def test_chebyshev_roots_are_symmetric_and_accurate_next_to_both_ends(n):
     parameters = chebyshev_roots(n)
     assert np.abs(parameters + parameters[::-1] - 1.0).max() <= 2.0**-53
@@ -57,7 +57,7 @@ def test_chebyshev_roots_are_symmetric_and_accurate_next_to_both_ends(n):
         assert 1.0 - parameters[n - 1 - i] == pytest.approx(exact, abs=4 * 2.0**-53)
 
 
-@pytest.mark.parametrize("n", [4, 7, 11, 30])
+@each_row("n", [4, 7, 11, 30])
 def test_chebyshev_roots_have_a_smaller_lebesgue_constant(n):
     """The least one tends to 2/pi (log n + gamma + log(4/pi)) from above."""
     first, second = (
@@ -112,16 +112,14 @@ def test_points_too_close_for_doubles():
         power([[0.0], [1e-200], [1e200]], 2.0)
 
 
-@pytest.mark.parametrize("rule", [uniform, chebyshev])
-@pytest.mark.parametrize(
-    ("n", "message"), [(1, "n must be at least 2, not 1"), (2.5, "n must be an integer")]
-)
+@each_row("rule", [uniform, chebyshev])
+@each_row(("n", "message"), [(1, "n must be at least 2, not 1"), (2.5, "n must be an integer")])
 def test_bad_counts(rule, n, message):
     with pytest.raises(CurveError, match=message):
         rule(n)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("alpha", "message"),
     [
         (-0.5, "alpha must be at least 0, not -0.5"),

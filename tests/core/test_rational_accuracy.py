@@ -177,8 +177,8 @@ def test_derivatives_to_draw_are_off_by_what_is_said(exact, rng, n, degree, name
 # Against SciPy, and what the papers say
 
 
-@pytest.mark.parametrize("degree", [0, 1, 3, 5])
-@pytest.mark.parametrize("n", [6, 40])
+@each_row("degree", [0, 1, 3, 5])
+@each_row("n", [6, 40])
 def test_it_is_what_scipy_computes(rng, n, degree):
     parameters = uniform(n)
     curve = curve_of(rng, parameters, degree)
@@ -190,8 +190,8 @@ def test_it_is_what_scipy_computes(rng, n, degree):
     assert (np.abs(curve.evaluate(t) - theirs) <= 100.0 * 2.0**-53 * growth * scale).all()
 
 
-@pytest.mark.parametrize("order", [0, 1, 2, 3])
-@pytest.mark.parametrize("degree", [0, 2, 3])
+@each_row("order", [0, 1, 2, 3])
+@each_row("degree", [0, 2, 3])
 def test_polynomials_of_the_degree_are_reproduced(rng, degree, order):
     parameters = np.sort(rng.random(12))
     polynomial = np.polynomial.Polynomial(rng.standard_normal(degree + 1))
@@ -214,7 +214,7 @@ def test_runge_converges_at_uniform_parameters():
     assert (rates > 3.5).all()
 
 
-@pytest.mark.parametrize("degree", [0, 1, 3, 5])
+@each_row("degree", [0, 1, 3, 5])
 def test_the_lebesgue_constant_is_within_its_bounds(degree):
     """At most 2**(d - 1) (2 + log n), and 2 + log n for d = 0, n the number of gaps (Bos et al.)."""
     for n in (20, 60):
@@ -233,8 +233,8 @@ def test_with_few_points_it_is_the_one_polynomial(rng, n):
     assert (np.abs(curve.evaluate(t) - polynomial.evaluate(t)) <= 2.0 * LIMIT * 2.0**-53 * scale).all()
 
 
-@pytest.mark.parametrize("degree", [0, 1, 3, 9])
-@pytest.mark.parametrize("beyond", [0, 1, 2])
+@each_row("degree", [0, 1, 3, 9])
+@each_row("beyond", [0, 1, 2])
 def test_it_is_a_polynomial_of_up_to_two_points_more_than_the_degree(degree, beyond):
     """n = d + 1 points: one polynomial. n = d + 2: two, blended as by Neville. Beyond: a quotient."""
     n = max(degree + 1 + beyond, 2)
@@ -288,7 +288,7 @@ def test_far_outside_it_stays_finite(rng):
         assert np.isfinite(curve.evaluate(np.array([-1e300, -1e9, 1e9, 1e300]), order)).all()
 
 
-@pytest.mark.parametrize("degree", [-1, 11, 2.5, "3", None])
+@each_row("degree", [-1, 11, 2.5, "3", None])
 def test_the_degree_is_checked(degree):
     with pytest.raises(CurveError, match="degree must be a whole number from 0 to 10"):
         FloaterHormannCurve(np.zeros((4, 2)), uniform(4), degree=degree)

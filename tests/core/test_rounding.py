@@ -254,7 +254,7 @@ def test_results_have_at_most_that_many_digits(rng):
             assert max(len(x.as_tuple().digits) for row in rows for x in row) <= digits
 
 
-@pytest.mark.parametrize("digits", [4, 8, 12, 16])
+@each_row("digits", [4, 8, 12, 16])
 def test_stable_methods_keep_the_digits(rng, digits):
     n = 8
     t = chebyshev(n)

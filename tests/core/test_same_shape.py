@@ -17,6 +17,7 @@ from curvecore import (
     natural_spline_velocities,
     uniform,
 )
+from tests.rows import each_row
 
 HERMITES = [HermiteCurve, QuinticHermiteCurve]
 
@@ -35,8 +36,8 @@ def off(first, second):
     return np.abs(first.evaluate(t) - second.evaluate(t)).max() / np.abs(first.evaluate(t)).max()
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 9, 40])
-@pytest.mark.parametrize("make", HERMITES)
+@each_row("n", [2, 3, 4, 5, 9, 40])
+@each_row("make", HERMITES)
 def test_a_spline_has_joints_at_its_knots(make, n):
     spline = BSplineCurve(points(n), times(n))
     made = make.same_shape_as(spline)
@@ -45,7 +46,7 @@ def test_a_spline_has_joints_at_its_knots(make, n):
     assert off(spline, made) < 1e-14
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 9, 40])
+@each_row("n", [2, 3, 4, 9, 40])
 def test_a_smooth_hermite_curve_is_a_spline(n):
     """The natural spline through points, whose accelerations do not jump."""
     t, p = times(n), points(n)
@@ -166,8 +167,8 @@ def test_other_reasons():
         BezierCurve.same_shape_as(many)
 
 
-@pytest.mark.parametrize("degree", [1, 3, 5])
-@pytest.mark.parametrize("n", [3, 7, 20, 60])
+@each_row("degree", [1, 3, 5])
+@each_row("n", [3, 7, 20, 60])
 def test_a_degree_that_is_surely_too_high(n, degree):
     """Told without the exact control points; samples of a polynomial of the degree are left to these."""
     t = times(n)

@@ -22,6 +22,7 @@ from curvecore import (
     uniform,
     vandermonde_condition,
 )
+from tests.rows import each_row
 
 # J. Burkardt, LEBESGUE, the output that comes with it (2014): 2 .. 11 points from -1 to 1, the largest of the
 # Lebesgue function's values at 501 equally spaced places, hence at most the constant and near it.
@@ -60,7 +61,7 @@ def exact_constant(nodes):
     return float(int(best.p)) / float(int(best.q)) if best.q < 10**300 else int(best.p) / int(best.q)
 
 
-@pytest.mark.parametrize("n", range(1, 21))
+@each_row("n", range(1, 21))
 def test_uniform_parameters(n):
     found = lebesgue_constant(with_parameters(np.arange(n + 1.0)))
     assert found == pytest.approx(exact_constant([fmpq(k) for k in range(n + 1)]), rel=1e-12)
@@ -83,14 +84,14 @@ def test_outside_the_domain_against_published_values():
         assert lebesgue_function(with_parameters(t), PLACES).max() == pytest.approx(published, rel=1e-13)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@each_row("seed", range(4))
 def test_random_parameters(exact, seed):
     t = np.sort(np.random.default_rng(seed).random(9))
     expected = exact_constant([exact.rational(x) for x in t])
     assert lebesgue_constant(with_parameters(t)) == pytest.approx(expected, rel=1e-12)
 
 
-@pytest.mark.parametrize("n", [3, 6, 12, 24, 49])
+@each_row("n", [3, 6, 12, 24, 49])
 def test_chebyshev_points_of_odd_degree(n):
     """Below 2/pi log(n + 1) + 1; for odd n the cotangent sum of Ehlich and Zeller (1966)."""
     found = lebesgue_constant(with_parameters(chebyshev(n + 1)))

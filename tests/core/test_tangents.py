@@ -39,7 +39,7 @@ def test_two_points_give_the_line(rule):
     assert (rule([[0.0, 1.0], [3.0, 5.0]], [1.0, 3.0]) == [[1.5, 2.0], [1.5, 2.0]]).all()
 
 
-@pytest.mark.parametrize("rule", VELOCITIES[:6])
+@each_row("rule", VELOCITIES[:6])
 def test_straight_lines_at_constant_velocity(rule):
     """Catmull-Rom with knots other than the parameters keeps the direction only."""
     points = np.outer(T, [3.0, -2.0]) + np.array([1.0, 1.0])
@@ -89,7 +89,7 @@ def test_catmull_rom_names_coincident_points():
     assert np.isfinite(catmull_rom_velocities(points, uniform(3), 0.0)).all()
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 33, 64, 65, 1000])
+@each_row("n", [2, 3, 4, 5, 33, 64, 65, 1000])
 def test_natural_spline_against_scipy(rng, n):
     from scipy.interpolate import CubicSpline
 
@@ -128,7 +128,7 @@ def test_zero_accelerations():
     assert zero_accelerations([[1, 2], [3, 4], [5, 6]]).tolist() == [[0.0, 0.0]] * 3
 
 
-@pytest.mark.parametrize("rule", [*VELOCITIES, natural_spline_accelerations])
+@each_row("rule", [*VELOCITIES, natural_spline_accelerations])
 def test_unusable_input(rule):
     with pytest.raises(CurveError, match="strictly increasing"):
         rule([[0.0], [1.0], [2.0]], [0.0, 1.0, 1.0])

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from curvecore import CurveError, HermiteCurve, QuinticHermiteCurve
 from curvecore.bezier.vanishing_places import vanishing_places
+from tests.rows import each_row
 
 profile = settings(derandomize=True, deadline=None, max_examples=150)
 LIMIT = 20.0
@@ -84,8 +85,8 @@ def test_in_what_order_and_how_densely_they_are_asked_for_changes_nothing(rng, f
     assert (family(*data, joints).evaluate(dense, order)[found] == together).all()
 
 
-@pytest.mark.parametrize("order", range(4))
-@pytest.mark.parametrize("count", [1, 7, 250, 400, 3000, 20_000])
+@each_row("order", range(4))
+@each_row("count", [1, 7, 250, 400, 3000, 20_000])
 def test_a_curve_that_was_evaluated_before_is_the_same(rng, order, count):
     """What is there already is used without the usual checks: whatever is asked for, the answer stays."""
     n = 30
@@ -119,7 +120,7 @@ def test_a_curve_that_was_evaluated_before_is_the_same(rng, order, count):
     assert (warm.evaluate(float(t[0]), order) == warm.evaluate(t, order)[0]).all()
 
 
-@pytest.mark.parametrize("count", [1, 7, 400, 3000])
+@each_row("count", [1, 7, 400, 3000])
 def test_a_curve_that_was_evaluated_before_refuses_the_same(rng, count):
     joints = np.arange(5.0)
     curve = HermiteCurve(*rng.standard_normal((2, 5, 2)), joints)
@@ -166,7 +167,7 @@ def test_few_parameters_of_many_segments(rng, family, order):
         assert (np.abs(curve.evaluate(t[k], order) - together[k]) <= bound[k]).all()
 
 
-@pytest.mark.parametrize("length", [1, 2, 3, 7])
+@each_row("length", [1, 2, 3, 7])
 def test_segments_of_a_few_roundings(exact, length):
     start = 1.0
     joints = np.array([0.5, start, start + length * np.spacing(start), 2.0])

@@ -83,8 +83,8 @@ def test_derivatives_need_the_shape_of_the_points():
         lagrange().with_jets(np.full((3, 1, 2), math.nan))
 
 
-@pytest.mark.parametrize("curve", [lagrange(), HermiteCurve(POINTS, POINTS, T)])
-@pytest.mark.parametrize(
+@each_row("curve", [lagrange(), HermiteCurve(POINTS, POINTS, T)])
+@each_row(
     ("t", "order", "message"),
     [
         (math.nan, 0, "t is nan; every value must be finite"),

@@ -14,6 +14,7 @@ from app.document.shape_edits import moved_into
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.validation import validate
 from app.view_model.curve.curve_view import view_of
+from tests.rows import each_row
 
 CUBIC_SPLINE = FAMILIES.named("cubic_spline")
 SEPTIC_HERMITE = FAMILIES.named("septic_hermite")
@@ -212,7 +213,7 @@ def test_handles_stay_when_a_curve_is_closed():
     assert closed.curves[0].points[0].velocity == (8.0, 4.0)
 
 
-@pytest.mark.parametrize(
+@each_row(
     "change",
     [
         lambda document: edits.freeze_parameters(document, 0, [0.0, 5.0, 6.0, 9.0]),

@@ -10,6 +10,7 @@ from app.families import HERMITE
 from app.storage.files import load
 from app.storage.format import encode
 from app.view_model.curve.curve_view import view_of
+from tests.rows import each_row
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "resources" / "examples"
@@ -38,12 +39,12 @@ def test_the_folder_holds_the_examples_and_nothing_else():
     assert {path.name for path in FOLDER.iterdir()} == {f"{stem}.curve.json" for stem in EXAMPLES}
 
 
-@pytest.mark.parametrize("stem", EXAMPLES)
+@each_row("stem", EXAMPLES)
 def test_the_file_is_what_the_script_makes(stem):
     assert (FOLDER / f"{stem}.curve.json").read_bytes() == encode(EXAMPLES[stem])
 
 
-@pytest.mark.parametrize("stem", EXAMPLES)
+@each_row("stem", EXAMPLES)
 def test_consecutive_points_differ(stem):
     assert np.hypot(*np.diff(core(stem).points, axis=0).T).min() > 1e-3
 

@@ -59,7 +59,7 @@ def test_it_reads(text, value):
     assert parse_number(text) == value
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "value"),
     [
         ("0,8", 0.8),
@@ -76,7 +76,7 @@ def test_a_comma_that_can_only_be_a_decimal_mark(text, value):
     assert parse_number(text) == value
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "value"),
     [
         ("1,5", 1.5),

@@ -23,6 +23,7 @@ from app.families import HERMITE
 from app.storage.files import load, save
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
+from tests.rows import each_row
 
 IMAGE = ReferenceImage("letters/s.png", 0.1, -1 / 3, 3.0, 4.0, 0.25, True)
 
@@ -51,7 +52,7 @@ def test_the_file_reads_well():
     assert line in encode(with_image()).decode()
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("changed", "message"),
     [
         ({"x": math.nan}, "image.x must lie between"),
@@ -73,7 +74,7 @@ def test_what_cannot_be_is_refused(changed, message):
     assert str(refusal.value).startswith(message)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("old", "new", "message"),
     [
         (b'"width": 3.0', b'"width": "3"', "image.width must be a number, not text"),

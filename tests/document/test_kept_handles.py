@@ -94,8 +94,8 @@ def handles(doc, segment):
     return ahead - start, behind - end
 
 
-@pytest.mark.parametrize("rule", BY_DISTANCE)
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
+@each_row("rule", BY_DISTANCE)
+@each_row("family", WITH_VELOCITIES)
 def test_handles_on_which_nothing_else_hangs_stay_as_they_were(rule, family):
     """A point dragged far away made those of its neighbour at the end eight times as long."""
     before = document(rule, family)
@@ -128,7 +128,7 @@ def test_points_transformed_together_take_their_handles_along(rule, family, by):
         assert same(old[segment], new[segment])
 
 
-@pytest.mark.parametrize("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
+@each_row("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
 def test_a_transform_of_all_points_is_one_of_the_curve(rule):
     before, by = document(rule), scaling(3.0, 3.0, (1.0, 2.0))
     old, new = controls(before), controls(transform_points(before, 0, range(8), by))
@@ -136,7 +136,7 @@ def test_a_transform_of_all_points_is_one_of_the_curve(rule):
         assert same([by.point(tuple(p)) for p in old[segment]], [tuple(p) for p in new[segment]])
 
 
-@pytest.mark.parametrize("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
+@each_row("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
 def test_what_is_far_from_a_deleted_point_stays(rule):
     before = document(rule)
     old, new = controls(before), controls(delete_points(before, 0, {4}))
@@ -180,8 +180,8 @@ def test_a_derivative_beyond_what_a_document_may_hold_is_refused():
         move_points(before, 0, {2}, (1.0, 0.0))
 
 
-@pytest.mark.parametrize("rule", BY_DISTANCE)
-@pytest.mark.parametrize(("is_corner", "calls"), [(False, 19), (True, 50)])
+@each_row("rule", BY_DISTANCE)
+@each_row(("is_corner", "calls"), [(False, 19), (True, 50)])
 def test_what_goes_as_a_whole_keeps_its_derivatives_and_costs_little(rule, is_corner, calls):
     """Thousands of curves are moved at once."""
     points = [

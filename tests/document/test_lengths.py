@@ -41,9 +41,7 @@ def test_what_is_typed_is_meant_in_the_unit_of_the_document(text):
     assert typed_length(text, "mm", 200.0) == MEANT[text]
 
 
-@pytest.mark.parametrize(
-    ("text", "unit"), [("3 squares", "squares"), ("1+2 s", "s"), ("3e0", "e"), ("3", "e")]
-)
+@each_row(("text", "unit"), [("3 squares", "squares"), ("1+2 s", "s"), ("3e0", "e"), ("3", "e")])
 def test_the_unit_of_the_document_may_be_typed_whatever_it_is(text, unit):
     assert typed_length(text, unit) == 3.0
 
@@ -61,7 +59,7 @@ def test_a_comma_is_read_where_the_locale_has_it():
     assert typed_length("1,5 in + 0,5 in", "mm", 0.0, ",") == 50.8
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "unit", "reason"),
     [
         ("1in", "", "The document has no unit of length; type a number without “in”."),

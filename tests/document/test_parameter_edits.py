@@ -8,6 +8,7 @@ import pytest
 
 from app.document.edits import EditError, set_parameters
 from app.document.model import Document, make_curve
+from tests.rows import each_row
 
 DOCUMENT = Document((make_curve([(0, 0), (1, 1), (2, 0)]),))
 
@@ -18,7 +19,7 @@ def test_they_become_the_manual_parameters():
     assert curve.is_manual
 
 
-@pytest.mark.parametrize("t", [[0, 0, 1], [0, 2, 1], [0, math.nan, 1], [0, 1, 2e12], [0, 1, math.inf]])
+@each_row("t", [[0, 0, 1], [0, 2, 1], [0, math.nan, 1], [0, 1, 2e12], [0, 1, math.inf]])
 def test_what_is_out_of_order_or_range_is_refused(t):
     with pytest.raises(EditError, match=r"The t of point [12] must"):
         set_parameters(DOCUMENT, 0, t)

@@ -16,6 +16,7 @@ from app.families import HERMITE
 from app.storage.format import encode
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
+from tests.rows import each_row
 
 WILD = (
     np.float64(1 / 3),
@@ -47,7 +48,7 @@ def document_of(x):
     return Document((make_curve([(0, 0), (1, 1)]), curve), ReferenceImage("/a.png", x, x, x, x, 1, np.True_))
 
 
-@pytest.mark.parametrize("number", WILD, ids=lambda number: type(number).__name__)
+@each_row("number", WILD, ids=lambda number: type(number).__name__)
 def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
     given = document_of(number)
     assert odd_values(given)
@@ -82,7 +83,7 @@ def test_only_what_changed_is_looked_at():
     assert type(plain(moved, before).curves[1].points[1].x) is np.float64
 
 
-@pytest.mark.parametrize("odd", [True, None, "1", Decimal(1), 10**400, np.float64("nan"), np.float64("inf")])
+@each_row("odd", [True, None, "1", Decimal(1), 10**400, np.float64("nan"), np.float64("inf")])
 def test_what_is_no_number_is_left_for_the_sentence_that_refuses_it(odd):
     curve = replace(make_curve([(0, 0)]), points=(Point(odd, 0.0),))
     with pytest.raises(FormatError, match=r"curves\[0\]\.points\[0\]\.x must"):

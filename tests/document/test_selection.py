@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import pytest
-
 from app.document import edits
 from app.document.model import Document, Point, make_curve
 from app.document.selection import followed_points
+from tests.rows import each_row
 
 
 def points(*points):
@@ -16,7 +15,7 @@ def points(*points):
 BEFORE = points((0, 0), (1, 1), (2, 0), (3, 1))
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("after", "kept"),
     [
         (points((0, 0), (0.5, 2), (1, 1), (2, 0), (3, 1)), {2, 4}),  # one came in between

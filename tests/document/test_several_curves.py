@@ -27,6 +27,7 @@ from app.document.shape_edits import moved_into, stepped
 from app.document.style_edits import with_style
 from app.document.transforms import rotation
 from app.families import HERMITE
+from tests.rows import each_row
 
 
 def names(document):
@@ -68,7 +69,7 @@ def test_what_is_too_large_changes_nothing(four):
         moved(four.with_curve(3, far), whole_curves(four, {0, 3}), (2e11, 0.0))
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("places", "sentence"),
     [
         ((1,), "“B” is locked; unlock it in the list of curves to change it."),
@@ -76,7 +77,7 @@ def test_what_is_too_large_changes_nothing(four):
         ((0, 1, 3), "“A”, “B” and “D” are locked; unlock them in the list of curves to change them."),
     ],
 )
-@pytest.mark.parametrize(
+@each_row(
     "act",
     [
         lambda document: moved(document, whole_curves(document, {0, 1, 3}), (1.0, 0.0)),
@@ -152,7 +153,7 @@ def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     assert followed_curves({1, 3}, four.curves, four.curves) == {1, 3}
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("chosen", "step", "order"),
     [({1}, 1, "ACBD"), ({0, 1}, 1, "CABD"), ({2, 3}, 1, "ABCD"), ({1, 3}, 1, "ACBD"), ({0, 2}, -1, "ACBD")],
 )
@@ -160,7 +161,7 @@ def test_chosen_curves_step_together(four, chosen, step, order):
     assert names(in_order(four, stepped(four, chosen, step))) == order
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("chosen", "at", "order"),
     [({0, 1}, 4, "CDAB"), ({0, 3}, 1, "ADBC"), ({1, 3}, 0, "BDAC"), ({0, 2}, 3, "BACD")],
 )

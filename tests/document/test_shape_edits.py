@@ -26,6 +26,7 @@ from app.document.shape_edits import (
 )
 from app.document.shapes import shape_problem, tidy_shapes
 from app.document.style import FillRule, Style
+from tests.rows import each_row
 
 
 def document(text):
@@ -72,12 +73,12 @@ def named_places(made):
     return "".join(made.document.curves[place].name for place in made.places)
 
 
-@pytest.mark.parametrize("drawn", ["abc", "a(bc)d", "[ab]c", "[a(bc)[de]]f(gh)", "[[ab]]"])
+@each_row("drawn", ["abc", "a(bc)d", "[ab]c", "[a(bc)[de]]f(gh)", "[[ab]]"])
 def test_the_tree_is_that_of_the_brackets(drawn):
     assert text(document(drawn)) == drawn
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("drawn", "chosen", "made"),
     [
         ("abc", "ab", "(ab)c"),
@@ -112,7 +113,7 @@ def test_a_shape_broken_apart_is_its_curves_where_they_were():
         broken_apart(some, places(some, "a"))
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("drawn", "chosen", "made"),
     [
         ("abc", "ac", "b[ac]"),
@@ -133,7 +134,7 @@ def test_grouped_curves_are_in_the_group_that_holds_all(drawn, chosen, made):
     }
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("drawn", "chosen", "made"),
     [
         ("[ab]c", "ab", "abc"),
@@ -155,7 +156,7 @@ def test_no_group_is_no_group_to_take_apart():
         ungrouped(some, {0, 1})
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("drawn", "chosen", "step", "made"),
     [
         ("a(bc)d", "a", 1, "(bc)ad"),
@@ -173,7 +174,7 @@ def test_a_step_goes_past_the_next_thing_in_the_same_group(drawn, chosen, step, 
     assert text(in_order(some, stepped(some, places(some, chosen), step))) == made
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("drawn", "chosen", "end", "made"),
     [
         ("abcde", "bd", 1, "acebd"),
@@ -188,7 +189,7 @@ def test_the_end_is_that_of_the_same_group(drawn, chosen, end, made):
     assert text(in_order(some, at_end(some, places(some, chosen), end))) == made
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("drawn", "chosen", "at", "container", "made"),
     [
         ("a(bc)", "a", 3, Container((), "S1"), "(bca)"),
@@ -218,7 +219,7 @@ def test_nothing_goes_into_itself():
         moved_into(some, {1, 2}, 2, Container(("G1",)))
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("drawn", "pressed_at", "active", "chosen", "meant"),
     [
         ("a(bc)", "b", "a", "a", "bc"),

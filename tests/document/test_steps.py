@@ -12,6 +12,7 @@ from app.document.plain import plain
 from app.document.steps import changed_besides_points, moved_points, reshaped
 from app.document.style import Style
 from app.families import HERMITE
+from tests.rows import each_row
 
 WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 
@@ -36,7 +37,7 @@ def test_derivatives_are_points_but_no_move(two):
     assert changed_besides_points(two.curves, bent.curves) == []
 
 
-@pytest.mark.parametrize(
+@each_row(
     "change",
     [
         lambda document: delete_points(document, 0, [1]),

@@ -23,6 +23,7 @@ from app.document.transforms import Affine, Edge, align_points, rotation, scalin
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
+from tests.rows import each_row
 
 PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.5), (6.0, 1.0))
 KINDS = (ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM, ParametrizationKind.CENTRIPETAL)
@@ -242,7 +243,7 @@ def test_a_tie_stands_in_the_file_only_where_there_is_one():
     assert decode(text.encode()) == document()
 
 
-@pytest.mark.parametrize(
+@each_row(
     "point",
     [
         Point(0.0, 0.0, velocity=(1.0, 0.0), tied=True),

@@ -23,6 +23,7 @@ from app.storage.files import load
 from app.view_model.curve.curve_view import view_of
 from curvecore.bezier.polylines import segment_distance
 from tests.own_families import EVERY, OWN, TRUE_BASIS
+from tests.rows import each_row
 from tests.view_model.test_any_family import curve_of
 
 pytestmark = pytest.mark.usefixtures("own_families")
@@ -142,7 +143,7 @@ def test_coefficients_are_the_curve_within_their_deviation(document, written):
     assert worst <= done.deviation + (0.0 if is_own(document) else 1e-13)
 
 
-@pytest.mark.parametrize("ending", [".path.txt", ".pgfplots.tex", ".tikz"])
+@each_row("ending", [".path.txt", ".pgfplots.tex", ".tikz"])
 def test_drawn_cubics_are_the_curve_within_their_deviation(document, written, ending):
     path, done = written(ending)
     text = path.read_text()

@@ -15,6 +15,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats.code import names_of, python_code, scipy_code
 from app.exchange.parts import samples_of, sources_of
 from app.view_model.curve.curve_view import view_of
+from tests.rows import each_row
 
 
 def executed(text):
@@ -106,7 +107,7 @@ def test_several_curves_get_names_of_their_own(gallery):
         assert written.remarks
 
 
-@pytest.mark.parametrize("name", ["", "class", "2 fast", "évaluate", "np", "x\n__import__('os')", "‖"])
+@each_row("name", ["", "class", "2 fast", "évaluate", "np", "x\n__import__('os')", "‖"])
 def test_hostile_names_stay_in_comments(name):
     document = Document((make_curve([(0, 0), (1, 1)], name=name),))
     for write in (python_code, scipy_code):

@@ -10,6 +10,7 @@ from app.exchange.table.family_word import family_word, read_family_word
 from app.families import FAMILIES, HERMITE, NO_SETTINGS, ChosenSettings
 from app.view_model.curve.curve_view import view_of
 from tests.own_families import EVERY
+from tests.rows import each_row
 
 POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5)]
 
@@ -21,7 +22,7 @@ def other_value(setting):
     return next(value for value in values if value != setting.default)
 
 
-@pytest.mark.parametrize("name", [*EVERY, "tests_swaying"])
+@each_row("name", [*EVERY, "tests_swaying"])
 def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
     family = FAMILIES.named(name)
     settings = ChosenSettings((setting.name, other_value(setting)) for setting in family.settings.all)
@@ -43,7 +44,7 @@ def test_the_words():
     assert not read_family_word("tests_swaying amount=2").settings
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "words"),
     [
         ("tests_swaying amount=10", "tests_swaying with amount= and a whole number from 0 to 9"),

@@ -3,6 +3,7 @@
 import pytest
 
 from app.exchange.svg.reader import read_svg
+from tests.rows import each_row
 
 STOPS = '<stop stop-color="red"/><stop offset="1" stop-color="blue" stop-opacity=".5"/>'
 
@@ -26,7 +27,7 @@ def test_the_mean_colour_stands_for_a_gradient(kind):
     assert sentence == "1 gradient came as one colour."
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("stops", "paint"),
     [
         # A tenth of white into black, and nine tenths of black.

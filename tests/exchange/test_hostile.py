@@ -137,7 +137,7 @@ def refused(path):
     return str(refusal.value)
 
 
-@pytest.mark.parametrize("ending", ENDINGS)
+@each_row("ending", ENDINGS)
 def test_what_is_no_file_is_refused(ending, tmp_path):
     path = tmp_path / f"a{ending}"
     assert refused(path).startswith("There is no file")
@@ -185,9 +185,7 @@ def test_what_is_typed_is_a_number_or_refused(text):
         parse_number(text)
 
 
-@pytest.mark.parametrize(
-    "text", ["", "\0", "=cmd|' /C calc'!A0", "nan\tnan", "1\t2\n3", "9**9**9", "\ud800", "a" * 10**6]
-)
+@each_row("text", ["", "\0", "=cmd|' /C calc'!A0", "nan\tnan", "1\t2\n3", "9**9**9", "\ud800", "a" * 10**6])
 def test_garbage_on_the_clipboard_is_refused(text):
     with pytest.raises(TableTextError):
         read_titled_block(text)

@@ -82,8 +82,8 @@ def test_without_paper_a_png_is_transparent(sketch, tmp_path):
     assert picture[:, :, 3].max() > 100
 
 
-@pytest.mark.parametrize("offset", [0.0, 1e6])
-@pytest.mark.parametrize("scale", [1e-25, 1.0, 1e5])
+@each_row("offset", [0.0, 1e6])
+@each_row("scale", [1e-25, 1.0, 1e5])
 def test_size_and_place_do_not_matter(offset, scale, tmp_path):
     points = np.array([(0, 0), (1, 2), (3, 1), (4, 4)], dtype=float)
     pictures = []

@@ -17,13 +17,14 @@ from app.families import LAGRANGE
 from app.tasks.progress import Cancelled
 from app.view_model.curve.curve_view import view_of
 from tests.programs import write_program
+from tests.rows import each_row
 
 ROOT = Path(__file__).parents[2]
 BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3" * 90_000 + b'"/></svg>'
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-@pytest.mark.parametrize("ending", [".curve.json", ".svg", ".dxf", ".csv", ".TSV"])
+@each_row("ending", [".curve.json", ".svg", ".dxf", ".csv", ".TSV"])
 def test_what_goes_out_comes_in(ending, sketch, tmp_path):
     path = tmp_path / f"a{ending}"
     export(sketch, path)

@@ -24,6 +24,7 @@ from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.thinning import Thinning, thinned
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
+from tests.rows import each_row
 from tests.tables import document_of_table, read_table
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
@@ -114,7 +115,7 @@ def test_rows_of_different_curves_may_be_mixed():
     assert (second.name, [point.position for point in second.points]) == ("b", [(5, 5), (6, 5)])
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "sentence"),
     [
         ("curve,t,x,y\na,0,0,0\nb,1,1,1\na,0,2,2\n", "Row 4: t must increase from row to row."),

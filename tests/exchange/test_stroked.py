@@ -53,7 +53,7 @@ def test_a_square_cap_of_a_slanting_line_reaches_farther_than_a_round_one():
         assert box(document) == pytest.approx(np.array([[-reach, -reach], [5 + reach] * 2]), abs=1e-12)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("join", "limit", "top"),
     [
         (LineJoin.MITER, 4.0, 5 + ROOT),

@@ -101,7 +101,7 @@ def test_a_cubic_hermite_curve_is_written_bit_for_bit():
     assert stated(text)[0] == 0
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("value", "text"),
     [
         (32.29999999999999, "32.3"),
@@ -196,7 +196,7 @@ def test_paper_covers_the_view_box(sketch):
     assert paper.get("fill") == "#15181c"
 
 
-@pytest.mark.parametrize("scale", [1e-28, 1e-9, 1.0, 1e11])
+@each_row("scale", [1e-28, 1e-9, 1.0, 1e11])
 def test_every_size_in_reach_is_drawn(scale):
     points = (np.random.default_rng(3).normal(size=(5, 2)) * scale).tolist()
     text = svg_of(Document((make_curve(points),))).text

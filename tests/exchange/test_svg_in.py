@@ -22,6 +22,7 @@ from app.view_model.curve.curve_view import view_of
 from app.view_model.points.point_kinds import kind_at
 from curvecore import bezier_segments, cubic_path, joint_report
 from tests.effort import calls_of
+from tests.rows import each_row
 
 
 def svg(body, attributes=""):
@@ -66,7 +67,7 @@ def test_quadratics_are_raised_exactly():
     assert not any(point.corner for point in curve.points)
 
 
-@pytest.mark.parametrize("tolerance", [None, 1e-2, 1e-4, 1e-6, 1e-9])
+@each_row("tolerance", [None, 1e-2, 1e-4, 1e-6, 1e-9])
 def test_arcs_come_within_the_stated_deviation(tolerance):
     data = svg('<path d="M10 0 A10 10 0 1 0 0 10"/>')
     result = read_svg(data, tolerance)
@@ -95,7 +96,7 @@ def test_the_bound_of_an_arc_is_sharp(angle):
     assert 0.99 * piece.deviation - 1e-14 <= worst <= piece.deviation + 1e-14
 
 
-@pytest.mark.parametrize(("large", "sweep"), [(0, 0), (0, 1), (1, 0), (1, 1)])
+@each_row(("large", "sweep"), [(0, 0), (0, 1), (1, 0), (1, 1)])
 def test_the_flags_of_an_arc(large, sweep):
     # From (1, 0) to (0, 1), with y down: the centre is (0, 0) or (1, 1).
     (curve,) = read_svg(svg(f'<path d="M1 0A1 1 0 {large}{sweep}0 1"/>'), 1e-6).document.curves
@@ -240,7 +241,7 @@ def test_smooth_joints_of_our_own_file_stay_smooth():
     assert len(view_of(back).pieces) == 1
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("ahead", "kind"),
     [
         # Behind (10, 5) a handle of 5; ahead as long a one, one of 2, turned by a rounding, by 2°, and back.
@@ -288,7 +289,7 @@ P = '<path d="{}"/>'
 PATH = "Element 2 (<path>): "
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("body", "sentence"),
     [
         (P.format("L0 0"), PATH + "its data must begin with M."),

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from app.exchange.errors import ExchangeError
 from app.exchange.svg.path_data import read_path_data
+from tests.rows import each_row
 
 NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "Z": 0}
 
@@ -70,7 +71,7 @@ def test_it_draws_what_fonttools_draws(data):
         assert subpath.closed == closed
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("data", "place"),
     [
         (",M0 0", 1),
@@ -91,13 +92,13 @@ def test_the_first_flaw_is_said(data, place):
         read_path_data(data)
 
 
-@pytest.mark.parametrize("data", ["M0 0V", "M0 0 a", "M0 0C1 2 3 4 5 ", "M", "M0 0h"])
+@each_row("data", ["M0 0V", "M0 0 a", "M0 0C1 2 3 4 5 ", "M", "M0 0h"])
 def test_data_that_end_too_soon_are_refused(data):
     with pytest.raises(ExchangeError, match="end in the middle of a command"):
         read_path_data(data)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("data", "end"),
     [
         ("M007 00.5", (7, 0.5)),

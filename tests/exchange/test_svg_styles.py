@@ -14,6 +14,7 @@ from app.exchange.svg.matrices import fitted_box
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.storage.validation import validate
+from tests.rows import each_row
 
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -75,7 +76,7 @@ def test_fills_have_their_rule_and_opacity():
     assert (seen.fill, seen.fill_rule, seen.fill_opacity) == ("#ff0000", FillRule.EVENODD, 0.25)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("paint", "code"),
     [
         ("rebeccapurple", "#663399"),
@@ -127,7 +128,7 @@ def test_an_uneven_transform_is_told():
     assert found.remarks == ("1 stroke of uneven width came with the mean width: a.",)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("attributes", "unit", "end"),
     [
         ('width="70mm" height="50mm" viewBox="0 0 140 100"', "mm", 2.0),
@@ -147,7 +148,7 @@ def test_units(attributes, unit, end):
     assert document.curves[0].points[1].x == pytest.approx(end, rel=1e-12)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("ratio", "matrix"),
     [
         ("", [[2, 0, 10], [0, 2, 5]]),
@@ -237,7 +238,7 @@ MISSED = [
 ]
 
 
-@pytest.mark.parametrize(("body", "sentence"), MISSED, ids=[sentence[:40] for _, sentence in MISSED])
+@each_row(("body", "sentence"), MISSED, ids=[sentence[:40] for _, sentence in MISSED])
 def test_what_does_not_come_in_is_told(body, sentence):
     found = read(f'{body}<path id="there" d="{LINE}"/>')
     assert found.remarks == (sentence,)
@@ -259,7 +260,7 @@ def test_what_does_not_come_in_is_told_by_kind_and_count():
     )
 
 
-@pytest.mark.parametrize(
+@each_row(
     "body",
     [
         CLIP.format('rect width="20" height="20"'),
@@ -384,7 +385,7 @@ def test_lengths_are_the_same_in_another_unit():
     assert in_unit(replace(found, unit=""), "mm").curves is found.curves
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "is_told"),
     [
         ("normal", False),

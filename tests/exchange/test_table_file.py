@@ -21,12 +21,13 @@ from app.storage.format import encode
 from app.storage.validation import validate
 from app.view_model.curve.curve_view import view_of
 from tests.effort import calls_of
+from tests.rows import each_row
 from tests.tables import document_of_table, read_table
 
 ROWS = [[0.0, 1.5, -2.0], [1.0, 2.25, 3.0], [2.5, 1e-3, 4e5]]
 
 
-@pytest.mark.parametrize(
+@each_row(
     "text",
     [
         "t,x,y\n0,1.5,-2\n1,2.25,3\n2.5,1e-3,4e5\n",
@@ -54,7 +55,7 @@ def test_utf_16_as_spreadsheets_write_it():
     assert read_table(text.encode("utf-16")).values.tolist() == ROWS
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "sentence"),
     [
         ("", "The file is empty."),
@@ -92,7 +93,7 @@ def test_bad_utf_8_is_refused_with_the_row():
         read_table(b"1,2\n3,\xff\n")
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "sentence"),
     [
         ("x,y\n1,2\n", "The table has one row of numbers; a curve needs two points."),
@@ -251,7 +252,7 @@ def peak_of(work):
         tracemalloc.stop()
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "points", "said"),
     [
         (

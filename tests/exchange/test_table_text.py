@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 
 from app.exchange.table.clipboard import TableTextError, read_titled_block, write_block
 from tests.effort import calls_of
+from tests.rows import each_row
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "mark", "block"),
     [
         ("1\t2", ".", [[1, 2]]),
@@ -33,7 +34,7 @@ def test_blocks_of_numbers(text, mark, block):
     assert read_titled_block(text, mark).rows == block
 
 
-@pytest.mark.parametrize("text", ["x [mm]\ty (mm)\n1\t2", "# x y\n1 2", "#;X;Y\n7;1;2", "X[mm], Y[mm]\n1, 2"])
+@each_row("text", ["x [mm]\ty (mm)\n1\t2", "# x y\n1 2", "#;X;Y\n7;1;2", "X[mm], Y[mm]\n1, 2"])
 def test_titles_have_units_and_signs(text):
     block = read_titled_block(text)
     assert tuple(title for title in block.titles if title != "#") == ("x", "y")

@@ -141,19 +141,19 @@ TABLES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "content", "curves", "said"), TABLES, ids=[each[0] for each in TABLES])
+@each_row(("name", "content", "curves", "said"), TABLES, ids=[each[0] for each in TABLES])
 def test_what_other_programs_write_is_read_and_said(name, content, curves, said, tmp_path):
     assert read(tmp_path, name, content) == (curves, said)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("missing", "curves"),
     [
         ("skip", {"a": points((0, 1), (1, 2), (3, 4), (5, 3))}),
         ("split", {"a (1)": points((0, 1), (1, 2)), "a (2)": points((3, 4), (5, 3))}),
     ],
 )
-@pytest.mark.parametrize("gap", ["nan,nan", "NaN,3", ",", "NA,NA", "2,"])
+@each_row("gap", ["nan,nan", "NaN,3", ",", "NA,NA", "2,"])
 def test_rows_without_numbers_are_left_out_or_end_the_curve(missing, curves, gap, tmp_path):
     text = f"x,y\n0,1\n1,2\n{gap}\n3,4\n5,3\n"
     assert read(tmp_path, "a.csv", text, missing=missing)[0] == curves
@@ -253,7 +253,7 @@ def test_what_is_left_out_is_named():
     assert words_on(guess(titles).mapping, titles) == "Columns: t = “t”, x = “x”, y = “y”. Left out: “note”."
 
 
-@pytest.mark.parametrize("each", FORMATS.read, ids=lambda each: each.title)
+@each_row("each", FORMATS.read, ids=lambda each: each.title)
 def test_every_format_has_its_reader(each):
     assert each.plural
     assert callable(each.read) or each.kind is ContentKind.DOCUMENT or each.title == "Table"

@@ -27,6 +27,7 @@ from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.storage.files import save
 from app.view_model.geometry.extents import extent_of
+from tests.rows import each_row
 
 pytestmark = pytest.mark.usefixtures("qapp")
 
@@ -43,7 +44,7 @@ def millimetres_of_one(text):
     return [float(m[1]) * CSS[m[2]] / side for m, side in zip(lengths, (width, height), strict=True)]
 
 
-@pytest.mark.parametrize("unit", MILLIMETRES)
+@each_row("unit", MILLIMETRES)
 def test_an_svg_has_true_size(unit):
     # Rounding of a quotient; 70 mm were 77.9 mm.
     assert millimetres_of_one(svg_of(SEVENTY, Options(unit=unit)).text) == pytest.approx(
@@ -62,9 +63,7 @@ def test_a_width_that_is_asked_for_counts_and_seconds_are_no_length():
         assert root.get("width").isdigit()
 
 
-@pytest.mark.parametrize(
-    ("name", "unit"), [("MM", "mm"), (" inch ", "in"), ('"', "in"), ("um", "µm"), ("s", "")]
-)
+@each_row(("name", "unit"), [("MM", "mm"), (" inch ", "in"), ('"', "in"), ("um", "µm"), ("s", "")])
 def test_units_by_other_names(name, unit):
     assert known_unit(name) == unit
 
@@ -126,7 +125,7 @@ def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
     assert [point.x for point in back.points] == pytest.approx([10.0, 80.0, 80.0])
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("ending", "unit", "said"),
     [
         (".svg", "mm", "70.21 × 40.21 mm, 1 : 1 (1 is 1 mm)"),

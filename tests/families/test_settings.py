@@ -18,6 +18,7 @@ from app.storage.validation import validate
 from app.view_model.curve.curve_view import view_of
 from curvecore import Chain, CurveError, LagrangeCurve
 from tests.own_families import EVERY
+from tests.rows import each_row
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0))
 
@@ -81,7 +82,7 @@ def test_a_chain_has_the_settings_of_its_pieces(swaying):
     assert chain.with_jets(chain.jets).functions_key == curve.functions_key
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("settings", "words"),
     [
         ({"amount": 10}, "amount must be a whole number from 0 to 9, not 10"),
@@ -108,7 +109,7 @@ def test_numbers_of_numpy_become_plain(swaying):
 # Every family's own settings
 
 
-@pytest.mark.parametrize("name", EVERY)
+@each_row("name", EVERY)
 def test_settings_of_the_registry_are_sound(name):
     names = [setting.name for setting in FAMILIES.named(name).settings.all]
     assert len(set(names)) == len(names)
@@ -217,7 +218,7 @@ def test_defaults_in_a_file_are_no_choice(document, text):
     assert decode(with_settings(document, text)) == document
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "words"),
     [
         ('{"amount": 10}', "curves[0].settings.amount must be a whole number from 0 to 9, not 10"),
@@ -242,7 +243,7 @@ def test_files_are_strict(document, text, words):
     assert str(problem.value) == words
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "words"),
     [
         (

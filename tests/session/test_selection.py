@@ -1,6 +1,5 @@
 """What is selected, hovered and scrubbed names what exists, whatever is asked for."""
 
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
@@ -9,6 +8,7 @@ from app.document.model import Document, Point, make_curve
 from app.document.point_group import points_of, some_points
 from app.document.selection import all_points
 from app.session import Session
+from tests.rows import each_row
 
 A, B, C = (make_curve([(place, 0.0), (place, 1.0)], name=name) for place, name in enumerate("ABC"))
 indices = st.sets(st.integers(-3, 8))
@@ -47,7 +47,7 @@ def test_the_active_curve_is_one_of_those_selected(asked, active, count):
     assert abs(wanted - active) == (0 if active in existing else nearest)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("asked", "has_curve", "expected"),
     [(0.25, True, 0.25), (-1.0, True, 0.0), (2.0, True, 1.0), (0.5, False, None), (None, True, None)],
 )

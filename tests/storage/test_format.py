@@ -98,7 +98,7 @@ def test_round_trip_keeps_every_value_bit_for_bit(document):
     assert encode(again) == data
 
 
-@pytest.mark.parametrize("value", [0.1, 1 / 3, 5e-324, -0.0, 1e12, math.pi * 1e-300, 123456789012.34567])
+@each_row("value", [0.1, 1 / 3, 5e-324, -0.0, 1e12, math.pi * 1e-300, 123456789012.34567])
 def test_awkward_floats_survive(value):
     document = Document((make_curve([(value, -value)]),))
     assert bits(decode(encode(document))) == bits(document)
@@ -155,7 +155,7 @@ def test_the_description_of_the_derivatives_is_that_of_points_and_curves(each):
     assert set(Point.__struct_fields__) - of_derivatives == {"x", "y", "t", "corner", "tied", "even"}
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("point", "message"),
     [
         (Point(math.nan, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not nan"),

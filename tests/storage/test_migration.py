@@ -17,6 +17,7 @@ from app.storage.format_error import FormatError
 from app.storage.migration import Dropped, LeftOut, Place
 from app.storage.open_file import OpenFile
 from app.storage.recovery import Origin, SnapshotFile, list_snapshots
+from tests.rows import each_row
 
 KEPT = {"kept_texts": [{"x": 1.0}, {"x": 2.0, "follows": True}, {"x": 3.0}], "kept_pictures": [{}]}
 """Two texts, of which one has two lines, and a picture, as version 2 had them at first."""
@@ -114,8 +115,8 @@ def test_a_rectangle_stays_as_its_points_say_and_nothing_is_lost():
     assert found.document == decode_counting(older(curve())).document
 
 
-@pytest.mark.parametrize("version", [1, 2])
-@pytest.mark.parametrize("number", ["1" * 5000, "-1e999"])
+@each_row("version", [1, 2])
+@each_row("number", ["1" * 5000, "-1e999"])
 def test_a_number_beyond_all_bounds_is_refused_by_its_place(version, number):
     """It was “[...][0][...][0][...]”: msgspec has no names where it reads without types."""
     data = older().replace(b'"version": 2', b'"version": %d' % version)
@@ -174,7 +175,7 @@ def test_curves_go_whole_by_the_kind_of_their_form(with_rows):
     assert found.document == Document((make_curve(()),))
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("values", "complaint"),
     [
         ({"curves": 7}, "curves must be a list"),
@@ -268,7 +269,7 @@ def styled(*styles, **more):
     return older(*(curve(str(at), style=style, **more) for at, style in enumerate(styles)))
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("styles", "words"),
     [
         ([{"start_marker": "dot", "end_marker": "arrow"}, {"end_marker": "bar"}], "3 arrowheads"),

@@ -12,6 +12,7 @@ from app.document.model import Axis, Document, Guide, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
+from tests.rows import each_row
 
 STYLE = Style(
     stroke="#0072b2",
@@ -69,7 +70,7 @@ def test_a_colour_of_version_1_is_that_of_the_stroke():
     assert json.loads(encode(found))["version"] == 3
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("changed", "complaint"),
     [
         ({"stroke": "red"}, '.stroke must be written as "#rrggbb" in lower case, or "none", not "red"'),
@@ -91,7 +92,7 @@ def test_a_style_that_cannot_be_drawn_is_refused_with_its_place(changed, complai
     assert str(refusal.value).startswith(f"curves[0].style{complaint}")
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("values", "complaint"),
     [
         ({"unit": "a" * 13}, "unit must be a name of at most 12 characters"),
@@ -119,7 +120,7 @@ def test_a_shape_that_is_none_is_refused():
         encode(torn)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("values", "complaint"),
     [
         ({"shape": "\ud800"}, "curves[0].shape holds a character that UTF-8 cannot carry"),

@@ -51,6 +51,7 @@ from app.view_model.points.appending import with_closed
 from curvecore import ParametricCurve, joint_report, monomial_condition
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance
+from tests.rows import each_row
 
 pytestmark = pytest.mark.usefixtures("own_families")
 
@@ -106,7 +107,7 @@ def own(request):
 # The curve itself
 
 
-@pytest.mark.parametrize("kind", RULES)
+@each_row("kind", RULES)
 def test_the_curve_is_the_sum_of_the_functions_of_the_file(own, kind):
     view = view_of(curve_of(own, kind))
     t = np.linspace(*view.curve.domain, 301)
@@ -128,7 +129,7 @@ def test_the_polyline_is_as_near_as_it_says(name):
         assert worst_distance(view.curve, line, everywhere) <= tolerance
 
 
-@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
+@each_row("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
 def test_a_drag_draws_what_a_new_view_would_draw(name, kind):
     before = view_of(curve_of(name, kind))
     before.flattened(1e-3)
@@ -161,8 +162,8 @@ def test_the_basis_panel_shows_the_functions_of_the_curve(name):
 # What the person does
 
 
-@pytest.mark.parametrize("kind", [*RULES, ParametrizationKind.MANUAL])
-@pytest.mark.parametrize("using", [BendWith.ALL, BendWith.POINTS])
+@each_row("kind", [*RULES, ParametrizationKind.MANUAL])
+@each_row("using", [BendWith.ALL, BendWith.POINTS])
 def test_the_grabbed_point_of_a_bend_follows(name, kind, using):
     view = view_of(curve_of(name, kind))
     for t in (1.35, 2.2, 3.3):
@@ -188,7 +189,7 @@ def test_a_bend_is_the_least_change_of_the_points(own):
     assert moves == pytest.approx(least, abs=1e-12)
 
 
-@pytest.mark.parametrize("kind", [ParametrizationKind.MANUAL, ParametrizationKind.CENTRIPETAL])
+@each_row("kind", [ParametrizationKind.MANUAL, ParametrizationKind.CENTRIPETAL])
 def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
     view = view_of(curve_of(name, kind))
     made = with_point_inserted(view, 2.1)
@@ -228,7 +229,7 @@ def test_what_cannot_be_split_is_followed_by_cubics_which_can(own):
         assert np.abs(part.curve.evaluate(at) - after.curve.evaluate(at)).max() < 1e-10
 
 
-@pytest.mark.parametrize("t", [1.9, "a point"])
+@each_row("t", [1.9, "a point"])
 def test_a_split_keeps_the_shape_or_is_refused(name, t):
     view = view_of(curve_of(name, ParametrizationKind.MANUAL))
     t = float(view.parameters[3]) if t == "a point" else t
@@ -294,7 +295,7 @@ def test_closing_is_what_the_family_can(name):
     assert str(refusal.value).startswith(f"Choose {closing} to close the curve")
 
 
-@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
+@each_row("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
 def test_a_closed_curve_is_the_sum_of_its_functions_and_as_smooth_at_its_seam(name, kind):
     if not FAMILIES.named(name).curve_class.can_close:
         return
@@ -311,7 +312,7 @@ def test_a_closed_curve_is_the_sum_of_its_functions_and_as_smooth_at_its_seam(na
     assert len(shown.owners) == len(POINTS) + 1
 
 
-@pytest.mark.parametrize("using", [BendWith.ALL, BendWith.POINTS])
+@each_row("using", [BendWith.ALL, BendWith.POINTS])
 def test_a_closed_curve_is_bent(name, using):
     if not FAMILIES.named(name).curve_class.can_close:
         return
@@ -484,7 +485,7 @@ def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
     assert not result_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
 
 
-@pytest.mark.parametrize("unchanged", [*OWN, "tests_natural_spline"])
+@each_row("unchanged", [*OWN, "tests_natural_spline"])
 def test_too_many_points_are_refused_in_words_and_not_computed(unchanged):
     """A class in the core that overrides nothing had no limit: 5000 points took 23 s and 1 GB."""
     points = np.column_stack([np.arange(2001.0), np.sin(np.arange(2001.0))])

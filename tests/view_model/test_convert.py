@@ -74,7 +74,7 @@ def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
     assert ("manual now" in made.sentence) is made.left_rule
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("one", "other", "count"),
     [
         ("b_spline", "hermite", 6),
@@ -93,7 +93,7 @@ def test_these_are_the_same_curve(one, other, count):
     assert made.residual < 1e-14
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("one", "other", "words"),
     [
         (

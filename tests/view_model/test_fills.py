@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from app.document.style import FillRule
 from app.view_model.geometry.fills import fills_holes, is_inside, windings
 from tests.effort import calls_of
+from tests.rows import each_row
 
 
 def circle(radius, x=0.0, way=1, count=64):
@@ -30,7 +30,7 @@ def test_points_are_inside_as_often_as_circles_run_around_them():
     )
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("outlines", "expected"),
     [
         ([circle(3), circle(1)], True),

@@ -16,6 +16,7 @@ from app.storage.files import load
 from app.storage.format import encode
 from app.view_model.analysis.goals import GoalError, parse_goal, result_of
 from app.view_model.curve.curve_view import view_of
+from tests.rows import each_row
 
 ROOT = Path(__file__).parents[2]
 SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
@@ -105,7 +106,7 @@ DETOURS = {
 }
 
 
-@pytest.mark.parametrize("detour", DETOURS)
+@each_row("detour", DETOURS)
 def test_a_goal_is_not_reached_by_a_way_that_misses_the_point(detour):
     name, number, change, words = DETOURS[detour]
     goal, curve = given(name, number)
@@ -138,7 +139,7 @@ def test_a_curve_that_is_none_meets_nothing():
     assert "no curve" in standing.text
 
 
-@pytest.mark.parametrize(
+@each_row(
     "text",
     [
         "",
@@ -155,7 +156,7 @@ def test_what_is_no_goal_is_refused(text):
         parse_goal(text)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("text", "place"),
     [
         ("Title\n\n## A\nb", "begins with"),

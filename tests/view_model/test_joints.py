@@ -16,6 +16,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.joints import JointKind, as_text, certificate_of
 from app.view_model.curve.curve_view import view_of
 from app.view_model.points.smoothness import made_smooth
+from tests.rows import each_row
 
 POINTS = ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 1.5), (4.0, 0.0))
 
@@ -134,8 +135,8 @@ def test_the_text_is_a_table_with_exact_numbers():
     assert all(row.jumps[3] > 0 for row in result.rows)
 
 
-@pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
-@pytest.mark.parametrize("closed", [False, True])
+@each_row("family", [family for family in FAMILIES if family.derivatives])
+@each_row("closed", [False, True])
 def test_a_smooth_point_is_certified_and_measured(family, closed):
     """Also where a closed curve returns to its start, and whatever the accelerations are."""
     places = [(0.0, 0.0), (2.0, 3.0), (5.0, 2.0), (4.0, -1.0)]

@@ -38,6 +38,7 @@ from curvecore import (
     round_significant,
     self_intersections,
 )
+from tests.rows import each_row
 
 KIND = ParametrizationKind
 NUMBERS = {
@@ -482,7 +483,7 @@ def pages():
             yield f"{name[:2]} {number}", f"{step.title}\n{step.text}"
 
 
-@pytest.mark.parametrize(("place", "text"), [pytest.param(*page, id=page[0]) for page in pages()])
+@each_row(("place", "text"), pages(), ids=[place for place, _text in pages()])
 def test_every_number_of_a_lesson_is_what_it_says(place, text):
     written, values = tokens(text), CLAIMS.get(place, [])
     assert len(written) == len(values), f"say in CLAIMS[{place!r}] what is meant by {written}"

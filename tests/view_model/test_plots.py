@@ -20,6 +20,7 @@ from app.view_model.analysis.plotted import plots_of, values_at
 from app.view_model.basis.basis_view import basis_view
 from app.view_model.basis.growth import growth_of_points
 from app.view_model.curve.curve_view import view_of
+from tests.rows import each_row
 
 
 def wave(count, family, kind=ParametrizationKind.CHORD_LENGTH, **fields):
@@ -173,7 +174,7 @@ def _of(plot):
     return line.t[shown][::7], line.values[shown][::7]
 
 
-@pytest.mark.parametrize("plot", PLOTS, ids=lambda plot: plot.name)
+@each_row("plot", PLOTS, ids=lambda plot: plot.name)
 def test_a_value_depends_on_its_t_alone(plot):
     # Rounding of the derivatives, which are computed for many t at once.
     assert difference_alone(plot) < 1e-9

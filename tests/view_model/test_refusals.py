@@ -10,6 +10,7 @@ from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.refusals import in_words
 from curvecore import CurveError, LagrangeCurve
+from tests.rows import each_row
 
 MANUAL = Parametrization(ParametrizationKind.MANUAL, start=-50.0, end=0.25)
 
@@ -19,7 +20,7 @@ def manual(*times, closed=False, corner=None, family=HERMITE):
     return Curve("", family, MANUAL, points, closed=closed)
 
 
-@pytest.mark.parametrize(
+@each_row(
     ("curve", "sentence"),
     [
         (manual(5.0, -32.0, 6.0), "t₁ = −32 must be greater than t₀ = 5."),

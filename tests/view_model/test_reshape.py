@@ -191,7 +191,7 @@ def test_handles_stay_when_a_point_is_inserted_under_a_rule():
     assert reach[1] == pytest.approx(reach[0], rel=1e-12)
 
 
-@pytest.mark.parametrize("t", [0.0, 1.0, -1.0, 2.0])
+@each_row("t", [0.0, 1.0, -1.0, 2.0])
 def test_there_is_no_place_for_a_point_at_a_point_or_outside(t):
     with pytest.raises(EditError, match=r"no place|there already"):
         with_point_inserted(view(), t)
@@ -206,8 +206,8 @@ def test_nothing_can_be_done_with_points_that_make_no_curve():
         joined(lonely, view())
 
 
-@pytest.mark.parametrize("closed", [False, True])
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
+@each_row("closed", [False, True])
+@each_row("family", WITH_VELOCITIES)
 def test_a_baked_curve_is_the_same_with_nothing_left_to_rules(family, closed):
     before = view(family, manual=False, closed=closed, corner=2)
     curve = baked(before)
@@ -233,7 +233,7 @@ def test_the_halves_of_a_hermite_curve_are_the_curve(family, manual):
         assert distance(second, before) < ROUNDING
 
 
-@pytest.mark.parametrize("family", [*WITH_VELOCITIES, *OVER_CONTROL_POINTS, LAGRANGE])
+@each_row("family", [*WITH_VELOCITIES, *OVER_CONTROL_POINTS, LAGRANGE])
 def test_a_curve_is_cut_at_several_places_at_once(family):
     """At a joint and between joints, in whatever order they are named."""
     before = view(family)
@@ -284,7 +284,7 @@ def test_a_polynomial_of_many_points_is_not_split():
         split(view(LAGRANGE, points), 0.5)
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@each_row("family", FAMILIES)
 def test_the_ends_are_no_place_to_split(family):
     for t in (0.0, 1.0):
         with pytest.raises(EditError, match="between its ends"):
@@ -317,9 +317,9 @@ def test_curves_that_meet_at_an_angle_make_a_corner(family):
     assert distance(second, after, shift=1.0) < ROUNDING
 
 
-@pytest.mark.parametrize("family", WITH_VELOCITIES)
-@pytest.mark.parametrize("apart", [0.0, 2.0])
-@pytest.mark.parametrize("cornered", ["first", "second", "both"])
+@each_row("family", WITH_VELOCITIES)
+@each_row("apart", [0.0, 2.0])
+@each_row("cornered", ["first", "second", "both"])
 def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, cornered):
     """A start that carries both sides of a corner has the one after it; the other went in: off by 1.9."""
     corner = {

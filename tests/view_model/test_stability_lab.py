@@ -21,6 +21,7 @@ from app.view_model.analysis.wiggle import explain, overshoot, widest
 from app.view_model.analysis.wording import short
 from app.view_model.curve.curve_view import view_of
 from curvecore import monomial_condition
+from tests.rows import each_row
 
 ALL = LaboratorySettings(on=True, methods=frozenset(Calculation))
 POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0)]
@@ -36,7 +37,7 @@ def ring(family):
 WITH_METHODS = [family for family in FAMILIES if calculations(view_of(make_curve(POINTS, family=family)))]
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@each_row("family", FAMILIES)
 def test_a_family_without_methods_is_refused_in_words(family):
     assert {LAGRANGE, HERMITE, QUINTIC_HERMITE} <= set(WITH_METHODS)
     trial = try_methods(ring(family), ALL)
@@ -127,7 +128,7 @@ def test_the_cost_is_that_of_cubic_and_quadratic_work():
     assert np.log(chart.basis[-1] / chart.basis[-5]) / ends == pytest.approx(2, abs=0.02)
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@each_row("family", FAMILIES)
 def test_the_pulls_make_the_point(family):
     view = view_of(make_curve(POINTS, family=family))
     found = explain(view, 0.37)

@@ -174,7 +174,7 @@ def test_points_edited_one_by_one_leave_the_pivot_and_another_selection_has_none
     assert pivot.at(anchored(views_of(document), points_of(0, {1, 2}))) is None
 
 
-@pytest.mark.parametrize("degrees", [0.0, 30.0, -135.0, 180.0])
+@each_row("degrees", [0.0, 30.0, -135.0, 180.0])
 def test_the_angle_is_read_off_the_points(degrees):
     document = document_of(FAMILIES.named("hermite"))
     group = points_of(0, range(5))
