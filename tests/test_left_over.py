@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.rows import each_row
+
 ROOT = Path(__file__).resolve().parents[1]
 
 PLANTED = """
@@ -188,7 +190,7 @@ def planted(tmp_path_factory):
     return done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("kind", NAMED)
+@each_row("kind", NAMED)
 def test_what_is_left_over_is_named_with_the_test(planted, kind):
     parts = re.split(r"^_+ ERROR at teardown of test_(\w+) _+$", planted, flags=re.MULTILINE)
     told = dict(zip(parts[1::2], parts[2::2], strict=True))

@@ -9,7 +9,7 @@ import pytest
 from app.tasks import processor_limit
 
 ROOT = Path(__file__).parents[1]
-LIMIT = "from app.tasks.processor_limit import limit_processor_time; limit_processor_time(0.1)\n"
+LIMIT = "from app.tasks.processor_limit import limit_processor_time; limit_processor_time(0.05)\n"
 NO_TIMER = "import signal; del signal.setitimer\n"
 # As much of the processor as there is, and nothing that another thread could break into.
 IN_C = "import re; re.fullmatch('(a+)+', 'a' * 60 + 'b')"
@@ -35,8 +35,8 @@ def test_a_thread_ends_what_is_busy_where_the_system_has_no_timer(monkeypatch):
 @pytest.mark.parametrize("system", ["", NO_TIMER])
 def test_what_waits_or_has_no_limit_any_more_goes_on(system):
     lifted = "limit_processor_time(float('inf'))\n"
-    busy = "began = time.process_time()\nwhile time.process_time() - began < 0.2: pass\n"
-    code = code_of(f"{system}{LIMIT}import time; time.sleep(0.2)\n{lifted}{busy}")
+    busy = "began = time.process_time()\nwhile time.process_time() - began < 0.1: pass\n"
+    code = code_of(f"{system}{LIMIT}import time; time.sleep(0.1)\n{lifted}{busy}")
     assert code == 0
     assert not processor_limit.was_overdue(code)
 
