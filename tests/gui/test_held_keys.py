@@ -98,46 +98,60 @@ DRAGS = [
 ]
 
 
-@pytest.mark.parametrize(("what", "key"), DRAGS)
-def test_a_key_pressed_or_let_go_counts_at_once_and_the_release_keeps_what_is_shown(arch, what, key):
-    to = begin(arch, what)
-    free = shown(arch)
-    hold(arch, key)
-    changed = shown(arch)
-    assert changed != free
-    arch.move(to, keys=FLAGS[key])
-    assert shown(arch) == changed
-    let_go(arch, key)
-    assert shown(arch) == free
-    hold(arch, key)
-    arch.release(to, keys=FLAGS[key])
-    assert shown(arch)[:2] == changed[:2]
-    assert arch.window.canvas.marks.ruler == changed[2].ruler
+def test_a_key_pressed_or_let_go_counts_at_once_and_the_release_keeps_what_is_shown(arch):
+    document = arch.session.document
+    for what, key in DRAGS:
+        to = begin(arch, what)
+        free = shown(arch)
+        hold(arch, key)
+        changed = shown(arch)
+        assert changed != free, (what, key)
+        arch.move(to, keys=FLAGS[key])
+        assert shown(arch) == changed, (what, key)
+        let_go(arch, key)
+        assert shown(arch) == free, (what, key)
+        hold(arch, key)
+        arch.release(to, keys=FLAGS[key])
+        assert shown(arch)[:2] == changed[:2], (what, key)
+        assert arch.window.canvas.marks.ruler == changed[2].ruler, (what, key)
+        let_go(arch, key)
+        arch.session.commit(document, "Again")
+        arch.trigger("selectTool")
+        arch.select([])
 
 
-@pytest.mark.parametrize(("what", "key"), DRAGS[::5])
-def test_a_key_let_go_just_before_the_button_is_shown_and_kept(arch, what, key):
-    to = begin(arch, what)
-    free = shown(arch)
-    hold(arch, key)
-    let_go(arch, key)
-    arch.release(to)
-    assert shown(arch)[:2] == free[:2]
+def test_a_key_let_go_just_before_the_button_is_shown_and_kept(arch):
+    document = arch.session.document
+    for what, key in DRAGS[::5]:
+        to = begin(arch, what)
+        free = shown(arch)
+        hold(arch, key)
+        let_go(arch, key)
+        arch.release(to)
+        assert shown(arch)[:2] == free[:2], (what, key)
+        arch.session.commit(document, "Again")
+        arch.trigger("selectTool")
+        arch.select([])
 
 
-@pytest.mark.parametrize(("what", "key"), dict(DRAGS).items())
-def test_escape_takes_it_back_with_the_key_held(arch, what, key):
-    begin(arch, what)
-    before = arch.session.committed
-    hold(arch, key)
-    QTest.keyClick(arch.window.canvas, Key.Key_Escape)
-    arch.settle()
-    assert arch.session.document is before
-    assert what == "measure" or arch.status == "Cancelled."
-    let_go(arch, key)
-    assert arch.session.document is before
-    assert what != "band" or arch.session.selection == {0}
-    assert arch.window.canvas.marks.band is arch.window.canvas.marks.ruler is None
+def test_escape_takes_it_back_with_the_key_held(arch):
+    document = arch.session.document
+    for what, key in dict(DRAGS).items():
+        begin(arch, what)
+        before = arch.session.committed
+        hold(arch, key)
+        QTest.keyClick(arch.window.canvas, Key.Key_Escape)
+        arch.settle()
+        assert arch.session.document is before, (what, key)
+        assert what == "measure" or arch.status == "Cancelled.", (what, key)
+        let_go(arch, key)
+        assert arch.session.document is before, (what, key)
+        assert what != "band" or arch.session.selection == {0}, (what, key)
+        assert arch.window.canvas.marks.band is arch.window.canvas.marks.ruler is None, (what, key)
+        arch.release((0.0, 4.0))
+        arch.session.commit(document, "Again")
+        arch.trigger("selectTool")
+        arch.select([])
 
 
 @pytest.mark.parametrize(

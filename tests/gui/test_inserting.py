@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -69,22 +71,22 @@ def is_as_told(editor, before):
     return np.allclose(drawn(editor), before, atol=1e-6) == ("shape kept" in editor.status.lower())
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_the_key_halves_segments_between_selected_points(editor, family):
-    begin(editor, make_curve(BOW, family=family))
-    before = drawn(editor)
-    editor.select([1, 2, 4])
-    editor.key(Qt.Key.Key_Insert)
-    assert len(editor.curve.points) == 6
-    assert is_as_told(editor, before)
-    editor.trigger("undo")
-    editor.select([0, 1, 2, 4])
-    editor.key(Qt.Key.Key_Insert)
-    assert len(editor.curve.points) == 7
-    assert is_as_told(editor, before)
-    assert editor.session.undo_stack.undoText() == "Insert 2 points between"
-    if family.interpolates:
-        assert editor.session.selected.points == {0, 1, 2, 3, 4, 6}
+def test_the_key_halves_segments_between_selected_points(editor):
+    for family in FAMILIES:
+        begin(editor, make_curve(BOW, family=family))
+        before = drawn(editor)
+        editor.select([1, 2, 4])
+        editor.key(Qt.Key.Key_Insert)
+        assert len(editor.curve.points) == 6, family
+        assert is_as_told(editor, before), family
+        editor.trigger("undo")
+        editor.select([0, 1, 2, 4])
+        editor.key(Qt.Key.Key_Insert)
+        assert len(editor.curve.points) == 7, family
+        assert is_as_told(editor, before), family
+        assert editor.session.undo_stack.undoText() == "Insert 2 points between", family
+        if family.interpolates:
+            assert editor.session.selected.points == {0, 1, 2, 3, 4, 6}, family
 
 
 def test_the_segment_that_closes_is_halved_and_none_is_told(editor):
@@ -101,27 +103,27 @@ def test_the_segment_that_closes_is_halved_and_none_is_told(editor):
     assert "The parameters are manual now." in editor.status
 
 
-@pytest.mark.parametrize("act", ["double click", "key", "pen"])
-@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
-def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor, act, kind):
+def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor):
     """The shape changed, which was only said, or kept by one click more."""
-    begin(editor, make_curve(BOW, family=HERMITE), kind=kind)
-    before, document = drawn(editor), editor.session.document
-    place = on_line(editor, 1)
-    if act == "key":
-        editor.select([1, 2, 3])
-        editor.key(Qt.Key.Key_Insert)
-    elif act == "pen":
-        editor.add_point(*place)
-    else:
-        editor.double_click(place)
-    assert len(editor.curve.points) == (7 if act == "key" else 6)
-    assert drawn(editor) == pytest.approx(before, abs=1e-9)
-    assert editor.curve.is_manual
-    assert "shape kept" in editor.status.lower()
-    assert editor.status.endswith("The parameters are manual now.")
-    editor.trigger("undo")
-    assert editor.session.document == document
+    kinds = (ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM)
+    for act, kind in product(("double click", "key", "pen"), kinds):
+        begin(editor, make_curve(BOW, family=HERMITE), kind=kind)
+        before, document = drawn(editor), editor.session.document
+        place = on_line(editor, 1)
+        if act == "key":
+            editor.select([1, 2, 3])
+            editor.key(Qt.Key.Key_Insert)
+        elif act == "pen":
+            editor.add_point(*place)
+        else:
+            editor.double_click(place)
+        assert len(editor.curve.points) == (7 if act == "key" else 6), (act, kind)
+        assert drawn(editor) == pytest.approx(before, abs=1e-9), (act, kind)
+        assert editor.curve.is_manual, (act, kind)
+        assert "shape kept" in editor.status.lower(), (act, kind)
+        assert editor.status.endswith("The parameters are manual now."), (act, kind)
+        editor.trigger("undo")
+        assert editor.session.document == document, (act, kind)
 
 
 def test_where_the_rule_gives_the_same_shape_it_stays_in_force(editor):

@@ -48,22 +48,23 @@ def test_no_action_changes_a_curve_that_nobody_chose(none):
     assert len(tried) > 20
 
 
-@pytest.mark.parametrize(
-    ("key", "held"),
-    [
-        (Qt.Key.Key_Delete, SHIFT),
-        (Qt.Key.Key_C, Qt.KeyboardModifier.NoModifier),
-        (Qt.Key.Key_1, Qt.KeyboardModifier.NoModifier),
-        (Qt.Key.Key_H, CTRL),
-        (Qt.Key.Key_R, CTRL),
-    ],
-)
-def test_a_key_of_a_curve_says_that_none_is_chosen(none, key, held):
-    before = none.session.document
-    none.key(key, held)
-    assert none.session.document is before
-    assert none.status == NO_CURVE
-    assert none.window.status_line.is_refusal
+KEYS_OF_CURVES = [
+    (Qt.Key.Key_Delete, SHIFT),
+    (Qt.Key.Key_C, Qt.KeyboardModifier.NoModifier),
+    (Qt.Key.Key_1, Qt.KeyboardModifier.NoModifier),
+    (Qt.Key.Key_H, CTRL),
+    (Qt.Key.Key_R, CTRL),
+]
+
+
+def test_a_key_of_a_curve_says_that_none_is_chosen(none):
+    for key, held in KEYS_OF_CURVES:
+        before = none.session.document
+        none.key(key, held)
+        assert none.session.document is before, key
+        assert none.status == NO_CURVE, key
+        assert none.window.status_line.is_refusal, key
+        none.window.status_line.clear_message()
 
 
 def test_the_menu_of_curves_offers_nothing_and_says_why(none):

@@ -410,26 +410,27 @@ def test_grips_say_what_they_do_and_change_the_pointer(arch):
 # Align, distribute, nudge
 
 
-@pytest.mark.parametrize(
-    ("action", "axis", "value", "name"),
-    [
-        ("alignLeft", 0, 0.0, "left"),
-        ("alignCentre", 0, 1.5, "centre"),
-        ("alignRight", 0, 3.0, "right"),
-        ("alignTop", 1, 2.0, "top"),
-        ("alignMiddle", 1, 1.0, "middle"),
-        ("alignBottom", 1, 0.0, "bottom"),
-    ],
-)
-def test_align(arch, action, axis, value, name):
+SIDES = [
+    ("alignLeft", 0, 0.0, "left"),
+    ("alignCentre", 0, 1.5, "centre"),
+    ("alignRight", 0, 3.0, "right"),
+    ("alignTop", 1, 2.0, "top"),
+    ("alignMiddle", 1, 1.0, "middle"),
+    ("alignBottom", 1, 0.0, "bottom"),
+]
+
+
+def test_align(arch):
     arch.choose_parametrization(ParametrizationKind.UNIFORM)
-    arch.select([0, 1, 2])
-    before = points(arch)
-    arch.trigger(action)
-    assert points(arch)[:3, axis].tolist() == [value] * 3
-    assert points(arch)[:, 1 - axis].tolist() == before[:, 1 - axis].tolist()
-    assert points(arch)[3].tolist() == before[3].tolist()
-    assert undo_text(arch) == f"Align 3 points {name}"
+    for action, axis, value, name in SIDES:
+        arch.select([0, 1, 2])
+        before = points(arch)
+        arch.trigger(action)
+        assert points(arch)[:3, axis].tolist() == [value] * 3, name
+        assert points(arch)[:, 1 - axis].tolist() == before[:, 1 - axis].tolist(), name
+        assert points(arch)[3].tolist() == before[3].tolist(), name
+        assert undo_text(arch) == f"Align 3 points {name}", name
+        arch.trigger("undo")
 
 
 def test_distribute(arch):

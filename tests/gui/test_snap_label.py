@@ -72,27 +72,34 @@ def test_words_stay_inside_the_drawing(place):
 # On the canvas
 
 
-@pytest.mark.parametrize(
-    ("index", "to"),
-    [(1, (1.5, 3.5)), (1, (1.5, 2.75)), (1, (1.25, 1.5)), (2, (3.5, 3.0)), (0, (-1.0, 1.0)), (3, (5.0, 1.5))],
-)
-def test_the_words_cover_neither_the_number_nor_the_curve(snapping, index, to):
-    canvas = snapping.window.canvas
-    snapping.press(snapping.point(index))
-    snapping.move((to[0] + 2 * snapping.pixel, to[1] + 2 * snapping.pixel))
-    label = canvas.drawing.marks.snap_label_rect
-    shown = canvas.pixel_map
-    number = next(
-        centre for number, (centre, _) in enumerate(canvas.drawing.points.numbers) if number == index
-    )
-    assert not label.contains(number)
-    view = snapping.session.active_view
-    t = np.linspace(*view.curve.domain, 4001)
-    covered = [label.contains(QPointF(*pixel)) for pixel in shown.points(view.curve.evaluate(t)).tolist()]
-    assert not any(covered)
-    place = shown.point(*canvas.marks.snap.position)
-    assert label.adjusted(-12, -12, 12, 12).contains(QPointF(*place))
-    snapping.escape()
+DRAGS = [
+    (1, (1.5, 3.5)),
+    (1, (1.5, 2.75)),
+    (1, (1.25, 1.5)),
+    (2, (3.5, 3.0)),
+    (0, (-1.0, 1.0)),
+    (3, (5.0, 1.5)),
+]
+
+
+def test_the_words_cover_neither_the_number_nor_the_curve(snapping):
+    for index, to in DRAGS:
+        canvas = snapping.window.canvas
+        snapping.press(snapping.point(index))
+        snapping.move((to[0] + 2 * snapping.pixel, to[1] + 2 * snapping.pixel))
+        label = canvas.drawing.marks.snap_label_rect
+        shown = canvas.pixel_map
+        number = next(
+            centre for number, (centre, _) in enumerate(canvas.drawing.points.numbers) if number == index
+        )
+        assert not label.contains(number), (index, to)
+        view = snapping.session.active_view
+        t = np.linspace(*view.curve.domain, 4001)
+        covered = [label.contains(QPointF(*pixel)) for pixel in shown.points(view.curve.evaluate(t)).tolist()]
+        assert not any(covered), (index, to)
+        place = shown.point(*canvas.marks.snap.position)
+        assert label.adjusted(-12, -12, 12, 12).contains(QPointF(*place)), (index, to)
+        snapping.escape()
 
 
 def column(editor, place, up):

@@ -190,60 +190,62 @@ def test_a_click_takes_a_transform_back_by_what_is_no_number_yet(arch):
     assert not arch.window.canvas.is_dragging
 
 
-@pytest.mark.parametrize(
-    ("unit", "typed", "shown", "to"),
-    [
-        ("mm", "13\t0.5m", "Move x 13, y 0.5m|", (14, 502)),
-        ("mm", "13\t0.5mm", "Move x 13, y 0.5mm|", (14, 2.5)),
-        ("mm", "1inx", "Move 25.4 along x (1in)", (26.4, 2)),
-        ("mm", "y1/2cm", "Move 5 along y (1/2cm)", (1, 7)),
-        ("in", "96px", "Move 1, 0 (96px)", (2, 2)),
-        ("mm", "2CM", "Move 20, 0 (2", (21, 2)),
-        ("ell", "3ell", "Move 3, 0 (3ell)", (4, 2)),
-    ],
-)
-def test_a_unit_may_follow_the_number(arch, unit, typed, shown, to):
+UNITS = [
+    ("mm", "13\t0.5m", "Move x 13, y 0.5m|", (14, 502)),
+    ("mm", "13\t0.5mm", "Move x 13, y 0.5mm|", (14, 2.5)),
+    ("mm", "1inx", "Move 25.4 along x (1in)", (26.4, 2)),
+    ("mm", "y1/2cm", "Move 5 along y (1/2cm)", (1, 7)),
+    ("in", "96px", "Move 1, 0 (96px)", (2, 2)),
+    ("mm", "2CM", "Move 20, 0 (2", (21, 2)),
+    ("ell", "3ell", "Move 3, 0 (3ell)", (4, 2)),
+]
+
+
+def test_a_unit_may_follow_the_number(arch):
     """The letter m dropped the move and took the tool that measures."""
-    arch.session.commit(replace(arch.session.document, unit=unit), "Unit")
-    arch.select([1])
-    arch.key(Key.Key_G)
-    arch.type_amount(typed)
-    assert arch.status.startswith(shown)
-    arch.key(Key.Key_Return)
-    assert arch.point(1) == pytest.approx(to, abs=1e-12)
+    document = arch.session.document
+    for unit, typed, shown, to in UNITS:
+        arch.session.commit(replace(document, unit=unit), "Unit")
+        arch.select([1])
+        arch.key(Key.Key_G)
+        arch.type_amount(typed)
+        assert arch.status.startswith(shown), typed
+        arch.key(Key.Key_Return)
+        assert arch.point(1) == pytest.approx(to, abs=1e-12), typed
     arch.new()
 
 
-@pytest.mark.parametrize(
-    ("unit", "keys", "reason"),
-    [
-        ("mm", "g2q", "“q” is no unit of length known here"),
-        ("mm", "g2mv", "“mv” is no unit of length known here"),
-        ("", "g2m", "The document has no unit of length; type a number without “m”."),
-        ("ell", "g2m", "“ell”, the unit of the document, has no length"),
-        ("mm", "s2m", "A factor or an angle has no unit; type a number without “m”."),
-        ("mm", "r2b", "A factor or an angle has no unit; type a number without “b”."),
-        ("mm", "g2V", "“V” is no unit of length known here"),
-    ],
-)
-def test_other_letters_are_refused_and_act_on_nothing(arch, unit, keys, reason):
-    arch.session.commit(replace(arch.session.document, unit=unit), "Unit")
-    arch.select([1])
-    for key in keys[:-1]:
-        QTest.keyClicks(arch.window.canvas, key)
-    before, tool = arch.session.document, arch.window.canvas.tools.record
-    held = SHIFT if keys[-1].isupper() else Qt.KeyboardModifier.NoModifier
-    last = getattr(Key, f"Key_{keys[-1].upper()}")
-    QTest.keyPress(arch.window.canvas, last, held)
-    assert arch.status.startswith(reason)
-    assert arch.window.canvas.is_dragging
-    assert arch.window.canvas.tools.record is tool
-    assert arch.session.document == before
-    QTest.keyRelease(arch.window.canvas, last, held)
-    # Keys that mean another transform still do.
-    QTest.keyClick(arch.window.canvas, Key.Key_R, SHIFT)
-    assert arch.status.startswith("Skew")
-    arch.escape()
+NO_UNITS = [
+    ("mm", "g2q", "“q” is no unit of length known here"),
+    ("mm", "g2mv", "“mv” is no unit of length known here"),
+    ("", "g2m", "The document has no unit of length; type a number without “m”."),
+    ("ell", "g2m", "“ell”, the unit of the document, has no length"),
+    ("mm", "s2m", "A factor or an angle has no unit; type a number without “m”."),
+    ("mm", "r2b", "A factor or an angle has no unit; type a number without “b”."),
+    ("mm", "g2V", "“V” is no unit of length known here"),
+]
+
+
+def test_other_letters_are_refused_and_act_on_nothing(arch):
+    document = arch.session.document
+    for unit, keys, reason in NO_UNITS:
+        arch.session.commit(replace(document, unit=unit), "Unit")
+        arch.select([1])
+        for key in keys[:-1]:
+            QTest.keyClicks(arch.window.canvas, key)
+        before, tool = arch.session.document, arch.window.canvas.tools.record
+        held = SHIFT if keys[-1].isupper() else Qt.KeyboardModifier.NoModifier
+        last = getattr(Key, f"Key_{keys[-1].upper()}")
+        QTest.keyPress(arch.window.canvas, last, held)
+        assert arch.status.startswith(reason), keys
+        assert arch.window.canvas.is_dragging, keys
+        assert arch.window.canvas.tools.record is tool, keys
+        assert arch.session.document == before, keys
+        QTest.keyRelease(arch.window.canvas, last, held)
+        # Keys that mean another transform still do.
+        QTest.keyClick(arch.window.canvas, Key.Key_R, SHIFT)
+        assert arch.status.startswith("Skew"), keys
+        arch.escape()
     arch.new()
 
 
