@@ -51,31 +51,32 @@ def whole(boxes):
     return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
 
-@pytest.mark.parametrize("to", ["EachOther", "First", "Largest", "Drawing"])
-def test_curves_are_aligned_by_their_extents(four, to):
-    four.trigger(f"alignTo{to}")
-    before = boxes(four)
-    box = {
-        "EachOther": whole(before[:3]),
-        "First": before[1],
-        "Largest": before[1],
-        "Drawing": whole(before),
-    }
-    for action in ACTIONS:
-        four.session.selected.set_curves({0, 1, 2}, 1)
-        four.trigger(action)
-        after = boxes(four)
-        target = float(edge_of(box[to], action))
-        assert edge_of(after[:3], action) == pytest.approx(3 * [target], abs=2 * CLOSE), action
-        # Nothing has changed its size or moved along the other axis, and nothing else has moved at all.
-        assert after[:, 1] - after[:, 0] == pytest.approx(before[:, 1] - before[:, 0], abs=CLOSE), action
-        other = 1 if action in ACTIONS[:3] else 0
-        assert after[:, :, other] == pytest.approx(before[:, :, other], abs=CLOSE), action
-        assert after[3] == pytest.approx(before[3], abs=CLOSE), action
-        assert undo_text(four) == f"Align 3 curves {action.removeprefix('align').lower()}"
-        assert four.session.selected.curves == {0, 1, 2}, action
-        four.trigger("undo")
-        assert boxes(four) == pytest.approx(before), action
+def test_curves_are_aligned_by_their_extents(four):
+    for to in ("EachOther", "First", "Largest", "Drawing"):
+        four.trigger(f"alignTo{to}")
+        before = boxes(four)
+        box = {
+            "EachOther": whole(before[:3]),
+            "First": before[1],
+            "Largest": before[1],
+            "Drawing": whole(before),
+        }
+        for action in ACTIONS:
+            case = to, action
+            four.session.selected.set_curves({0, 1, 2}, 1)
+            four.trigger(action)
+            after = boxes(four)
+            target = float(edge_of(box[to], action))
+            assert edge_of(after[:3], action) == pytest.approx(3 * [target], abs=2 * CLOSE), case
+            # Nothing has changed its size or moved along the other axis, and nothing else has moved at all.
+            assert after[:, 1] - after[:, 0] == pytest.approx(before[:, 1] - before[:, 0], abs=CLOSE), case
+            other = 1 if action in ACTIONS[:3] else 0
+            assert after[:, :, other] == pytest.approx(before[:, :, other], abs=CLOSE), case
+            assert after[3] == pytest.approx(before[3], abs=CLOSE), case
+            assert undo_text(four) == f"Align 3 curves {action.removeprefix('align').lower()}", case
+            assert four.session.selected.curves == {0, 1, 2}, case
+            four.trigger("undo")
+            assert boxes(four) == pytest.approx(before), case
     four.trigger("alignToEachOther")
 
 
@@ -212,14 +213,15 @@ def test_what_needs_more_curves_says_so(four):
     assert not four.action("distributeGapsVertically").isEnabled()
 
 
-@pytest.mark.parametrize("to", ["EachOther", "First", "Largest", "Drawing"])
-def test_of_curves_without_points_there_is_nothing_to_align(four, to):
+def test_of_curves_without_points_there_is_nothing_to_align(four):
     session = four.session
-    session.commit(Document((replace(session.document.curves[0], points=()),) * 2), "Empty", active=0)
-    session.selected.set_curves({0, 1})
-    four.action(f"alignTo{to}").trigger()
-    four.action("alignLeft").trigger()
-    assert four.window.status_line.text == "What is chosen has no points to align."
+    for to in ("EachOther", "First", "Largest", "Drawing"):
+        session.commit(Document((replace(session.document.curves[0], points=()),) * 2), "Empty", active=0)
+        session.selected.set_curves({0, 1})
+        four.action(f"alignTo{to}").trigger()
+        four.action("alignLeft").trigger()
+        assert four.window.status_line.text == "What is chosen has no points to align.", to
+        four.window.status_line.clear_message()
 
 
 def test_the_buttons_of_the_panel_align(four):

@@ -25,6 +25,14 @@ def arch(editor):
     return editor
 
 
+def again(editor, document):
+    """Go on with the drawing that was there, and see it from where it was seen."""
+    editor.session.commit(document, "Again", active=0)
+    editor.session.selected.activate(0)
+    editor.window.canvas.camera.show_box((-3, 7), (-4, 4))
+    editor.settle()
+
+
 def left_edge(editor):
     return editor.window.canvas.camera.pixel_map.x0
 
@@ -69,45 +77,50 @@ def start_of(editor, what):
     }[what]
 
 
-@pytest.mark.parametrize("what", ["point", "handle", "bend", "curve", "band"])
-def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch, what):
-    steps, committed = arch.session.undo_stack.count(), arch.session.committed
-    start, seen = start_of(arch, what), left_edge(arch)
-    arch.press(start)
-    place = edge(arch, "right", 20)
-    move_to(arch, place)
-    until(lambda: left_edge(arch) > seen + 1.0)
-    # What is dragged has gone along, with no further event of the mouse.
-    canvas = arch.window.canvas
-    arch.settle()
-    x, _y = canvas.to_plane(place)
-    if what == "band":
-        assert canvas.marks.band[1][0] == pytest.approx(x, abs=40 * arch.pixel)
-        assert canvas.marks.band[0] == pytest.approx(start, abs=2 * arch.pixel)
-    else:
-        assert arch.session.document != committed
-    if what == "point":
-        assert arch.point(1)[0] == pytest.approx(x, abs=40 * arch.pixel)
-    release_at(arch, place)
-    assert arch.session.undo_stack.count() == steps + (what != "band")
-    assert not is_scrolling(arch)
+def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch):
+    document = arch.session.document
+    for what in ("point", "handle", "bend", "curve", "band"):
+        steps, committed = arch.session.undo_stack.count(), arch.session.committed
+        start, seen = start_of(arch, what), left_edge(arch)
+        arch.press(start)
+        place = edge(arch, "right", 20)
+        move_to(arch, place)
+        until(lambda seen=seen: left_edge(arch) > seen + 1.0)
+        # What is dragged has gone along, with no further event of the mouse.
+        canvas = arch.window.canvas
+        arch.settle()
+        x, _y = canvas.to_plane(place)
+        if what == "band":
+            assert canvas.marks.band[1][0] == pytest.approx(x, abs=40 * arch.pixel), what
+            assert canvas.marks.band[0] == pytest.approx(start, abs=2 * arch.pixel), what
+        else:
+            assert arch.session.document != committed, what
+        if what == "point":
+            assert arch.point(1)[0] == pytest.approx(x, abs=40 * arch.pixel), what
+        release_at(arch, place)
+        assert arch.session.undo_stack.count() == steps + (what != "band"), what
+        assert not is_scrolling(arch), what
+        again(arch, document)
 
 
-@pytest.mark.parametrize("where", ["right", "left", "top", "bottom"])
-def test_it_goes_towards_the_edge_where_the_pointer_is(arch, where):
-    shown = arch.window.canvas.camera.pixel_map
-    arch.press(POINTS[1])
-    move_to(arch, edge(arch, where, 5))
+def test_it_goes_towards_the_edge_where_the_pointer_is(arch):
+    document = arch.session.document
+    for where in ("right", "left", "top", "bottom"):
+        shown = arch.window.canvas.camera.pixel_map
+        arch.press(POINTS[1])
+        move_to(arch, edge(arch, where, 5))
 
-    def way():
-        now = arch.window.canvas.camera.pixel_map
-        return now.x0 - shown.x0, now.box[1] - shown.box[1]
+        def way(shown=shown):
+            now = arch.window.canvas.camera.pixel_map
+            return now.x0 - shown.x0, now.box[1] - shown.box[1]
 
-    until(lambda: any(abs(each) > 0.2 for each in way()))
-    x, y = way()
-    assert {"right": x > 0, "left": x < 0, "top": y > 0, "bottom": y < 0}[where]
-    assert (abs(x) > 0.2) != (abs(y) > 0.2)
-    arch.escape()
+        until(lambda way=way: any(abs(each) > 0.2 for each in way()))
+        x, y = way()
+        assert {"right": x > 0, "left": x < 0, "top": y > 0, "bottom": y < 0}[where], where
+        assert (abs(x) > 0.2) != (abs(y) > 0.2), where
+        arch.escape()
+        arch.release(POINTS[1])
+        again(arch, document)
 
 
 def test_back_inside_it_stops_and_escape_leaves_no_trace(arch):

@@ -152,17 +152,17 @@ def test_all_curves_can_be_chosen_also_where_there_is_one(waves):
     assert one.session.selected.chosen == {0}
 
 
-@pytest.mark.parametrize("key", [Qt.Key.Key_G, Qt.Key.Key_S, Qt.Key.Key_R, Qt.Key.Key_H])
-def test_measuring_takes_up_no_curve(none, key):
+def test_measuring_takes_up_no_curve(none):
     """M, S, 1.5 and Enter scaled the curve that was edited last."""
-    before = none.session.document
-    none.key(Qt.Key.Key_M)
-    none.drag((0.0, 0.0), (1.0, 1.0))
-    none.key(key)
-    none.type_amount("1.5")
-    none.key(Qt.Key.Key_Return)
-    assert none.session.document is before
-    assert not none.session.selected.marked
+    for key in (Qt.Key.Key_G, Qt.Key.Key_S, Qt.Key.Key_R, Qt.Key.Key_H):
+        before = none.session.document
+        none.key(Qt.Key.Key_M)
+        none.drag((0.0, 0.0), (1.0, 1.0))
+        none.key(key)
+        none.type_amount("1.5")
+        none.key(Qt.Key.Key_Return)
+        assert none.session.document is before, key
+        assert not none.session.selected.marked, key
 
 
 def test_measuring_leaves_what_is_edited_or_chosen(none):

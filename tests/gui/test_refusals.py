@@ -60,24 +60,25 @@ def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expecte
     assert line.window.status_line.is_refusal
 
 
-@pytest.mark.parametrize(
-    ("key", "held", "expected"),
-    [
-        (Qt.Key.Key_PageUp, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
-        (Qt.Key.Key_Home, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
-        (Qt.Key.Key_End, CTRL | SHIFT, "Nothing is behind it: it is at the bottom already."),
-        (Qt.Key.Key_4, ALT, "That is straight already."),
-    ],
-)
-def test_what_is_so_already_is_told_and_no_refusal(line, key, held, expected):
+SO_ALREADY = [
+    (Qt.Key.Key_PageUp, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
+    (Qt.Key.Key_Home, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
+    (Qt.Key.Key_End, CTRL | SHIFT, "Nothing is behind it: it is at the bottom already."),
+    (Qt.Key.Key_4, ALT, "That is straight already."),
+]
+
+
+def test_what_is_so_already_is_told_and_no_refusal(line):
     """Pressed once more, keys were answered by an orange line with a sign."""
     line.choose_family(HERMITE)
     line.select([0, 1])
     line.key(Qt.Key.Key_4, ALT)
     steps = line.session.undo_stack.count()
-    line.key(key, held)
-    assert (line.status, line.session.undo_stack.count()) == (expected, steps)
-    assert not line.window.status_line.is_refusal
+    for key, held, expected in SO_ALREADY:
+        line.session.say("An older answer.")
+        line.key(key, held)
+        assert (line.status, line.session.undo_stack.count()) == (expected, steps), key
+        assert not line.window.status_line.is_refusal, key
 
 
 def test_all_is_selected_once_more_without_a_word(line):
@@ -218,24 +219,26 @@ def test_a_faulty_paste_refuses_with_the_sign(line):
 # A row of titles
 
 
-@pytest.mark.parametrize(
-    ("text", "points"),
-    [
-        ("x y\n4 0\n5 1", [(4, 0), (5, 1)]),
-        ("t;x;y\n2;4;0\n3;5;1", [(4, 0), (5, 1)]),
-        ("y\tx\n0\t4\n1\t5", [(4, 0), (5, 1)]),
-        ("#\tx [mm]\ty [mm]\n0\t4\t0\n1\t5\t1", [(4, 0), (5, 1)]),
-        ("# x y\n4 0\n5 1", [(4, 0), (5, 1)]),
-    ],
-)
-def test_a_row_of_titles_above_pasted_points_is_skipped(line, text, points):
-    line.paste_text(text)
-    line.key(Qt.Key.Key_V, CTRL)
-    assert line.status == "Pasted 2 points; the row of titles was skipped."
-    assert [point.position for point in line.curve.points[3:]] == points
-    line.key(Qt.Key.Key_N, CTRL | ALT)
-    assert line.status.endswith("; the row of titles was skipped.")
-    assert [point.position for point in line.curve.points] == points
+WITH_TITLES = [
+    ("x y\n4 0\n5 1", [(4, 0), (5, 1)]),
+    ("t;x;y\n2;4;0\n3;5;1", [(4, 0), (5, 1)]),
+    ("y\tx\n0\t4\n1\t5", [(4, 0), (5, 1)]),
+    ("#\tx [mm]\ty [mm]\n0\t4\t0\n1\t5\t1", [(4, 0), (5, 1)]),
+    ("# x y\n4 0\n5 1", [(4, 0), (5, 1)]),
+]
+
+
+def test_a_row_of_titles_above_pasted_points_is_skipped(line):
+    document = line.session.document
+    for text, points in WITH_TITLES:
+        line.paste_text(text)
+        line.key(Qt.Key.Key_V, CTRL)
+        assert line.status == "Pasted 2 points; the row of titles was skipped.", text
+        assert [point.position for point in line.curve.points[3:]] == points, text
+        line.key(Qt.Key.Key_N, CTRL | ALT)
+        assert line.status.endswith("; the row of titles was skipped."), text
+        assert [point.position for point in line.curve.points] == points, text
+        line.session.commit(document, "Again", active=0)
 
 
 @pytest.mark.parametrize("titles", ["x vx", "x x", "x y vx"])

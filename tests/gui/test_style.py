@@ -197,41 +197,40 @@ def test_the_wheel_turns_no_choice_that_it_only_passes(editor, panel):
     assert box.currentIndex() == 1
 
 
-@pytest.mark.parametrize(
-    ("name", "field", "begin", "ups", "lowest"),
-    [
-        ("width", "strokeWidth", "1.8", (1.9, 2.0, 2.2), None),
-        ("width", "strokeWidth", "0.05", (0.055, 0.06, 0.065), None),
-        ("width", "strokeWidth", "0", (0.1, 0.11, 0.12), None),
-        ("stroke_opacity", "strokeOpacity", "87", (0.92, 0.97, 1.0), None),
-        ("stroke_opacity", "strokeOpacity", "12", (0.17, 0.22, 0.27), 0.0),
-    ],
-)
-def test_arrow_keys_and_the_wheel_step_a_number_and_a_held_key_is_one_step(
-    editor, panel, name, field, begin, ups, lowest
-):
+STEPPED = [
+    ("width", "strokeWidth", "1.8", (1.9, 2.0, 2.2), None),
+    ("width", "strokeWidth", "0.05", (0.055, 0.06, 0.065), None),
+    ("width", "strokeWidth", "0", (0.1, 0.11, 0.12), None),
+    ("stroke_opacity", "strokeOpacity", "87", (0.92, 0.97, 1.0), None),
+    ("stroke_opacity", "strokeOpacity", "12", (0.17, 0.22, 0.27), 0.0),
+]
+
+
+def test_arrow_keys_and_the_wheel_step_a_number_and_a_held_key_is_one_step(editor, panel):
     editor.session.history.clock = lambda: 0.0  # however slow the machine is, the key is held
-    enter(editor, panel, field, begin)
-    edit, first = child(panel, QLineEdit, field), getattr(styles(editor)[1], name)
-    steps = editor.session.undo_stack.count()
-    for value in ups:
-        QTest.keyClick(edit, Qt.Key.Key_Up)
-        assert getattr(styles(editor)[1], name) == value
-    assert edit.text().startswith(f"{100 * value:g}" if name == "stroke_opacity" else f"{value:g}")
-    assert editor.session.undo_stack.count() == steps + 1
-    editor.trigger("undo")
-    assert getattr(styles(editor)[1], name) == first
-    edit.setFocus()
-    turn(edit, 2)
-    assert getattr(styles(editor)[1], name) == ups[1]
-    for _ in range(9 if lowest is not None else 0):
-        QTest.keyClick(edit, Qt.Key.Key_Down)
-    assert lowest is None or getattr(styles(editor)[1], name) == lowest
-    # Without the focus the wheel scrolls what lies around.
-    before = styles(editor)
-    editor.window.canvas.setFocus()
-    turn(edit, 1)
-    assert styles(editor) == before
+    for name, field, begin, ups, lowest in STEPPED:
+        enter(editor, panel, field, begin)
+        case = name, begin
+        edit, first = child(panel, QLineEdit, field), getattr(styles(editor)[1], name)
+        steps = editor.session.undo_stack.count()
+        for value in ups:
+            QTest.keyClick(edit, Qt.Key.Key_Up)
+            assert getattr(styles(editor)[1], name) == value, case
+        assert edit.text().startswith(f"{100 * value:g}" if name == "stroke_opacity" else f"{value:g}"), case
+        assert editor.session.undo_stack.count() == steps + 1, case
+        editor.trigger("undo")
+        assert getattr(styles(editor)[1], name) == first, case
+        edit.setFocus()
+        turn(edit, 2)
+        assert getattr(styles(editor)[1], name) == ups[1], case
+        for _ in range(9 if lowest is not None else 0):
+            QTest.keyClick(edit, Qt.Key.Key_Down)
+        assert lowest is None or getattr(styles(editor)[1], name) == lowest, case
+        # Without the focus the wheel scrolls what lies around.
+        before = styles(editor)
+        editor.window.canvas.setFocus()
+        turn(edit, 1)
+        assert styles(editor) == before, case
 
 
 def test_a_width_is_shown_with_the_unit_of_the_document(editor, panel):

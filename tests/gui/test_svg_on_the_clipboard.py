@@ -76,19 +76,19 @@ def test_svg_of_another_program_becomes_a_chosen_curve(three, kind):
     assert [each.name for each in three.session.document.curves] == ["A", "B", "C"]
 
 
-@pytest.mark.parametrize(
-    ("text", "places"),
-    [
-        ("M 10 10 C 10 12 12 14 14 14", [(10, -10), (14, -14)]),
-        ("m10,10 5-5", [(10, -10), (15, -5)]),
-        ('d="M 10 10\nL 30 30"', [(10, -10), (30, -30)]),
-    ],
-)
-def test_path_data_alone_become_a_line_in_ink(three, text, places):
-    three.paste_text(text)
-    paste(three, CTRL | ALT)
-    assert [point.position for point in three.curve.points] == places
-    assert three.curve.style == make_curve(()).style
+PATHS = [
+    ("M 10 10 C 10 12 12 14 14 14", [(10, -10), (14, -14)]),
+    ("m10,10 5-5", [(10, -10), (15, -5)]),
+    ('d="M 10 10\nL 30 30"', [(10, -10), (30, -30)]),
+]
+
+
+def test_path_data_alone_become_a_line_in_ink(three):
+    for text, places in PATHS:
+        three.paste_text(text)
+        paste(three, CTRL | ALT)
+        assert [point.position for point in three.curve.points] == places, text
+        assert three.curve.style == make_curve(()).style, text
 
 
 def test_elements_out_of_a_file_are_a_drawing(three):
@@ -286,23 +286,23 @@ def test_copied_curves_are_svg_for_other_programs(three):
     assert data.imageData() == image
 
 
-@pytest.mark.parametrize(
-    ("unit", "side", "pixels"),
-    [("mm", 25.4, 96.0), ("in", 0.5, 48.0), ("", 40.0, 40.0), ("", 4.0, 4.0), ("s", 4.0, 4.0)],
-)
-def test_inkscape_takes_the_coordinates_for_pixels(editor, unit, side, pixels):
+IN_PIXELS = [("mm", 25.4, 96.0), ("in", 0.5, 48.0), ("", 40.0, 40.0), ("", 4.0, 4.0), ("s", 4.0, 4.0)]
+
+
+def test_inkscape_takes_the_coordinates_for_pixels(editor):
     """A leaf of 40 mm was pasted 10.58 mm wide into Inkscape 1.2, which passes over the view box."""
-    curve = make_curve([(0.0, 0.0), (side / 2, side / 4), (side, 0.0)], family=HERMITE)
-    editor.session.commit(Document((curve,), unit=unit), "Begin")
-    editor.key(Qt.Key.Key_C, CTRL)
-    data = QGuiApplication.clipboard().mimeData()
-    for svg in (bytes(data.data("image/svg+xml").data()), data.text().encode()):
-        (back,) = read_svg(svg).document.curves
-        assert back.points[-1].x - back.points[0].x == pytest.approx(pixels)
-        root = ElementTree.fromstring(svg)
-        assert root.get("width") == f"{root.get('viewBox').split()[2]}px"
-        # Browsers and Figma were given 800 pixels with a margin for the 4 that Inkscape got.
-        assert length(root.get("width")) == pytest.approx(pixels, rel=0.01), "but for the line"
+    for unit, side, pixels in IN_PIXELS:
+        curve = make_curve([(0.0, 0.0), (side / 2, side / 4), (side, 0.0)], family=HERMITE)
+        editor.session.commit(Document((curve,), unit=unit), "Begin")
+        editor.key(Qt.Key.Key_C, CTRL)
+        data = QGuiApplication.clipboard().mimeData()
+        for svg in (bytes(data.data("image/svg+xml").data()), data.text().encode()):
+            (back,) = read_svg(svg).document.curves
+            assert back.points[-1].x - back.points[0].x == pytest.approx(pixels), (unit, side)
+            root = ElementTree.fromstring(svg)
+            assert root.get("width") == f"{root.get('viewBox').split()[2]}px", (unit, side)
+            # Browsers and Figma were given 800 pixels with a margin for the 4 that Inkscape got.
+            assert length(root.get("width")) == pytest.approx(pixels, rel=0.01), f"{unit}: but for the line"
 
 
 def test_without_a_unit_numbers_stay_between_documents(editor):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-import pytest
 from msgspec.structs import replace
 
 from app.appearance.theme import ThemeMode
@@ -87,27 +86,27 @@ def test_what_another_one_has_remembered_is_taken_over_when_asked(qapp, tmp_path
     assert store.state.snap_on
 
 
-@pytest.mark.parametrize(
-    ("name", "field"),
-    [
-        ("toggleGrid", "grid"),
-        ("toggleBasis", "basis"),
-        ("toggleSidePanel", "side_panel"),
-        ("toggleSnap", "snap_on"),
-        ("toggleTransformBox", "transform_box"),
-        ("toggleEstimates", "with_estimates"),
-    ],
-)
-def test_a_switch_shows_the_state_and_asks_for_another_one(editor, name, field):
+SWITCHES = [
+    ("toggleGrid", "grid"),
+    ("toggleBasis", "basis"),
+    ("toggleSidePanel", "side_panel"),
+    ("toggleSnap", "snap_on"),
+    ("toggleTransformBox", "transform_box"),
+    ("toggleEstimates", "with_estimates"),
+]
+
+
+def test_a_switch_shows_the_state_and_asks_for_another_one(editor):
     editor.trigger("familyHermite")
-    store, action = editor.window.store, editor.action(name)
-    was_on = getattr(store.state, field)
-    assert action.isChecked() == was_on
-    editor.trigger(name)
-    assert getattr(store.state, field) != was_on
-    assert action.isChecked() != was_on
-    store.change(**{field: was_on})
-    assert action.isChecked() == was_on
+    for name, field in SWITCHES:
+        store, action = editor.window.store, editor.action(name)
+        was_on = getattr(store.state, field)
+        assert action.isChecked() == was_on, name
+        editor.trigger(name)
+        assert getattr(store.state, field) != was_on, name
+        assert action.isChecked() != was_on, name
+        store.change(**{field: was_on})
+        assert action.isChecked() == was_on, name
 
 
 def test_while_the_mouse_moves_the_image_no_tool_for_points_looks_as_if_in_use(editor):
