@@ -56,16 +56,15 @@ def spent():
     # Of the processor, children included: other programs may be busy.
     return sum(os.times()[:4])
 
-limited = child.limited
-
 def at_once(reader, data, tolerance, report):
     return reader(data, tolerance)
+
+# A process for each would take most of the time.
+child.limited = at_once
 
 for name, make in hostile.CASES.items():
     path, data = Path(folder, name), make()
     path.write_bytes(data)
-    # A process for each would take most of the time: those that keep a parser busy longest have one.
-    child.limited = limited if name in ("many_pieces.svg", "many_entities.dxf") else at_once
     errors, output, before = io.StringIO(), io.StringIO(), spent()
     with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(output):
         code = main(["convert", str(path), str(Path(folder, "out.svg"))])
