@@ -261,18 +261,24 @@ def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
         '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
         '<path id="r1" d="M2 2L10 2L10 10Z" fill="#00ff00"/><image href="x.png" width="3" height="3"/></svg>'
     )
-    for name, text in (("a.csv", "0,0\n1,1\n"), ("a.json", "[[0, 0], [1, 1]]"), ("in.svg", svg)):
+    files = (
+        ("a.csv", "0,0\n1,1\n", []),
+        ("a.json", "[[0, 0], [1, 1]]", ["--width", "90"]),
+        ("in.svg", svg, []),
+    )
+    for name, text, size in files:
         path, drawn, converted = tmp_path / name, tmp_path / "drawn.png", tmp_path / "converted.png"
         path.write_text(text, encoding="utf-8")
-        assert main(["render", str(path), "-o", str(drawn)]) == 0
+        assert main(["render", str(path), "-o", str(drawn), *size]) == 0
         said = capsys.readouterr().err
         assert ("picture" in said) is (name == "in.svg")
-        assert main(["convert", str(path), str(converted)]) == 0
+        assert main(["convert", str(path), str(converted), *size]) == 0
         assert drawn.read_bytes() == converted.read_bytes()
         capsys.readouterr()
         assert main(["info", str(path), "--json"]) == 0
         assert len(json.loads(capsys.readouterr().out)["curves"]) == 1
-    assert main(["render", str(tmp_path / "a.csv"), "-o", str(tmp_path / "a.gif"), "--seconds", "0.2"]) == 0
+    film = ["render", str(tmp_path / "a.csv"), "-o", str(tmp_path / "a.gif")]
+    assert main([*film, "--seconds", "0.2", "--width", "90"]) == 0
     capsys.readouterr()
     assert refusal(capsys, "info", str(tmp_path / "gone.csv")).startswith("There is no file “")
     broken = tmp_path / "a.json"
@@ -542,7 +548,7 @@ for name in ("C", "POSIX", "C.UTF-8"):
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="elsewhere Qt asks for no locale")
 def test_in_no_locale_does_qt_write_to_stderr(tmp_path):
     """Four lines at every start: “Detected locale "C" with character encoding …, which is not UTF-8”."""
-    done = run("render", LETTER, "-o", str(tmp_path), code=IN_LOCALES)
+    done = run("render", LETTER, "--width", "90", "-o", str(tmp_path), code=IN_LOCALES)
     assert (done.returncode, done.stderr) == (0, "")
     assert {path.name for path in tmp_path.glob("*.png")} == {"ä C.png", "ä POSIX.png", "ä C.UTF-8.png"}
 

@@ -39,6 +39,9 @@ HIGHEST_DEGREE = 10
 
 _SAMPLES = 33
 
+_SAMPLES_AT_ONCE = 500
+"""Samples at which a copy is evaluated at once: one polynomial takes an array of these by all its points."""
+
 
 class Polynomials(NamedTuple):
     """Pieces that are polynomials through known data.
@@ -205,8 +208,10 @@ def samples_of(piece: ParametricCurve) -> FloatArray:
 def measured(piece: ParametricCurve, copy: Callable[[FloatArray], FloatArray]) -> float:
     """Return the largest distance of `copy`, a function of t, from a piece at many parameters."""
     t = samples_of(piece)
+    starts = range(_SAMPLES_AT_ONCE, len(t), _SAMPLES_AT_ONCE)
     with np.errstate(all="ignore"):
-        distance = np.hypot(*(copy(t) - piece.evaluate(t)).T)
+        copied = np.concatenate([copy(some) for some in np.split(t, starts)])
+        distance = np.hypot(*(copied - piece.evaluate(t)).T)
     return float(np.where(np.isfinite(distance), distance, np.inf).max())
 
 
