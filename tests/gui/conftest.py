@@ -140,7 +140,7 @@ def kept_editor():
 @pytest.fixture(scope="module")
 def own_families_in_windows(kept_editor, own_families):
     """Have windows that offer the families that only the tests have; the one that is kept has fewer."""
-    with kept_editor.another():
+    with kept_editor.another("families of files"):
         yield own_families
 
 

@@ -47,16 +47,17 @@ class KeptEditor:
 
     def __init__(self) -> None:
         self._editor: Editor | None = None
-        # What is told of a window in which everything was opened and closed; found out once.
-        self._opened: Mapping[str, object] | None = None
+        # What is told of a window in which everything was opened and closed; found out once for each kind.
+        self._opened: dict[str, Mapping[str, object]] = {}
+        self._kind = "usual"
         self._goes_on = False
 
     def get(self, qtbot) -> Editor:
-        if self._opened is None:
+        if self._kind not in self._opened:
             self._build(qtbot)
             open_everything(self._editor)
             self._reset()
-            self._opened = self._painted()
+            self._opened[self._kind] = self._painted()
             self.drop()
         if self._editor is None:
             self._build(qtbot)
@@ -118,7 +119,7 @@ class KeptEditor:
     def differences(self) -> dict[str, object]:
         """Return what is told of the window, and neither of a new one nor of one that was used and reset."""
         # Most of the time nothing has been opened since the last test.
-        told, known = Fingerprint(self._editor.window).told, (self._last, self._new, self._opened)
+        told, known = Fingerprint(self._editor.window).told, (self._last, self._new, self._opened[self._kind])
         found = differences(told, *known)
         if found:
             # Some of it may be what was drawn last.
@@ -303,13 +304,13 @@ class KeptEditor:
             self._curtain.open()
 
     @contextmanager
-    def another(self) -> Iterator[None]:
-        """Keep another window for a while: one that is not made as this one."""
-        opened, self._opened = self._opened, None
+    def another(self, kind: str) -> Iterator[None]:
+        """Keep another window for a while: one of a kind that is made with other records."""
+        before, self._kind = self._kind, kind
         self.drop()
         yield
         self.drop()
-        self._opened = opened
+        self._kind = before
 
     def drop(self) -> None:
         if self._editor is not None:

@@ -92,7 +92,7 @@ def _own_records(kept_editor):
         OVERLAYS.with_record(PLATES),
         OVERLAYS.with_record(MIDDLES),
         PLOTS.with_record(DISTANCE),
-        kept_editor.another(),
+        kept_editor.another("overlays and a plot of these tests"),
     ):
         yield
     assert PLATES not in OVERLAYS

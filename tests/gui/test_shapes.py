@@ -115,19 +115,21 @@ def chosen(editor):
 @pytest.fixture
 def ring(rings):
     """The same with Outer and Inner combined, and Side edited."""
-    click_row(rings, "Inner", CTRL)
-    rings.key(Qt.Key.Key_K, CTRL)
-    click_row(rings, "Side")
+    *parts, side = rings.session.document.curves
+    style = replace(RING, fill_rule=FillRule.EVENODD)
+    combined = [replace(each, shape="Shape 1", style=style) for each in parts]
+    rings.session.commit(Document((*combined, side)), "Combine 2 curves", active=2)
+    rings.settle()
     return rings
 
 
 @pytest.fixture
 def group(rings):
     """The same with Inner and Side in a group, and Outer edited."""
-    click_row(rings, "Inner")
-    click_row(rings, "Side", CTRL)
-    rings.key(Qt.Key.Key_G, CTRL)
-    click_row(rings, "Outer")
+    outer, *others = rings.session.document.curves
+    grouped = [replace(each, groups=("Group 1",)) for each in others]
+    rings.session.commit(Document((outer, *grouped)), "Group 2 curves", active=0)
+    rings.settle()
     return rings
 
 
@@ -472,9 +474,16 @@ def test_a_group_does_not_go_into_itself(group):
 # Groups
 
 
-def test_grouped_curves_have_an_entry_that_chooses_all(group):
-    assert groups(group) == [(), ("Group 1",), ("Group 1",)]
-    assert (rows(group), undo_text(group)) == (["Group 1", "Outer"], "Group 2 curves")
+def test_chosen_curves_become_a_group_by_a_key(rings):
+    click_row(rings, "Inner")
+    click_row(rings, "Side", CTRL)
+    rings.key(Qt.Key.Key_G, CTRL)
+    assert groups(rings) == [(), ("Group 1",), ("Group 1",)]
+    assert (rows(rings), undo_text(rings)) == (["Group 1", "Outer"], "Group 2 curves")
+
+
+def test_a_group_has_an_entry_that_chooses_all(group):
+    assert rows(group) == ["Group 1", "Outer"]
     click_row(group, "Group 1")
     assert chosen(group) == {"Inner", "Side"}
     fold(group, "Group 1")
