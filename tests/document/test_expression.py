@@ -12,6 +12,7 @@ from app.document.expression import CONSTANTS, FUNCTIONS, ExpressionError, parse
 from app.document.model import MAX_MAGNITUDE
 from tests.effort import calls_of
 from tests.rows import each_row
+from tests.texts import texts
 
 MOST_CALLS = 10_000
 """A long text that is read takes about two thousand; whatever is typed, it is done before the next key."""
@@ -212,7 +213,7 @@ WORDS = st.sampled_from(
 )
 
 
-@given(st.one_of(st.text(max_size=60), st.lists(WORDS, max_size=30).map("".join)), st.sampled_from(".,"))
+@given(st.one_of(texts(60), st.lists(WORDS, max_size=30).map("".join)), st.sampled_from(".,"))
 @example("9**9**9**9", ".")
 @example("e**e**e**e**e", ".")
 def test_any_text_is_a_finite_number_or_a_sentence(text, decimal):

@@ -27,6 +27,7 @@ from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
 from tests.tables import document_of_table, read_table
+from tests.texts import texts
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
 SKETCH = Document((make_curve(POINTS, name="Kurve α", family=HERMITE),))
@@ -161,7 +162,7 @@ def test_good_files_with_a_flaw(name, data):
 
 
 @settings(max_examples=150)
-@given(text=st.text(alphabet="MmLlHhVvCcSsQqTtAaZz0123456789.-+eE, \n\té", max_size=40))
+@given(text=texts(40, "MmLlHhVvCcSsQqTtAaZz0123456789.-+eE, \n\té"))
 def test_any_path_data(text):
     try:
         subpaths = read_path_data(f"M1 2{text}")

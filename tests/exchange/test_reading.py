@@ -87,21 +87,21 @@ def work(seconds):
         pass
 
 if "pytest" not in sys.modules:
-    work(0.3)
+    work(0.2)
 
 def sleeping(data, tolerance):
-    time.sleep(0.4)
+    time.sleep(0.3)
     return read_svg(data, tolerance)
 
 def working(data, tolerance):
-    work(0.1)
+    work(0.06)
     return read_svg(data, tolerance)
 """
 
 
 @pytest.fixture
 def slow_reader(tmp_path, monkeypatch):
-    """Readers that sleep for 0.4 s or work for 0.1 s; a child needs 0.3 s of the processor to import them."""
+    """Readers that sleep for 0.3 s or work for 0.06 s; a child needs 0.2 s of the processor to import them."""
     (tmp_path / "slow_reader.py").write_text(SLOW)
     monkeypatch.syspath_prepend(tmp_path)
     yield import_module("slow_reader")
@@ -112,7 +112,7 @@ def test_neither_the_start_nor_other_programs_count(slow_reader, children):
     """Beside eight busy programs, eleven of nineteen icons took longer than 10 s, as the clock says."""
     told = []
     found = limited(
-        slow_reader.sleeping, LINE, None, seconds=0.2, report=lambda share, _word: told.append(share)
+        slow_reader.sleeping, LINE, None, seconds=0.15, report=lambda share, _word: told.append(share)
     )
     assert len(found.document.curves) == 1
     assert len(children) == 1
@@ -135,7 +135,7 @@ def test_one_process_reads_one_drawing_after_the_other(slow_reader, children):
         with pytest.raises(ExchangeError, match="must begin with M"):
             process.read(read_svg, LINE.replace(b"M", b"L"), None)
         for _drawing in range(3):
-            process.read(slow_reader.working, LINE, None, seconds=0.25)
+            process.read(slow_reader.working, LINE, None, seconds=0.15)
         assert len(children) == 1
 
 

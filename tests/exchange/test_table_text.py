@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from app.exchange.table.clipboard import TableTextError, read_titled_block, write_block
 from tests.effort import calls_of
 from tests.rows import each_row
+from tests.texts import texts
 
 
 @each_row(
@@ -56,7 +57,7 @@ def test_ten_thousand_rows_are_read_by_some_calls_for_each_cell():
     assert calls[1] < 50 * (2 * 2000)  # 32 for a cell
 
 
-@given(st.text("0123456789.,;\t\n -eax\r", max_size=40) | st.text(max_size=40), st.sampled_from(".,"))
+@given(texts(40, "0123456789.,;\t\n -eax\r") | texts(40), st.sampled_from(".,"))
 def test_any_text_is_a_rectangle_of_numbers_or_a_sentence(text, mark):
     with contextlib.suppress(TableTextError):
         block = read_titled_block(text, mark).rows

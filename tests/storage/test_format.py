@@ -29,10 +29,11 @@ from app.storage.format_error import FormatError
 from app.storage.validation import validate
 from tests.effort import calls_of
 from tests.rows import each_row
+from tests.texts import texts
 
 numbers = st.floats(min_value=-MAX_MAGNITUDE, max_value=MAX_MAGNITUDE)
 vectors = st.none() | st.tuples(numbers, numbers)
-names = st.text(st.characters(codec="utf-8"), max_size=20)
+names = texts(20)
 
 
 @st.composite
