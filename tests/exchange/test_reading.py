@@ -101,7 +101,7 @@ def working(data, tolerance):
 
 @pytest.fixture
 def slow_reader(tmp_path, monkeypatch):
-    """Readers that sleep for 0.3 s or work for 0.06 s; a child needs 0.2 s of the processor to import them."""
+    """Readers that sleep for 0.3 s or work for 0.06 s; to import them takes 0.2 s of the processor."""
     (tmp_path / "slow_reader.py").write_text(SLOW)
     monkeypatch.syspath_prepend(tmp_path)
     yield import_module("slow_reader")
