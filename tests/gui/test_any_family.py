@@ -191,22 +191,22 @@ def test_several_points_are_turned_scaled_and_nudged(drawn):
         assert editor.session.undo_stack.index() >= before + 3, name
 
 
-@pytest.mark.parametrize("name", [*OWN, EVERY[-1]])
-def test_the_curve_is_bent_and_follows_the_pointer(drawn, name):
+def test_the_curve_is_bent_and_follows_the_pointer(drawn):
     """Under every rule, and once with the key that has derivatives bend alone; test_bend has the others."""
     bends = [(kind, Qt.KeyboardModifier.NoModifier) for kind in ParametrizationKind]
-    for kind, keys in (*bends, (ParametrizationKind.CHORD_LENGTH, Qt.KeyboardModifier.ControlModifier)):
-        editor = drawn(name, kind)
-        parameters = editor.parameters
-        t = 0.4 * parameters[2] + 0.6 * parameters[3]
-        x, y = editor.session.active_view.curve.evaluate(t)
-        target = (float(x) + 0.6, float(y) - 0.5)
-        editor.bend(t, target, keys=keys)
-        assert is_true(editor), kind
-        found = NearestPoint(editor.session.active_view).within(target, 1.0)
-        assert found.distance < 1.5 * editor.pixel, kind
-        now = editor.parameters
-        assert now[2] < found.parameter < now[3], kind
+    for name in (*OWN, EVERY[-1]):
+        for kind, keys in (*bends, (ParametrizationKind.CHORD_LENGTH, Qt.KeyboardModifier.ControlModifier)):
+            editor = drawn(name, kind)
+            parameters = editor.parameters
+            t = 0.4 * parameters[2] + 0.6 * parameters[3]
+            x, y = editor.session.active_view.curve.evaluate(t)
+            target = (float(x) + 0.6, float(y) - 0.5)
+            editor.bend(t, target, keys=keys)
+            assert is_true(editor), (name, kind)
+            found = NearestPoint(editor.session.active_view).within(target, 1.0)
+            assert found.distance < 1.5 * editor.pixel, (name, kind)
+            now = editor.parameters
+            assert now[2] < found.parameter < now[3], (name, kind)
 
 
 def test_parameters_are_dragged_and_typed_on_the_rail(drawn):
@@ -265,20 +265,21 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     assert editor.session.document == before
 
 
-def test_converted_to_cubics_it_keeps_its_shape_and_splits(drawn, own):
-    editor = drawn(own)
-    before = editor.session.active_view.curve
-    editor.trigger("convertToHermite")
-    assert editor.curve.family.name == "hermite"
-    assert "largest change" in editor.status
-    t = np.linspace(0.0, 1.0, 301)
-    assert np.abs(editor.session.active_view.curve.evaluate(t) - before.evaluate(t)).max() < 1e-3
-    editor.scrub(0.5)
-    editor.trigger("splitCurve")
-    assert len(editor.session.document.curves) == 2
-    editor.trigger("undo")
-    editor.trigger("undo")
-    assert editor.curve.family.name == own
+def test_converted_to_cubics_it_keeps_its_shape_and_splits(drawn):
+    for own in OWN:
+        editor = drawn(own)
+        before = editor.session.active_view.curve
+        editor.trigger("convertToHermite")
+        assert editor.curve.family.name == "hermite", own
+        assert "largest change" in editor.status, own
+        t = np.linspace(0.0, 1.0, 301)
+        assert np.abs(editor.session.active_view.curve.evaluate(t) - before.evaluate(t)).max() < 1e-3, own
+        editor.scrub(0.5)
+        editor.trigger("splitCurve")
+        assert len(editor.session.document.curves) == 2, own
+        editor.trigger("undo")
+        editor.trigger("undo")
+        assert editor.curve.family.name == own, own
 
 
 def test_functions_that_lose_their_digits_are_drawn_and_measured(drawn):

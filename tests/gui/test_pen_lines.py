@@ -25,23 +25,24 @@ def lines(editor):
     return [is_line(curve, segment) for segment in range(count)]
 
 
-@pytest.mark.parametrize("family", WITH_VELOCITIES, ids=str)
-def test_alt_click_makes_a_polygon(pen, family):
-    pen.session.commit(edits.set_family(pen.session.document, 0, family), "Begin")
-    for place in PLACES:
-        pen.click(at(pen, *place), keys=ALT)
-    assert lines(pen) == [True] * 3
-    assert pen.session.undo_stack.undoText() == "Add point 3"
-    pen.click(at(pen, *PLACES[0]), keys=ALT)
-    assert pen.curve.is_closed
-    assert lines(pen) == [True] * 4
-    assert all(point.corner for point in pen.curve.points)
-    # At an even pace: half the time is half the way.
-    view = pen.session.active_view
-    middles = view.curve.evaluate((view.parameters[1:] + view.parameters[:-1]) / 2)
-    for start, end, middle in zip(PLACES, (*PLACES[1:], PLACES[0]), middles, strict=True):
-        there = at(pen, (start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-        assert middle == pytest.approx(there, abs=2 * pen.pixel)
+def test_alt_click_makes_a_polygon(pen):
+    empty = pen.session.document
+    for family in WITH_VELOCITIES:
+        pen.session.commit(edits.set_family(empty, 0, family), "Begin")
+        for place in PLACES:
+            pen.click(at(pen, *place), keys=ALT)
+        assert lines(pen) == [True] * 3, family
+        assert pen.session.undo_stack.undoText() == "Add point 3", family
+        pen.click(at(pen, *PLACES[0]), keys=ALT)
+        assert pen.curve.is_closed, family
+        assert lines(pen) == [True] * 4, family
+        assert all(point.corner for point in pen.curve.points), family
+        # At an even pace: half the time is half the way.
+        view = pen.session.active_view
+        middles = view.curve.evaluate((view.parameters[1:] + view.parameters[:-1]) / 2)
+        for start, end, middle in zip(PLACES, (*PLACES[1:], PLACES[0]), middles, strict=True):
+            there = at(pen, (start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+            assert middle == pytest.approx(there, abs=2 * pen.pixel), family
 
 
 def test_a_curve_goes_on_from_a_line_with_a_corner(pen):

@@ -205,22 +205,23 @@ def test_the_action_types_at_the_selected_point(editor, panel):
 # Starts
 
 
-@pytest.mark.parametrize(
-    ("name", "rule"),
-    [
-        ("startUniform", lambda points: uniform(len(points))),
-        ("startChordLength", chord_length),
-        ("startCentripetal", centripetal),
-        ("startChebyshev", lambda points: chebyshev(len(points))),
-        ("startChebyshevRoots", lambda points: chebyshev_roots(len(points))),
-    ],
-)
-def test_manual_parameters_start_from_a_rule(editor, name, rule):
-    editor.trigger(name)
-    points = np.array([point.position for point in editor.curve.points])
-    assert editor.parameters == pytest.approx(rule(points).tolist())
-    assert editor.curve.parametrization.kind is ParametrizationKind.MANUAL
-    assert editor.session.undo_stack.count() == 1
+STARTS = [
+    ("startUniform", lambda points: uniform(len(points))),
+    ("startChordLength", chord_length),
+    ("startCentripetal", centripetal),
+    ("startChebyshev", lambda points: chebyshev(len(points))),
+    ("startChebyshevRoots", lambda points: chebyshev_roots(len(points))),
+]
+
+
+def test_manual_parameters_start_from_a_rule(editor):
+    for name, rule in STARTS:
+        editor.trigger(name)
+        points = np.array([point.position for point in editor.curve.points])
+        assert editor.parameters == pytest.approx(rule(points).tolist()), name
+        assert editor.curve.parametrization.kind is ParametrizationKind.MANUAL, name
+        assert editor.session.undo_stack.count() == 1, name
+        editor.trigger("undo")
 
 
 def test_a_start_keeps_the_interval(editor):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -17,12 +19,17 @@ BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
 WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
 
 
-@pytest.fixture(params=WITH_VELOCITIES)
-def bow(editor, request):
-    """A curve of five points."""
-    editor.session.commit(Document((make_curve(BOW, name="Bow", family=request.param),)), "Begin", active=0)
-    editor.fit()
-    return editor
+@pytest.fixture
+def drawn(editor):
+    """Return what begins with a curve of five points of a family, none of them selected."""
+
+    def begin(family):
+        editor.session.commit(Document((make_curve(BOW, name="Bow", family=family),)), "Begin", active=0)
+        editor.fit()
+        editor.select([])
+        return editor
+
+    return begin
 
 
 def distance_from_chord(view, segment):
@@ -42,92 +49,110 @@ def others(view, segments):
     return view.curve.evaluate(np.concatenate(t))
 
 
-def test_two_neighbours_and_the_key(bow):
-    before, steps = bow.session.active_view, bow.session.undo_stack.count()
-    assert distance_from_chord(before, 1) > 0.1
-    bow.select([1, 2])
-    bow.key(Qt.Key.Key_4, ALT)
-    after = bow.session.active_view
-    assert distance_from_chord(after, 1) < 1e-14
-    assert others(after, [1]) == pytest.approx(others(before, [1]), abs=1e-13)
-    assert [point.corner for point in bow.curve.points] == [False, True, True, False, False]
-    for index, ahead in ((1, False), (2, True)):
-        kept, old = (
-            [each.position for each in handles_of(view, index) if each.ahead is ahead]
-            for view in (after, before)
+def test_two_neighbours_and_the_key(drawn):
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        before, steps = bow.session.active_view, bow.session.undo_stack.count()
+        assert distance_from_chord(before, 1) > 0.1, family
+        bow.select([1, 2])
+        bow.key(Qt.Key.Key_4, ALT)
+        after = bow.session.active_view
+        assert distance_from_chord(after, 1) < 1e-14, family
+        assert others(after, [1]) == pytest.approx(others(before, [1]), abs=1e-13), family
+        assert [point.corner for point in bow.curve.points] == [False, True, True, False, False], family
+        for index, ahead in ((1, False), (2, True)):
+            kept, old = (
+                [each.position for each in handles_of(view, index) if each.ahead is ahead]
+                for view in (after, before)
+            )
+            assert np.array(kept) == pytest.approx(np.array(old), abs=1e-13), family
+        assert bow.session.undo_stack.count() == steps + 1, family
+        assert bow.session.undo_stack.undoText() == "Straight segment 1–2", family
+        assert bow.status == (
+            "Straight segment 1–2, corner at points 1 and 2. "
+            "To keep the shape, the estimates of points 0, 3 and 4 are set now."
         )
-        assert np.array(kept) == pytest.approx(np.array(old), abs=1e-13)
-    assert bow.session.undo_stack.count() == steps + 1
-    assert bow.session.undo_stack.undoText() == "Straight segment 1–2"
-    assert bow.status == (
-        "Straight segment 1–2, corner at points 1 and 2. "
-        "To keep the shape, the estimates of points 0, 3 and 4 are set now."
-    )
-    bow.trigger("straightSegment")
-    assert bow.status == "That is straight already."
-    assert bow.session.undo_stack.count() == steps + 1
-    bow.trigger("undo")
-    assert bow.session.document.curves[0] == before.source
+        bow.trigger("straightSegment")
+        assert bow.status == "That is straight already.", family
+        assert bow.session.undo_stack.count() == steps + 1, family
+        bow.trigger("undo")
+        assert bow.session.document.curves[0] == before.source, family
 
 
-def test_an_end_gets_no_corner(bow):
-    bow.select([3, 4])
-    bow.trigger("straightSegment")
-    assert distance_from_chord(bow.session.active_view, 3) < 1e-14
-    assert [point.corner for point in bow.curve.points] == [False, False, False, True, False]
-    assert bow.status.startswith("Straight segment 3–4, corner at point 3.")
+def test_an_end_gets_no_corner(drawn):
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        bow.select([3, 4])
+        bow.trigger("straightSegment")
+        assert distance_from_chord(bow.session.active_view, 3) < 1e-14, family
+        assert [point.corner for point in bow.curve.points] == [False, False, False, True, False], family
+        assert bow.status.startswith("Straight segment 3–4, corner at point 3."), family
 
 
-@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL])
-def test_everything_selected_is_a_polygon(bow, kind):
-    bow.choose_parametrization(kind)
-    bow.key(Qt.Key.Key_A, CTRL)
-    bow.trigger("straightSegment")
-    view = bow.session.active_view
-    assert max(distance_from_chord(view, segment) for segment in range(4)) < 1e-14
-    assert bow.session.undo_stack.undoText() == "4 straight segments"
+def test_everything_selected_is_a_polygon(drawn):
+    kinds = ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL
+    for family, kind in product(WITH_VELOCITIES, kinds):
+        bow = drawn(family)
+        bow.choose_parametrization(kind)
+        bow.key(Qt.Key.Key_A, CTRL)
+        bow.trigger("straightSegment")
+        view = bow.session.active_view
+        assert max(distance_from_chord(view, segment) for segment in range(4)) < 1e-14, (family, kind)
+        assert bow.session.undo_stack.undoText() == "4 straight segments", (family, kind)
 
 
-def test_the_segment_that_closes_counts(bow):
-    bow.trigger("closeCurve")
-    before = bow.session.active_view
-    bow.select([0, 4])
-    bow.trigger("straightSegment")
-    after = bow.session.active_view
-    assert bow.session.undo_stack.undoText() == "Straight segment 4–0"
-    assert distance_from_chord(after, 4) < 1e-14
-    assert others(after, [4]) == pytest.approx(others(before, [4]), abs=1e-13)
+def test_the_segment_that_closes_counts(drawn):
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        bow.trigger("closeCurve")
+        before = bow.session.active_view
+        bow.select([0, 4])
+        bow.trigger("straightSegment")
+        after = bow.session.active_view
+        assert bow.session.undo_stack.undoText() == "Straight segment 4–0", family
+        assert distance_from_chord(after, 4) < 1e-14, family
+        assert others(after, [4]) == pytest.approx(others(before, [4]), abs=1e-13), family
 
 
-def test_the_context_menu_takes_the_segment_under_the_pointer(bow):
-    place = tuple(bow.session.active_view.curve.evaluate(sum(bow.parameters[2:4]) / 2))
-    bow.open_menu(place)
-    bow.choose("straightHere")
-    assert bow.session.undo_stack.undoText() == "Straight segment 2–3"
-    assert distance_from_chord(bow.session.active_view, 2) < 1e-14
+def test_the_context_menu_takes_the_segment_under_the_pointer(drawn):
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        place = tuple(bow.session.active_view.curve.evaluate(sum(bow.parameters[2:4]) / 2))
+        bow.open_menu(place)
+        bow.choose("straightHere")
+        assert bow.session.undo_stack.undoText() == "Straight segment 2–3", family
+        assert distance_from_chord(bow.session.active_view, 2) < 1e-14, family
 
 
-def test_points_that_are_no_neighbours_are_told(bow):
-    bow.select([0, 2])
-    document = bow.session.document
-    bow.trigger("straightSegment")
-    assert bow.session.document is document
-    assert bow.status.startswith("Select two neighbouring points")
+def test_points_that_are_no_neighbours_are_told(drawn):
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        bow.select([0, 2])
+        document = bow.session.document
+        bow.trigger("straightSegment")
+        assert bow.session.document is document, family
+        assert bow.status.startswith("Select two neighbouring points"), family
 
 
-def test_it_can_be_found_by_its_name(bow):
-    bow.select([0, 1])
-    bow.run_command("straight segment")
-    assert bow.session.undo_stack.undoText() == "Straight segment 0–1"
+def test_it_can_be_found_by_its_name(drawn):
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        bow.select([0, 1])
+        bow.run_command("straight segment")
+        assert bow.session.undo_stack.undoText() == "Straight segment 0–1", family
 
 
-def test_a_locked_curve_stays(bow):
-    bow.trigger("curveLocked")
-    document = bow.session.document
-    bow.select([1, 2])
-    bow.trigger("straightSegment")
-    assert bow.session.document is document
-    assert "is locked" in bow.status
+def test_a_locked_curve_stays(drawn):
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        bow.trigger("curveLocked")
+        document = bow.session.document
+        bow.select([1, 2])
+        bow.trigger("straightSegment")
+        assert bow.session.document is document, family
+        assert "is locked" in bow.status, family
+        # Nothing takes its place as long as it is locked.
+        bow.trigger("curveLocked")
 
 
 def test_a_polynomial_has_none_and_says_why(editor):
