@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
@@ -154,30 +156,31 @@ def test_escape_takes_it_back_with_the_key_held(arch):
         arch.select([])
 
 
-@pytest.mark.parametrize(
-    ("key", "held"),
-    [(Key.Key_G, Key.Key_Shift), (Key.Key_G, Key.Key_Control), (Key.Key_R, Key.Key_Shift)],
-)
-@pytest.mark.parametrize("end", [Key.Key_Return, Key.Key_Escape])
-def test_a_transform_by_keys_hears_them_too(arch, key, held, end):
-    arch.select([1, 2])
-    before = arch.session.document
-    arch.hover((0, 3))
-    arch.key(key)
-    arch.move((0.52, 3.94), held=False)
-    free = shown(arch)
-    hold(arch, held)
-    changed = shown(arch)
-    assert changed[0] != free[0]
-    arch.move((0.52, 3.94), held=False, keys=FLAGS[held])
-    assert shown(arch) == changed
-    let_go(arch, held)
-    assert shown(arch) == free
-    hold(arch, held)
-    arch.key(end)
-    assert arch.session.document == (changed[0] if end == Key.Key_Return else before)
-    let_go(arch, held)
-    assert arch.session.document == (changed[0] if end == Key.Key_Return else before)
+TRANSFORMS = [(Key.Key_G, Key.Key_Shift), (Key.Key_G, Key.Key_Control), (Key.Key_R, Key.Key_Shift)]
+
+
+def test_a_transform_by_keys_hears_them_too(arch):
+    document = arch.session.document
+    for (key, held), end in product(TRANSFORMS, (Key.Key_Return, Key.Key_Escape)):
+        arch.select([1, 2])
+        before = arch.session.document
+        arch.hover((0, 3))
+        arch.key(key)
+        arch.move((0.52, 3.94), held=False)
+        free = shown(arch)
+        hold(arch, held)
+        changed = shown(arch)
+        assert changed[0] != free[0], (key, held, end)
+        arch.move((0.52, 3.94), held=False, keys=FLAGS[held])
+        assert shown(arch) == changed, (key, held, end)
+        let_go(arch, held)
+        assert shown(arch) == free, (key, held, end)
+        hold(arch, held)
+        arch.key(end)
+        assert arch.session.document == (changed[0] if end == Key.Key_Return else before), (key, held, end)
+        let_go(arch, held)
+        assert arch.session.document == (changed[0] if end == Key.Key_Return else before), (key, held, end)
+        arch.session.commit(document, "Again")
 
 
 def test_a_transform_begun_with_the_pointer_elsewhere_hears_them(arch):

@@ -93,21 +93,21 @@ def test_all_is_selected_once_more_without_a_word(line):
         assert not line.window.status_line.is_refusal
 
 
-@pytest.mark.parametrize(
-    ("key", "held", "name"),
-    [
-        (Qt.Key.Key_Delete, Qt.KeyboardModifier.NoModifier, "Delete"),
-        (Qt.Key.Key_C, CTRL, "Copy"),
-        (Qt.Key.Key_X, CTRL, "Cut"),
-        (Qt.Key.Key_D, CTRL, "Duplicate"),
-    ],
-)
-def test_in_an_empty_document_there_is_nothing_to_copy_or_to_delete(editor, key, held, name):
+OF_NOTHING = [
+    (Qt.Key.Key_Delete, Qt.KeyboardModifier.NoModifier, "Delete"),
+    (Qt.Key.Key_C, CTRL, "Copy"),
+    (Qt.Key.Key_X, CTRL, "Cut"),
+    (Qt.Key.Key_D, CTRL, "Duplicate"),
+]
+
+
+def test_in_an_empty_document_there_is_nothing_to_copy_or_to_delete(editor):
     editor.new()
     editor.trigger("selectTool")
-    editor.key(key, held)
-    assert editor.status == f"“{name}” needs a curve or a point."
-    assert editor.window.status_line.is_refusal
+    for key, held, name in OF_NOTHING:
+        editor.key(key, held)
+        assert editor.status == f"“{name}” needs a curve or a point.", name
+        assert editor.window.status_line.is_refusal, name
 
 
 def test_they_say_so_from_the_panels_too(line):

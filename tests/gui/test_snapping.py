@@ -312,24 +312,24 @@ def test_the_end_of_a_handle_meets_another_curve(quintic):
     quintic.release(place)
 
 
-@pytest.mark.parametrize("keys", [CTRL, SHIFT, SHIFT | Qt.KeyboardModifier.AltModifier])
-def test_a_handle_keeps_a_held_angle_or_direction_and_snaps_no_more(quintic, keys):
-    document = quintic.session.document
-    x, y = quintic.point(1)
-    start = handle_end(quintic, 1)
-    quintic.press(start)
-    quintic.move(near(quintic, (2.5, 3.5)), keys=keys)
-    tip = handle_end(quintic, 1)
-    degrees = math.degrees(math.atan2(tip[1] - y, tip[0] - x))
-    held = 45.0 if keys in (CTRL, SHIFT) else math.degrees(math.atan2(start[1] - y, start[0] - x))
-    assert degrees == pytest.approx(held, abs=1e-9)
-    assert quintic.window.canvas.marks.snap is None
-    quintic.move(near(quintic, (2.5, 3.5)))
-    assert quintic.window.canvas.marks.snap is not None
-    quintic.escape()
-    quintic.release((0, 0))
-    assert quintic.session.document is document
-    assert quintic.window.canvas.marks.snap is None
+def test_a_handle_keeps_a_held_angle_or_direction_and_snaps_no_more(quintic):
+    for keys in (CTRL, SHIFT, SHIFT | Qt.KeyboardModifier.AltModifier):
+        document = quintic.session.document
+        x, y = quintic.point(1)
+        start = handle_end(quintic, 1)
+        quintic.press(start)
+        quintic.move(near(quintic, (2.5, 3.5)), keys=keys)
+        tip = handle_end(quintic, 1)
+        degrees = math.degrees(math.atan2(tip[1] - y, tip[0] - x))
+        held = 45.0 if keys in (CTRL, SHIFT) else math.degrees(math.atan2(start[1] - y, start[0] - x))
+        assert degrees == pytest.approx(held, abs=1e-9), keys
+        assert quintic.window.canvas.marks.snap is None, keys
+        quintic.move(near(quintic, (2.5, 3.5)))
+        assert quintic.window.canvas.marks.snap is not None, keys
+        quintic.escape()
+        quintic.release((0, 0))
+        assert quintic.session.document is document, keys
+        assert quintic.window.canvas.marks.snap is None, keys
 
 
 def test_a_velocity_pulled_out_of_a_point_snaps(quintic):

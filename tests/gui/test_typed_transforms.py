@@ -39,45 +39,48 @@ def points(editor):
 # Nothing selected
 
 
-@pytest.mark.parametrize(
-    ("key", "typed", "expected", "status", "name"),
-    [
-        (Key.Key_G, "2", lambda p, _: np.add(p, (2, 0)), "All 5 points: move 2, 0", "Move all 5 points"),
-        (Key.Key_S, "3", lambda p, c: 3 * p - 2 * c, "All 5 points: scale 3", "Scale all 5 points"),
-        (Key.Key_R, "180", lambda p, c: 2 * c - p, "All 5 points: rotate 180°", "Rotate all 5 points"),
-    ],
-)
-def test_with_nothing_selected_they_act_on_all_points(arch, key, typed, expected, status, name):
-    other = arch.session.document.curves[1]
-    centre = sampled_bounds(arch).mean(axis=0)
-    arch.key(key)
-    arch.type_amount(typed)
-    assert arch.status.startswith(status)
-    assert "Escape cancels" in arch.status
-    assert arch.window.canvas.marks.note.text == status
-    arch.key(Key.Key_Return)
-    # By default about the middle of the curve, not of its points.
-    assert points(arch) == pytest.approx(expected(np.array(POINTS), centre), abs=CLOSE)
-    assert undo_text(arch) == name
-    assert arch.session.selection == frozenset()
-    assert arch.session.document.curves[1] is other
-    assert arch.curve.family is LAGRANGE
-    arch.trigger("undo")
-    assert points(arch).tolist() == [list(each) for each in POINTS]
+OF_ALL = [
+    (Key.Key_G, "2", lambda p, _: np.add(p, (2, 0)), "All 5 points: move 2, 0", "Move all 5 points"),
+    (Key.Key_S, "3", lambda p, c: 3 * p - 2 * c, "All 5 points: scale 3", "Scale all 5 points"),
+    (Key.Key_R, "180", lambda p, c: 2 * c - p, "All 5 points: rotate 180°", "Rotate all 5 points"),
+]
 
 
-@pytest.mark.parametrize("key", [Key.Key_G, Key.Key_S, Key.Key_R])
-def test_escape_takes_a_transform_of_all_points_back(arch, key):
-    document, steps = arch.session.document, arch.session.undo_stack.count()
-    arch.key(key)
-    arch.move((0.5, 4.5), held=False)
-    assert arch.session.document != document
-    assert arch.status.startswith("All 5 points: ")
-    arch.escape()
-    assert arch.session.document is document
-    assert arch.session.undo_stack.count() == steps
-    assert arch.session.selection == frozenset()
-    assert arch.status == "Cancelled."
+def test_with_nothing_selected_they_act_on_all_points(arch):
+    for key, typed, expected, status, name in OF_ALL:
+        other = arch.session.document.curves[1]
+        centre = sampled_bounds(arch).mean(axis=0)
+        arch.key(key)
+        arch.type_amount(typed)
+        assert arch.status.startswith(status), name
+        assert "Escape cancels" in arch.status, name
+        assert arch.window.canvas.marks.note.text == status, name
+        arch.key(Key.Key_Return)
+        # By default about the middle of the curve, not of its points.
+        assert points(arch) == pytest.approx(expected(np.array(POINTS), centre), abs=CLOSE), name
+        assert undo_text(arch) == name, name
+        assert arch.session.selection == frozenset(), name
+        assert arch.session.document.curves[1] is other, name
+        assert arch.curve.family is LAGRANGE, name
+        arch.trigger("undo")
+        assert points(arch).tolist() == [list(each) for each in POINTS], name
+
+
+def test_escape_takes_a_transform_of_all_points_back(arch):
+    for key in (Key.Key_G, Key.Key_S, Key.Key_R):
+        document, steps = arch.session.document, arch.session.undo_stack.count()
+        arch.key(key)
+        arch.move((0.5, 4.5), held=False)
+        assert arch.session.document != document, key
+        assert arch.status.startswith("All 5 points: "), key
+        arch.escape()
+        assert arch.session.document is document, key
+        assert arch.session.undo_stack.count() == steps, key
+        assert arch.session.selection == frozenset(), key
+        assert arch.status == "Cancelled.", key
+        arch.window.status_line.clear_message()
+        # A scale or a turn is reckoned from where the pointer is at its start.
+        arch.hover((-1, 3))
 
 
 def test_the_pointer_moves_all_points_and_a_click_ends_it(arch):
