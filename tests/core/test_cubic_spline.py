@@ -69,21 +69,25 @@ def exact_system(nodes, ends):
     return system.solve(right)
 
 
-def exact_terms(t, nodes, seconds, order):
-    """The exact B_j^(order)(t) of all points."""
+def exact_terms(t, nodes, seconds, orders):
+    """The exact B_j^(order)(t) of all points, for each order."""
     n = len(nodes)
     i = max((k for k in range(n - 1) if nodes[k] <= t), default=0)
     h, x = nodes[i + 1] - nodes[i], t - nodes[i]
-    # k (k - 1) ... x^(k - order) for the powers that are left.
-    left = [math.perm(k, order) * x ** (k - order) for k in range(order, 4)]
     # Power coefficients in x = t - t_i of c = p + x (slope - h (2 p'' + q'') / 6) + x^2 p'' / 2 + ...
-    terms = []
+    powers = []
     for j in range(n):
         p, q = fmpq(j == i), fmpq(j == i + 1)
         a, b = seconds[i, j], seconds[i + 1, j]
-        powers = [p, (q - p) / h - h * (2 * a + b) / 6, a / 2, (b - a) / (6 * h)]
-        terms.append(sum((c * each for c, each in zip(powers[order:], left, strict=True)), fmpq(0)))
-    return terms
+        powers.append([p, (q - p) / h - h * (2 * a + b) / 6, a / 2, (b - a) / (6 * h)])
+    found = []
+    for order in orders:
+        # k (k - 1) ... x^(k - order) for the powers that are left.
+        left = [math.perm(k, order) * x ** (k - order) for k in range(order, 4)]
+        found.append(
+            [sum((c * each for c, each in zip(own[order:], left, strict=True)), fmpq(0)) for own in powers]
+        )
+    return found
 
 
 @pytest.mark.parametrize("ends", ENDS)
@@ -99,14 +103,14 @@ def test_bound(exact, rng, name, ends):
     data = [exact.enclosed(map(exact.rational, column)) for column in points.T]
     every = exact.probes(parameters, rng, 2)
     inside = every[(every >= parameters[0]) & (every <= parameters[-1])]
+    terms_at = {t: exact_terms(exact.rational(t), nodes, seconds, range(4)) for t in every}
     for order in range(4):
         # What lies inside and nothing else is computed by another way.
         values = np.concatenate([curve.evaluate(each, order) for each in (every, inside)])
         basis = curve.basis(np.concatenate((every, inside)), order)[:, :, 0]
         assert np.isfinite(values).all()
-        terms_at = {t: exact_terms(exact.rational(t), nodes, seconds, order) for t in every}
         for k, t in enumerate(np.concatenate((every, inside))):
-            functions = terms_at[t]
+            functions = terms_at[t][order]
             errors = [b - exact.rational(found) for b, found in zip(functions, basis[k], strict=True)]
             for d in range(2):
                 terms = exact.products(functions, data[d])
@@ -256,7 +260,7 @@ def test_parameter_derivatives_are_those_of_exact_splines(exact, rng, n, name, e
 
     def values(nodes):
         seconds = exact_system(nodes, ends)
-        rows = [exact_terms(exact.rational(x), nodes, seconds, 0) for x in at]
+        rows = [exact_terms(exact.rational(x), nodes, seconds, [0])[0] for x in at]
         data = [exact.rational(p) for p in points[:, 0]]
         return [sum((b * p for b, p in zip(row, data, strict=True)), fmpq(0)) for row in rows]
 
