@@ -120,6 +120,7 @@ def test_the_curve_is_the_sum_of_the_functions_of_the_file(own, kind):
     )
 
 
+@each_row("name", EVERY)
 def test_the_polyline_is_as_near_as_it_says(name):
     view = view_of(curve_of(name))
     everywhere = np.array([-100.0, -100.0, 100.0, 100.0])
@@ -145,6 +146,7 @@ def test_a_drag_draws_what_a_new_view_would_draw(name, kind):
         assert line.reached <= 1e-3
 
 
+@each_row("name", EVERY)
 def test_the_basis_panel_shows_the_functions_of_the_curve(name):
     view = view_of(curve_of(name))
     shown = basis_view(view)
@@ -178,6 +180,7 @@ def test_the_grabbed_point_of_a_bend_follows(name, kind, using):
             assert bent.curve.evaluate(at) == pytest.approx(target, abs=2e-3)
 
 
+@each_row("own", OWN)
 def test_a_bend_is_the_least_change_of_the_points(own):
     """At fixed parameters: the minimum norm solution, by another method."""
     view = view_of(curve_of(own, ParametrizationKind.UNIFORM))
@@ -212,6 +215,7 @@ def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
         assert made.sentence.startswith("Shape kept" if moved < 1e-11 else "The shape is another")
 
 
+@each_row("own", OWN)
 def test_what_cannot_be_split_is_followed_by_cubics_which_can(own):
     """Radial basis functions, for one: no part of such a curve is one of its family."""
     view = view_of(curve_of(own))
@@ -253,6 +257,7 @@ def test_a_split_keeps_the_shape_or_is_refused(name, t):
     assert made.residual < 1e-10
 
 
+@each_row("name", EVERY)
 def test_a_join_keeps_both_shapes_or_is_refused(name):
     first = view_of(curve_of(name, ParametrizationKind.UNIFORM))
     beyond = tuple((x + 6.0, y + 2.0) for x, y in POINTS)
@@ -275,11 +280,13 @@ def test_a_join_keeps_both_shapes_or_is_refused(name):
     assert np.abs(whole.curve.evaluate(at + later) - second.curve.evaluate(at)).max() < 1e-10
 
 
+@each_row("own", OWN)
 def test_two_families_are_not_joined(own):
     with pytest.raises(EditError, match="choose one family for both"):
         joined(view_of(curve_of(own)), view_of(curve_of("hermite")))
 
 
+@each_row("name", EVERY)
 def test_closing_is_what_the_family_can(name):
     document = Document((curve_of(name),))
     family = FAMILIES.named(name)
@@ -324,6 +331,7 @@ def test_a_closed_curve_is_bent(name, using):
         assert found.distance < 2e-3
 
 
+@each_row("name", EVERY)
 def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
     view = view_of(curve_of(name, ParametrizationKind.MANUAL))
     made = reversed_curve(view)
@@ -336,6 +344,7 @@ def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
 # What is said and drawn of it
 
 
+@each_row("name", EVERY)
 def test_every_overlay_draws_this_curve(name):
     view = view_of(curve_of(name))
     everything = AnalysisSettings(
@@ -359,6 +368,7 @@ def test_every_overlay_draws_this_curve(name):
         assert away.max() < 5e-3
 
 
+@each_row("name", EVERY)
 def test_every_plot_is_of_this_curve(name):
     view = view_of(curve_of(name))
     start, end = view.curve.domain
@@ -378,6 +388,7 @@ def test_every_plot_is_of_this_curve(name):
     assert np.isfinite(hodograph_of(view, 1).points[~np.isnan(hodograph_of(view, 1).points)]).all()
 
 
+@each_row("own", OWN)
 def test_the_lebesgue_constant_is_that_of_its_functions(own):
     view = view_of(curve_of(own))
     t = np.concatenate([np.linspace(*pair, 400) for pair in pairwise(view.parameters)])
@@ -385,6 +396,7 @@ def test_the_lebesgue_constant_is_that_of_its_functions(own):
     assert growth_of_points(view) == pytest.approx(truth, rel=1e-4)
 
 
+@each_row("name", EVERY)
 def test_the_nearest_point_and_the_length_are_those_of_the_curve(name):
     view = view_of(curve_of(name))
     drawn = shape(view, 40001)
@@ -399,6 +411,7 @@ def test_the_nearest_point_and_the_length_are_those_of_the_curve(name):
     assert np.median(steps) == pytest.approx(steps.max(), rel=2e-2)
 
 
+@each_row("name", EVERY)
 def test_the_legend_mutes_what_is_not_drawn(name):
     """The Bézier polygon of a family without one used to have a line like any other."""
     view = view_of(curve_of(name))
@@ -411,6 +424,7 @@ def test_the_legend_mutes_what_is_not_drawn(name):
     assert any("Not drawn" in each.notes.get(BEZIER, "") for each in pictures) is not is_drawn
 
 
+@each_row("name", EVERY)
 def test_the_joints_are_told(name):
     view = view_of(curve_of(name))
     certificate = certificate_of(view)
@@ -434,6 +448,7 @@ def test_the_joints_are_told(name):
             assert row.jumps[3] <= 1e-6 * 0.5 * np.pi**3 * chords
 
 
+@each_row("name", EVERY)
 def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
     view = view_of(curve_of(name))
     for rounding in RoundedPart:
@@ -457,6 +472,7 @@ def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
             assert np.abs(np.vstack(outcome.pieces) - truth).max() < allowed
 
 
+@each_row("name", EVERY)
 def test_the_rest_of_what_is_said_holds_for_it(name):
     view = view_of(curve_of(name))
     cost_of(view)
@@ -475,6 +491,7 @@ def test_the_rest_of_what_is_said_holds_for_it(name):
     assert jumps_in_words(rivals)
 
 
+@each_row("name", EVERY)
 def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
     view = view_of(curve_of(name))
     for measure in MEASURES:
@@ -494,6 +511,7 @@ def test_too_many_points_are_refused_in_words_and_not_computed(unchanged):
     assert view.problem == f"A curve of {unchanged} can have 2000 points, not 2001."
 
 
+@each_row("name", EVERY)
 def test_a_family_that_does_more_than_it_must_says_so(name):
     """`most_points` is None only where the class has something of its own to draw many points with."""
     kind = type(view_of(curve_of(name)).curve)
