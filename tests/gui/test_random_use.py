@@ -101,8 +101,8 @@ def assert_history_is_exact(session) -> None:
         there.append(session.committed)
     for document in reversed(there[:-1]):
         stack.redo()
-        # Not the same object where the last change took its step back: there is an equal one behind it.
-        assert session.committed is document or (document is there[0] and session.committed == document)
+        # An equal one where a change has taken its own step back: the step before has what was there first.
+        assert session.committed is document or session.committed == document
         # Whole curves that are chosen stay so; a curve that is edited is the one of the step.
         assert session.active_index in {session.history.state.active, *session.selected.chosen}
     assert stack.index() == steps
