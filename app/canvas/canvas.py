@@ -174,6 +174,7 @@ class Canvas(ToolPlot):
         self.setFocus(Qt.FocusReason.OtherFocusReason)
         pointer = self._pointer_now()
         if self.tools.begin_transform(kind, pointer):
+            self.gesture_began.emit()
             self._pointer = self._pointer or pointer
             self._show_progress()
 

@@ -93,7 +93,8 @@ def assert_actions_as_rendered_anew(editor):
     actions._sort_out()
     actions.render()
     after = shown_by_actions(actions)
-    assert before == {name: after[name] for name in before}
+    different = {name: (shown, after[name]) for name, shown in before.items() if shown != after[name]}
+    assert not different, different
 
 
 def until_settled(editor, condition):

@@ -83,6 +83,20 @@ def test_escape_takes_a_transform_of_all_points_back(arch):
         arch.hover((-1, 3))
 
 
+def test_undo_can_be_used_where_there_is_no_step_before(editor):
+    """What moved was seen, and Undo said that it needs a step."""
+    undo = editor.action("undo")
+    assert not undo.isEnabled()
+    editor.hover((0.5, 0.5))
+    editor.trigger("moveSelection")
+    editor.hover((1.5, 1.0))
+    assert editor.session.is_previewing
+    assert undo.isEnabled()
+    editor.trigger("undo")
+    assert not editor.session.is_previewing
+    assert not undo.isEnabled()
+
+
 def test_the_pointer_moves_all_points_and_a_click_ends_it(arch):
     arch.key(Key.Key_G)
     arch.move((0, 2), held=False)
