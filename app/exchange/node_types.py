@@ -25,6 +25,8 @@ def letters_of(curve: Curve, pieces: FloatArray) -> str:
 
 def guessed(pieces: FloatArray, *, closed: bool) -> str:
     """Return the letters of points that pieces come in with where a file has no letters."""
+    if not np.ptp(pieces, axis=1).any(axis=1).all():
+        return ""  # a reader leaves out those of no length
     try:
         found = points_of_cubics(pieces, closed=closed, most_turned=WRITTEN_BY_PROGRAMS)
     except EditError:

@@ -17,6 +17,7 @@ from app.document.model import (
 )
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
+from app.exchange.node_types import guessed
 from app.exchange.options import Options
 from app.exchange.svg.numbers import number
 from app.exchange.svg.writer import svg_of
@@ -237,3 +238,13 @@ def test_a_tolerance_out_of_reach_is_said():
     text = svg_of(Document((make_curve(points),)), Options(tolerance=1e-17)).text
     assert "which was out of reach" in text
     assert stated(text)[0] > 1e-17
+
+
+def test_nothing_is_guessed_of_pieces_that_have_no_length():
+    """A copied curve of which nothing was left in pixels raised a warning of NumPy's."""
+    piece = np.array([[0.0, 0.0], [1.0, 2.0], [2.0, 2.0], [3.0, 0.0]])
+    assert guessed(np.array([piece, piece + piece[3]]), closed=False) != ""
+    nowhere = np.full((4, 2), piece[3])
+    for pieces in ([nowhere], [nowhere, nowhere], [piece, nowhere]):
+        for closed in (False, True):
+            assert guessed(np.array(pieces), closed=closed) == ""
