@@ -51,7 +51,7 @@ class Rendering(QObject):
         session.message.connect(self._tell)
 
     def _render_document(self) -> None:
-        session = self._session
+        session, drawn = self._session, self._drawn
         views = session.views
         view, self._rendered = views[session.active_index], session.active_view
         if not session.is_previewing:
@@ -66,7 +66,11 @@ class Rendering(QObject):
         self._commands.follow(self._rendered)
         if not session.is_previewing:
             self._render_rest()
-        elif not self._panels_due.isActive():
+            return
+        if drawn is not None and drawn[1] != session.active_index:
+            # The gesture begins another curve, of another family perhaps.
+            self._context.actions.follow()
+        if not self._panels_due.isActive():
             self._panels_due.start()
 
     def _rests_but_for_edited(self) -> bool:

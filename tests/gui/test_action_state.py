@@ -84,6 +84,23 @@ def predicates():
     return {question.__code__ for question in asked if question is not None}
 
 
+def test_while_a_gesture_draws_another_curve_actions_are_about_that(editor):
+    """A menu would have shown the family of the curve that was edited before."""
+    editor.session.commit(
+        Document((make_curve([(0, 0), (1, 2), (3, 2)], family=FAMILIES.named("b_spline")),)), "Begin"
+    )
+    editor.trigger("rectangleTool")
+    editor.fit()
+    editor.press((0.2, 1.8))
+    editor.move((0.4, 1.7))
+    editor.move((0.6, 1.5))
+    assert editor.session.is_previewing
+    assert editor.session.active_curve.family is not FAMILIES.named("b_spline")
+    assert_actions_as_rendered_anew(editor)
+    editor.escape()
+    assert_actions_as_rendered_anew(editor)
+
+
 def test_a_drag_of_a_selected_point_asks_no_action_anything(editor):
     for family in FAMILIES[:8]:
         curve = make_curve(((0, 0), (1, 1), (2, 0), (3, 1)), family=family)
