@@ -26,6 +26,7 @@ from app.view_model.animation.motion_picture import (
 )
 from app.view_model.animation.motion_settings import Pace, Repeat
 from app.view_model.curve.curve_view import view_of
+from app.view_model.geometry.plane import usual_length
 from curvecore import HermiteCurve, LagrangeCurve
 
 QUARTERS = np.arange(0.0, 12.0, 0.25)
@@ -184,3 +185,8 @@ def test_two_points_have_no_joints():
     assert jumps_in_words(rivals_of(view, BOTH)) == "Hermite, Quintic: no joints."
     assert rivals_of(view_of(sketch(points=())), BOTH) == {}
     assert rivals_of(view, frozenset()) == {}
+
+
+def test_a_velocity_that_is_longer_than_all_floats_scales_nothing():
+    """A motion of enormous curves raised a warning of NumPy's."""
+    assert usual_length(np.array([[3.0, 4.0], [1.5e308, 1.5e308]]), 2.0) == 5.0

@@ -40,7 +40,8 @@ def usual_length(vectors: FloatArray, longest: float) -> float:
 
     One endless vector, at a cusp for instance, shall not make all others invisible.
     """
-    lengths = np.hypot(vectors[:, 0], vectors[:, 1])
+    with np.errstate(over="ignore"):
+        lengths = np.hypot(vectors[:, 0], vectors[:, 1])
     lengths = lengths[np.isfinite(lengths)]
     if not len(lengths):
         return 0.0
