@@ -79,7 +79,10 @@ def opened(editor, path, name="importTableDialog"):
 
 
 def settle(editor, dialog):
-    until(lambda: not (dialog.jobs.is_busy or dialog._soon.isActive()))
+    # What a job has found is told a moment after it has ended.
+    until(
+        lambda: not (dialog.jobs.is_busy or dialog._soon.isActive()) and dialog.summary.text() != "Reading…"
+    )
     editor.settle()
 
 
