@@ -14,6 +14,8 @@ from tests.rows import each_row
 
 ROOT = Path(__file__).resolve().parents[1]
 
+pytestmark = pytest.mark.window
+
 PLANTED = """
 import gc, os, signal, subprocess, sys, threading, time
 import pytest

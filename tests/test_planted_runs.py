@@ -19,6 +19,8 @@ from tests.rows import each_row
 
 ROOT = Path(__file__).resolve().parents[1]
 
+pytestmark = pytest.mark.window
+
 HANGING = """
 import pytest
 from PySide6.QtCore import QCoreApplication, QEventLoop, QTimer

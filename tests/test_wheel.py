@@ -64,6 +64,7 @@ def test_nothing_called_app_is_installed(installed):
     assert named - {"bin"} == {"curvebench", "curvecore"}
 
 
+@pytest.mark.window
 def test_the_editor_is_driven_beside_a_strangers_app(run, tmp_path):
     """The README's example, and the stranger's module is still his."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
