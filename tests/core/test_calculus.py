@@ -262,12 +262,10 @@ def test_solutions_solve_and_none_is_left_out(name, axis, rng):
     curve = CURVES[name]
     fine = np.linspace(*curve.domain, 20001)
     values = curve(fine)[:, axis]
+    rounding = 60 * U * np.abs(curve(fine)).max() * (1 + np.abs(curve(fine, 1)).max())
     for value in rng.uniform(values.min(), values.max(), 20):
         found = curve.solve(value, axis)
-        scale = np.abs(curve(fine)).max()
-        assert np.abs(curve(found)[:, axis] - value).max() <= 60 * U * scale * (
-            1 + np.abs(curve(fine, 1)).max()
-        )
+        assert np.abs(curve(found)[:, axis] - value).max() <= rounding
         assert len(found) == np.count_nonzero(np.diff(np.sign(values - value)))
         assert (np.diff(found) > 0.0).all()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -53,9 +54,15 @@ def view(family=HERMITE, points=POINTS, *, manual=True, closed=False, corner=Non
 
 def distance(before, after, shift=0.0):
     """The largest distance between two views at the same t: a second measurement, at other places."""
-    start, end = before.curve.domain
+    t, values = at_places(before)
+    return np.abs(values - after.curve.evaluate(t + shift)).max()
+
+
+@cache
+def at_places(view):
+    start, end = view.curve.domain
     t = start + (end - start) * PLACES
-    return np.abs(before.curve.evaluate(t) - after.curve.evaluate(t + shift)).max()
+    return t, view.curve.evaluate(t)
 
 
 @pytest.mark.parametrize("closed", [False, True])
