@@ -189,7 +189,8 @@ class _Keeper(QObject):
         self.running.add(task)
 
     def _pass_on(self, task: Task, share: float, word: str) -> None:
-        if task.told is not None and not task.is_stopped:
+        # A tick may have found the end of a thread before what it reported has arrived.
+        if task in self.running and task.told is not None and not task.is_stopped:
             task.told(share, word)
 
     def _end(self, task: Task) -> None:

@@ -10,7 +10,7 @@ from contextlib import suppress
 from types import SimpleNamespace
 
 import pytest
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
 from app.tasks import garbage, owner, task
@@ -65,6 +65,21 @@ def test_the_result_arrives_in_the_windows_thread(jobs):
     assert heard.threads == [threading.current_thread()]
     assert worker != heard.threads
     assert not jobs.is_busy
+
+
+def test_no_share_is_told_behind_the_end(qtbot):
+    """A dialog said "Reading…" for ever: a tick had found the end of a thread before its signals arrived."""
+    heard = []
+    work = Task(
+        lambda report: report(0.5, "Halfway"),
+        then=lambda _task: heard.append("end"),
+        told=lambda *_share: heard.append("share"),
+    )
+    work.thread.join()
+    task._keeper()._tick()
+    assert heard == ["end"]
+    QCoreApplication.processEvents()
+    assert heard == ["end"]
 
 
 def test_what_is_raised_arrives_there_too(jobs):
