@@ -66,6 +66,7 @@ class PreferencesDialog(FittedDialog):
         """Show what the preferences hold."""
         for name, field in self._fields.items():
             field.show(getattr(self._preferences, name))
+        self.shortcuts.show_all()
 
     def show_shortcuts(self) -> None:
         """Turn to the keys."""

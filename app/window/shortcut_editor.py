@@ -103,6 +103,12 @@ class ShortcutEditor(Guarded, QWidget):
     def _name_at(self, row: int) -> str:
         return str(self._item(row, 0).data(_NAME))
 
+    def show_all(self) -> None:
+        """Show all actions, whatever was looked for the last time."""
+        if self.search.text():
+            self.search.clear()
+            self._filter()
+
     def _filter(self) -> None:
         typed, rows = self.search.text(), range(self.table.rowCount())
         things = [SearchEntry(self._item(row, 0).text(), self._item(row, 2).text()) for row in rows]

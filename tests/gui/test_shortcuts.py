@@ -201,6 +201,10 @@ def test_searching_by_name_and_by_key(editor, keys):
     keys.search.clear()
     QTest.keyClicks(keys.search, "pres")
     assert "Presentation" in visible()
+    # Whoever comes again sees all of them.
+    keys.window().close()
+    open_keys(editor)
+    assert len(visible()) == keys.table.rowCount()
 
 
 def test_no_two_actions_come_with_the_same_key(editor):
