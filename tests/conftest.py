@@ -49,7 +49,7 @@ for _wait in (QtBot.waitActive, QtBot.waitExposed, QtBot.waitSignal, QtBot.waitU
     _wait.__kwdefaults__["timeout"] = LIMIT_MS
 
 # In this order: each finds the homes of the tests in the environment.
-pytest_plugins = ["tests.homes", "tests.time_limit", "tests.left_over", "tests.worker_reports"]
+pytest_plugins = ["tests.homes", "tests.time_limit", "tests.left_over", "tests.worker_reports", "tests.order"]
 
 settings.register_profile(
     "curvebench",

@@ -22,10 +22,11 @@ import pytest
 from fingerprint import Fingerprint, differences, forget, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QToolButton, QWidget
 from shiboken6 import isValid
 
 from app.features.help.commands import HelpCommands
+from app.features.hodograph.commands import HodographCommands
 from app.features.import_export.commands import ImportCommands
 from app.features.laboratory.commands import LaboratoryCommands
 from app.features.motion.commands import MotionCommands
@@ -206,6 +207,11 @@ class KeptEditor:
         self._editor.session.interrupt()
         if window.actions_by_name["stopMotion"].isEnabled():
             window.actions_by_name["stopMotion"].trigger()
+        stage = window.commands[MotionCommands]._stage
+        if stage is not None and stage.export._dialog is not None:
+            # It goes on offering the numbers of the last film otherwise.
+            stage.export._dialog.deleteLater()
+            stage.export._dialog = None
         window.analysis.reset()
         self._keep_without_autosave()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -250,6 +256,9 @@ class KeptEditor:
         if window.canvas.drawing.grid._fixed != self._sketch.grid_spacing:
             window.canvas.drawing.grid.set_spacing(self._sketch.grid_spacing)
         window.central["plotPanel"].kept_height = USUAL_HEIGHT
+        if (hodograph := window.commands[HodographCommands]._panel) is not None:
+            # Fitted to whatever comes, too.
+            hodograph.findChild(QToolButton, "hodographVelocity").click()
         if (stage := window.commands[MotionCommands]._stage) is not None:
             stage.player.change(**msgspec.structs.asdict(MotionSettings()))
             stage.player.clock = time.perf_counter

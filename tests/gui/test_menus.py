@@ -87,7 +87,7 @@ def test_names_in_the_palette_stand_alone(editor):
 
 def test_the_rules_come_first_among_the_parameters(editor):
     (menu,) = [each for each in editor.window.findChildren(QMenu) if each.objectName() == "parametersMenu"]
-    texts = [action.text() for action in menu.actions()]
+    texts = [plain(action.text()) for action in menu.actions()]
     assert texts[:9] == [
         "Uniform", "Chord length", "Centripetal", "Power α", "Chebyshev (2nd kind)",
         "Chebyshev (1st kind)", "Manual", "", "Freeze Parameters",

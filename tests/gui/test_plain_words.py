@@ -161,6 +161,7 @@ def test_a_step_is_called_in_the_menu_as_in_the_history(planted):
     menus = planted.window.findChildren(QMenu)
     recent = next(menu for menu in menus if plain(menu.title()) == "Open Recent")
     recent.aboutToShow.emit()
+    planted.show_dock("imageDock")
     check("tip of Label imageProblem")
 
 
