@@ -4,6 +4,7 @@
 - ``controls``: buttons and boxes, named for tests and screen readers, and what shrinks with a toolbar.
   ``tool_buttons``: small ones, those that show an action, and the style of those that switch something.
 - ``field_edit``, ``ranged_spin``: numbers and words to type.  ``number_text``: numbers as they are written.
+  ``cell_editing``: fields in the cells of lists and tables.
 - ``length_text``: lengths with their units.  ``choice_row``: one of a few.
 - ``colour_popup``: colours, looked at and chosen.
 - ``preference_fields``: one for each kind of setting.

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QLocale, QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 from app.actions.clipboard_watch import DERIVATIVES
 from app.document import edits
@@ -363,6 +363,25 @@ def test_x_and_y_of_a_point_are_typed_by_its_menu(wave):
         QTest.keyClick(edit, key)
         wave.settle()
     assert wave.point(2) == (2.25, -0.125)
+
+
+def test_the_place_of_a_point_is_asked_for_while_it_is_typed(wave):
+    """Qt refused to edit a cell that had a field: behind another window that had not lost the keyboard."""
+    wave.select([2])
+    other = QWidget()
+    other.show()
+    other.activateWindow()
+    cells = wave.window.point_table.viewport()
+    wave.trigger("typePoint")
+    (field,) = cells.findChildren(QLineEdit)
+    field.selectAll()
+    QTest.keyClicks(field, "7")
+    wave.trigger("typePoint")
+    assert cells.findChildren(QLineEdit) == [field]
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert wave.point(2)[0] == 7.0
+    other.close()
+    wave.window.activateWindow()
 
 
 def test_the_menu_keeps_a_selection_that_the_point_belongs_to(wave):

@@ -8,15 +8,14 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QLineEdit,
     QListView,
-    QStyledItemDelegate,
     QToolTip,
     QWidget,
 )
 
 from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...qt.labels import tip_of
+from ...widgets.cell_editing import end_editing
 from ...widgets.controls import named
 from .dragging import RowDrag
 from .dropping import stays
@@ -116,10 +115,7 @@ class CurveListView(ClaimsKeys, QListView):
 
     def edit_name(self, row: int) -> None:
         """Let the person type another name in a row; one that is being typed is taken as it is."""
-        editor = self.viewport().findChild(QLineEdit)
-        if self.state() == QListView.State.EditingState and editor is not None:
-            self.commitData(editor)
-            self.closeEditor(editor, QStyledItemDelegate.EndEditHint.NoHint)
+        end_editing(self)
         self._current = row
         self.setRowHidden(row, False)
         self.setCurrentIndex(self.curves.index(row))

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, Q
 
 from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...widgets.controls import named
-from .delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
+from .delegate import COMPACT_DIGITS, PADDING, CellEditor, PointTableDelegate
 from .model import PointTableModel
 
 _PLAIN = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
@@ -210,6 +210,14 @@ class PointTableView(ClaimsKeys, QTableView):
             self.reset_requested.emit()
         else:
             super().keyPressEvent(event)
+
+    def is_editing(self, index: QModelIndex) -> bool:
+        """Whether a cell has a field in which it is typed; that one has the keyboard then."""
+        field = self.viewport().findChild(CellEditor)
+        if field is None or field.index != index or self.state() != QTableView.State.EditingState:
+            return False
+        field.setFocus()
+        return True
 
     def _move_down(self) -> None:
         current = self.currentIndex()
