@@ -1,6 +1,6 @@
-"""Tests in another order, which no result may depend on: ``CURVEBENCH_ORDER=7`` is the seventh of them.
+"""Tests in a shuffled order, on which no result may depend; ``CURVEBENCH_ORDER=7`` shuffles with the seed 7.
 
-Files come in any order, and the tests of each; those of one file stay together, as they share what is dear.
+Files are shuffled, and the tests within each. Those of one file stay together: they share costly fixtures.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ SEED = os.environ.get("CURVEBENCH_ORDER", "")
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items):
-    """Change the order where that is asked for; it is the same one in all processes."""
+    """Shuffle where a seed is given; all worker processes get the same order."""
     if SEED:
         items[:] = reordered(items, SEED)
 
 
 def reordered(items, seed):
-    """Return the items, which have a path, in the order of this seed."""
+    """Return test items in the order that belongs to a seed."""
     by_path = {}
     for item in items:
         by_path.setdefault(item.path, []).append(item)

@@ -1,4 +1,4 @@
-"""Editing of cells in lists and tables by a field that opens in them."""
+"""Text fields that open in the cells of lists and tables."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit, QStyledItemDelegate
 
 
 def end_editing(view: QAbstractItemView) -> None:
-    """Close the field of a cell as if it were left: as long as it is there, no other cell can be edited."""
+    """Close the open text field, if there is one, as if the keyboard left it; Qt edits one cell at a time."""
     editor = view.viewport().findChild(QLineEdit)
     if view.state() == QAbstractItemView.State.EditingState and editor is not None:
         view.commitData(editor)

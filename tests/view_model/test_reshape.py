@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -58,7 +58,7 @@ def distance(before, after, shift=0.0):
     return np.abs(values - after.curve.evaluate(t + shift)).max()
 
 
-@cache
+@lru_cache(maxsize=4)
 def at_places(view):
     start, end = view.curve.domain
     t = start + (end - start) * PLACES

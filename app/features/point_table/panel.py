@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QItemSelectionModel, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -20,7 +20,6 @@ from ...qt.labels import Label, html_of
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.points.point_columns import POSITION, Column, known_titles
 from ...widgets.boxes import column_of, row_of
-from ...widgets.cell_editing import end_editing
 from ...widgets.number_text import decimal_mark, exact_text
 from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .edits import columns_of_block, explicit_orders, keeping_sentence
@@ -207,14 +206,7 @@ class PointTable(FollowsTheme, QWidget):
     def type_place(self, row: int) -> None:
         """Have x of a point typed; Tab goes on to y."""
         column = next(place for place, each in enumerate(self.model.columns) if each.order == POSITION)
-        index = self.model.index(row, column)
-        if self.view.is_editing(index):
-            return
-        end_editing(self.view)
-        self.view.setFocus(Qt.FocusReason.OtherFocusReason)
-        self.view.selectionModel().setCurrentIndex(index, QItemSelectionModel.SelectionFlag.NoUpdate)
-        self.view.scrollTo(index)
-        self.view.edit(index)
+        self.view.edit_cell(self.model.index(row, column))
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""

@@ -17,6 +17,7 @@ from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from ...qt.keys import DELETE, ENTER, ClaimsKeys
+from ...widgets.cell_editing import end_editing
 from ...widgets.controls import named
 from .delegate import COMPACT_DIGITS, PADDING, CellEditor, PointTableDelegate
 from .model import PointTableModel
@@ -211,13 +212,17 @@ class PointTableView(ClaimsKeys, QTableView):
         else:
             super().keyPressEvent(event)
 
-    def is_editing(self, index: QModelIndex) -> bool:
-        """Whether a cell has a field in which it is typed; that one has the keyboard then."""
+    def edit_cell(self, index: QModelIndex) -> None:
+        """Let the person type in a cell; one that is being typed in already keeps what was typed."""
         field = self.viewport().findChild(CellEditor)
-        if field is None or field.index != index or self.state() != QTableView.State.EditingState:
-            return False
-        field.setFocus()
-        return True
+        if self.state() == QTableView.State.EditingState and field is not None and field.index == index:
+            field.setFocus()
+            return
+        end_editing(self)
+        self.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.selectionModel().setCurrentIndex(index, QItemSelectionModel.SelectionFlag.NoUpdate)
+        self.scrollTo(index)
+        self.edit(index)
 
     def _move_down(self) -> None:
         current = self.currentIndex()
