@@ -18,10 +18,15 @@ import numpy as np
 from curvecore.analysis.curvature import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import JointDerivatives
+from curvecore.families.records import JOINT_ORDERS, JointDerivatives
+from curvecore.scaling import UNIT_ROUNDOFF
 from curvecore.vectors import vector_lengths
 
 _BREAK = -1
+_ROUNDINGS = 32.0 * UNIT_ROUNDOFF
+"""Of the sizes of the terms that a derivative is the sum of: what that may be off."""
+_OF_POINTS = 48.0 * UNIT_ROUNDOFF
+"""Of the largest coordinate, over powers of the length: what its rounding does to derivatives of cubics."""
 
 
 class Joint(NamedTuple):
@@ -44,12 +49,17 @@ class Joint(NamedTuple):
         After minus before; in space the length of the difference of the
         curvature vectors.
     parametric : int
-        The largest k for which c .. c^(k) are continuous, up to 3; -1 is a break.
+        The largest k for which c .. c^(k) are seen to be continuous, up to 3; -1 is a break.
     geometric : int
         The same for a suitable change of t: 1 is a common tangent direction,
         2 a common curvature too, 3 also a common change of the curvature along
         the curve. At least 0 unless there is a break; at a
         point at rest never more.
+    is_parametric_open, is_geometric_open : bool
+        Whether double precision does not decide about the next order: its jump is
+        below the rounding of this computation, which is too much to be none.
+    roundings : ndarray, shape (4,)
+        What rounding may do to the jumps of c, c', c'' and c'''.
     speed_ratio : float
         ``|c'|`` after over that before: 1 where the speed goes on, whatever
         the direction does; NaN where the curve rests on a side.
@@ -79,6 +89,9 @@ class Joint(NamedTuple):
     parametric: int
     geometric: int
     speed_ratio: float
+    is_parametric_open: bool
+    is_geometric_open: bool
+    roundings: FloatArray
 
     @property
     def jumps(self) -> tuple[FloatArray, ...]:
@@ -89,12 +102,14 @@ class Joint(NamedTuple):
     def label(self) -> str:
         """The class in words: ``"C3"``, ``"C1, G2"``, ``"C0, G1"``, ``"C0"``, ``"break"`` ...
 
-        G is named only where it says more than C.
+        G is named only where it says more than C. ``"≥C1"`` is C1, and more where rounding hides a jump.
         """
         if self.parametric == _BREAK:
             return "break"
-        more = f", G{self.geometric}" if self.geometric > self.parametric else ""
-        return f"C{self.parametric}{more}"
+        least, bent = ("≥" if each else "" for each in (self.is_parametric_open, self.is_geometric_open))
+        if self.geometric > self.parametric:
+            return f"{least}C{self.parametric}, {bent}G{self.geometric}"
+        return f"{least or bent}C{self.parametric}"
 
 
 def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool = False) -> list[Joint]:
@@ -107,13 +122,11 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
         between pieces, the Hermite families in their next derivative. A
         `LagrangeCurve` has no joints: its t_i are reported as C3.
     tolerance : float, optional
-        How large a jump counts as none: relative to the extent of the points
-        for c; for its derivatives to the sum of the sizes of the terms they are
-        made of, for instance 6 |dp| / h**2 + 4 |v| / h + 2 |w| / h for c'' of a
-        cubic, which is what rounding is relative to as well. For the angle in
-        radians. For the curvature relative to the larger one, and to the
-        acceleration's terms over |c'|**2; for its change likewise, and to the
-        jerk's terms over |c'|**3.
+        How large a jump counts as none: relative to the extent of the points for
+        c; to the larger of both sides for its derivatives, for the curvature and
+        for its change along the curve; in radians for the angle. A jump below the
+        rounding of its own computation is none too, where that is less than this
+        share of what is usual around the joint; else it is not decided.
     closed : bool, optional
         Whether the curve is meant to be closed, so that its end and its
         beginning are a joint too, reported last as joint 0.
@@ -144,34 +157,139 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     indices = (np.arange(1, len(t)) % (len(t) - 1))[: None if closed else -1]
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         ends, starts = (curve.joint_derivatives(before=side) for side in (True, False))
-        before = JointDerivatives(*(each[: len(indices)] for each in ends))
-        after = JointDerivatives(*(np.roll(each, -1, axis=0)[: len(indices)] for each in starts))
+        h = np.diff(t)
+        usual = _usual_sizes(starts.values, ends.values, h)[indices]
+        largest = np.abs(curve.points).max()
+        before, after = _Side.of(ends, indices - 1, h, largest), _Side.of(starts, indices, h, largest)
         jumps = after.values - before.values
-        scale = np.maximum(before.scale, after.scale)
-        scale[:, 0] = np.ptp(curve.points, axis=0).max()
-        smooth = vector_lengths(jumps) <= limit * scale
         angle = _angles(before.values[:, 1], after.values[:, 1])
         bends = _bends(before.values, after.values)
-        speeds = [vector_lengths(each.values[:, 1]) for each in (before, after)]
-        slow = np.minimum(*speeds)
-        ratio = np.where(slow > 0.0, speeds[1] / speeds[0], np.nan)
-        bend_scale = np.maximum(np.abs(bends.before), np.abs(bends.after)) + scale[:, 2] / slow**2
-        same_bend = np.abs(bends.jump) <= limit * bend_scale
-        turns = [_turn_vectors(values) for values in (before.values, after.values)]
-        # Each part of the change is a product: of the speed's own change by the acceleration's terms too.
-        turn_scale = (scale[:, 3] + 3.0 * scale[:, 2] ** 2 / slow) / slow**3
-        same_turn = vector_lengths(turns[1] - turns[0]) <= limit * turn_scale
-    geometric = np.column_stack((smooth[:, 0], angle <= limit, same_bend, same_turn))
-    numbers = (angle, *bends, _orders(smooth), _orders(geometric), ratio)
-    vectors = jumps.swapaxes(0, 1)
-    columns = (indices.tolist(), t[indices].tolist(), *vectors, *(each.tolist() for each in numbers))
+        motion = _verdicts(
+            vector_lengths(jumps),
+            np.maximum(before.sizes, after.sizes),
+            before.roundings + after.roundings,
+            before.of_points + after.of_points,
+            usual,
+            limit,
+        )
+        extent = np.ptp(curve.points, axis=0).max()
+        motion[:, 0] = np.where(vector_lengths(jumps[:, 0]) <= limit * extent, _NONE, _JUMPS)
+        turns = [_turn_vectors(side.values) for side in (before, after)]
+        slow = np.minimum(before.sizes[:, 1], after.sizes[:, 1])
+        one = np.ones(len(slow))
+        line = _verdicts(
+            np.column_stack((angle, np.abs(bends.jump), vector_lengths(turns[1] - turns[0]))),
+            np.column_stack(
+                (
+                    one,
+                    np.maximum(np.abs(bends.before), np.abs(bends.after)),
+                    np.maximum(*map(vector_lengths, turns)),
+                )
+            ),
+            before.of_line(before.roundings) + after.of_line(after.roundings),
+            before.of_line(before.of_points) + after.of_line(after.of_points),
+            np.column_stack((one, usual[:, 2] / slow**2, usual[:, 3] / slow**3)),
+            limit,
+        )
+        ratio = np.where(slow > 0.0, after.sizes[:, 1] / before.sizes[:, 1], np.nan)
+    motion, line = _agreed(motion, np.column_stack((motion[:, :1], line)))
+    parametric, is_parametric_open = _orders(motion)
+    geometric, is_geometric_open = _orders(line)
+    numbers = (angle, *bends, parametric, geometric, ratio, is_parametric_open, is_geometric_open)
+    columns = (
+        indices.tolist(),
+        t[indices].tolist(),
+        *jumps.swapaxes(0, 1),
+        *(each.tolist() for each in numbers),
+        before.roundings + after.roundings,
+    )
     return [Joint._make(row) for row in zip(*columns, strict=True)]
 
 
-def _orders(holds: BoolArray) -> IntArray:
-    """Return how many columns hold from the first on, less one, (k,)."""
-    orders: IntArray = np.logical_and.accumulate(holds, axis=1).sum(axis=1) - 1
-    return orders
+_NONE, _JUMPS, _OPEN = range(3)
+"""Verdicts on a jump: there is none, there is one, and rounding hides which."""
+
+
+def _verdicts(
+    jump: FloatArray,
+    size: FloatArray,
+    rounding: FloatArray,
+    of_points: FloatArray,
+    usual: FloatArray,
+    limit: float,
+) -> IntArray:
+    """Return verdicts on jumps of quantities of a size, all (k, orders).
+
+    None is what their computation may make, or the rounding of points on a line where nobody would see it.
+    """
+    is_sure = np.isfinite(rounding) & (rounding <= limit * np.maximum(size, usual))
+    unseen = np.where(of_points <= limit * usual, of_points, 0.0)
+    is_none = jump <= np.maximum(limit * size, rounding + unseen)
+    return np.where(is_none, np.where(is_sure, _NONE, _OPEN), _JUMPS)
+
+
+def _agreed(motion: IntArray, line: IntArray) -> tuple[IntArray, IntArray]:
+    """Return verdicts of which neither hides what the other knows: a C2 joint with a tangent is G2."""
+    goes_on = np.logical_and.accumulate(motion == _NONE, axis=1)
+    has_tangent = line[:, 1] == _NONE
+    line = np.where((line == _OPEN) & goes_on & has_tangent[:, None], _NONE, line)
+    bends = np.logical_or.accumulate(line == _JUMPS, axis=1)
+    return np.where((motion == _OPEN) & bends, _JUMPS, motion), line
+
+
+def _orders(verdicts: IntArray) -> tuple[IntArray, BoolArray]:
+    """Return how many columns have no jump from the first on, less one, and whether the next is open."""
+    count: IntArray = np.logical_and.accumulate(verdicts == _NONE, axis=1).sum(axis=1)
+    beyond = np.column_stack((verdicts, np.full(len(verdicts), _JUMPS)))
+    return count - 1, beyond[np.arange(len(count)), count] == _OPEN
+
+
+class _Side(NamedTuple):
+    """One side of joints.
+
+    Attributes
+    ----------
+    values : ndarray, shape (k, 4, dim)
+        c to c'''.
+    sizes, roundings : ndarray, shape (k, 4)
+        Their lengths, and bounds of their errors.
+    of_points : ndarray, shape (k, 4)
+        What they may be off from those of the points that were meant, whose coordinates are rounded.
+    """
+
+    values: FloatArray
+    sizes: FloatArray
+    roundings: FloatArray
+    of_points: FloatArray
+
+    @classmethod
+    def of(cls, derivatives: JointDerivatives, rows: IntArray, h: FloatArray, largest: float) -> _Side:
+        values, scale = (each[rows] for each in derivatives)
+        of_points = _OF_POINTS * largest / h[rows, None] ** np.arange(JOINT_ORDERS)
+        return cls(values, vector_lengths(values), _ROUNDINGS * scale, of_points)
+
+    def of_line(self, errors: FloatArray) -> FloatArray:
+        """Return errors (k, 3) of direction, curvature and its change along the curve, by those of values."""
+        speed, acceleration, jerk = self.sizes[:, 1:].T
+        _, off_speed, off_acceleration, off_jerk = errors.T
+        angle = off_speed / speed
+        pull = acceleration / speed
+        bend = (off_acceleration + 2.0 * acceleration * angle) / speed**2
+        turn = off_jerk + 6.0 * pull * off_acceleration + (3.0 * jerk + 12.0 * acceleration * pull) * angle
+        return np.column_stack((angle, bend, turn / speed**3))
+
+
+def _usual_sizes(starts: FloatArray, ends: FloatArray, h: FloatArray) -> FloatArray:
+    """Return how large derivatives usually are where curves cover such ways in such times, (joints, 4).
+
+    Of both segments beside a joint together, so that a short one does not count alone; joint 0 is that
+    between the last segment and the first.
+    """
+    ways = vector_lengths(ends[:, 0] - starts[:, 0]) + 0.5 * h * (
+        vector_lengths(starts[:, 1]) + vector_lengths(ends[:, 1])
+    )
+    way, time = (each + np.roll(each, 1) for each in (ways, h))
+    return way[:, None] / time[:, None] ** np.arange(JOINT_ORDERS)
 
 
 def _unit(vectors: FloatArray) -> FloatArray:

@@ -162,19 +162,27 @@ def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
     2.639
     """
     if isinstance(curve, CardinalBasis):
-        return lebesgue_constants([curve])[0] if curve.follows else lebesgue_constant(curve.curve)
+        if curve.follows:
+            return lebesgue_constants([curve])[0]
+        if curve.closed and not curve.curve.is_positive:
+            # The first and the last row of data are one point: its functions count together.
+            return _largest_of_curve(curve.curve, curve.sums)
+        return lebesgue_constant(curve.curve)
     if curve.is_positive:
         return 1.0
     return max(1.0 if piece.is_positive else _largest_of_curve(piece) for piece in curve.pieces)
 
 
-def _largest_of_curve(curve: ParametricCurve) -> float:
+def _largest_of_curve(
+    curve: ParametricCurve, sums_at: Callable[[FloatArray], FloatArray] | None = None
+) -> float:
     joints = all_joints(curve)
     segments = np.arange(len(joints) - 1)
     intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
 
     def sums(t: FloatArray, _segment: IntArray) -> FloatArray:
-        return _sums(curve, t.ravel())[:, 0].reshape(t.shape)
+        found = _sums(curve, t.ravel())[:, 0] if sums_at is None else sums_at(t.ravel())
+        return found.reshape(t.shape)
 
     search = _FEW_PEAKS if curve.degree is None else _ONE_PEAK
     return float(_largest_sums(sums, intervals, 1, search)[0])

@@ -212,6 +212,8 @@ class BSplineCurve(ParametricCurve):
             beside = before and order >= self.degree
             first, functions = self._local(np.nextafter(t, -np.inf) if beside else t, order)
             data = self.points[first[:, None] + np.arange(functions.shape[1])]
+            # The functions add up to 1: where the origin lies counts for nothing.
+            data = data - (data[:, :1] if order else 0.0)
             values.append(np.einsum("mk,mkd->md", functions, data))
             scale.append(np.einsum("mk,mkd->md", np.abs(functions), np.abs(data)).max(axis=1))
         return JointDerivatives(np.stack(values, axis=1), np.stack(scale, axis=1))

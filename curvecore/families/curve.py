@@ -23,7 +23,7 @@ from curvecore.families.parameter_derivatives import ParameterDerivatives
 from curvecore.families.polynomial_facts import PolynomialFacts
 from curvecore.families.records import JOINT_ORDERS, JointDerivatives, LocalBasis
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
-from curvecore.scaling import made_finite
+from curvecore.scaling import UNIT_ROUNDOFF, made_finite
 
 
 class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialFacts, Evaluation, Immutable):
@@ -366,14 +366,38 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
             Of n - 1 ends.
         """
         t = self._parameters[1:] if before else self._parameters[:-1]
-        if before:
-            t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
+        is_beside = before & np.isin(t, self.breaks[:-1])
+        at = np.where(is_beside, np.nextafter(t, -np.inf), t)
         values, scale = [], []
+        for order in range(JOINT_ORDERS + 1):
+            value, size = self._sums_from_a_point(at, order)
+            digits = self.difference_digits[order - 1 : order] if order else ()
+            values.append(value)
+            scale.append(size * max([1.0, *(10.0**-each / UNIT_ROUNDOFF for each in digits)]))
+        # A derivative beside a break is that at the break but for the step of t between them; elsewhere both
+        # sides are one value.
+        is_break = np.isin(t, self.breaks)
         for order in range(JOINT_ORDERS):
-            basis = self._basis(t, order).reshape(len(t), -1)
-            data = self.jets.reshape(basis.shape[1], -1)
-            values.append(basis @ data)
-            scale.append((np.abs(basis) @ np.abs(data)).max(axis=1))
+            scale[order] = is_break * (scale[order] + is_beside * np.abs(t) * scale[order + 1])
         joints = self.evaluate(self._parameters)
         values[0] = joints[1:] if before else joints[:-1]
-        return JointDerivatives(np.stack(values, axis=1), np.stack(scale, axis=1))
+        return JointDerivatives(
+            np.stack(values[:JOINT_ORDERS], axis=1), np.stack(scale[:JOINT_ORDERS], axis=1)
+        )
+
+    def _sums_from_a_point(self, t: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
+        """Return derivatives (m, dim), and the sizes of their terms (m,), in differences from a point.
+
+        Derivatives of functions that add up to 1 add up to 0: where the origin lies counts for nothing.
+        """
+        basis = self._basis(t, order)
+        origin = self.jets[0, 0]
+        data = self.jets.copy()
+        data[:, 0] -= origin
+        shifts = basis[:, :, 0].sum(axis=1)
+        if order:
+            shifts[np.abs(shifts) <= 64.0 * UNIT_ROUNDOFF * np.abs(basis[:, :, 0]).sum(axis=1)] = 0.0
+        flat, rows = basis.reshape(len(t), -1), data.reshape(basis[0].size, -1)
+        values = flat @ rows + shifts[:, None] * origin
+        size = (np.abs(flat) @ np.abs(rows) + np.abs(shifts[:, None] * origin)).max(axis=1)
+        return values, size

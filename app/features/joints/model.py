@@ -15,7 +15,7 @@ from ...widgets.number_text import decimal_mark
 
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "c‴", "∠", "κ")
 _TIPS = (
-    "The joint, by the number of its point: ✓ smooth, △ acceleration jumps, ◇ speed jumps, ▲ corner",
+    "The joint, by its point: ✓ smooth, ? not decided, △ acceleration jumps, ◇ speed jumps, ▲ corner",
     "Parametric continuity C, of the motion; geometric continuity G, of the line, where it says more",
     "Jump of the point",
     "Jump of the velocity: the length of after minus before",

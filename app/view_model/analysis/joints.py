@@ -27,6 +27,7 @@ class JointKind(Enum):
     """The kinds of joints, from smooth to broken; the value is the sign, beside its colour."""
 
     SMOOTH = "✓"
+    UNDECIDED = "?"
     ACCELERATION = "△"
     SPEED = "◇"
     REST = "○"
@@ -54,6 +55,11 @@ _WORDS = {
 }
 """The words for orders of parametric and geometric continuity, the latter up to curvature."""
 
+_SURE = ("The curve goes on.", "The velocity goes on.", "Smooth: velocity and acceleration go on.")
+_OF_MOTION = ("point", "velocity", "acceleration", "jerk")
+_OF_LINE = ("point", "direction", "curvature", "change of the curvature")
+"""What goes on, or jumps, by its order: of the motion, and of the line that is drawn."""
+
 _RAISED = str.maketrans("0123", "⁰¹²³")
 
 
@@ -70,7 +76,8 @@ class JointRow:
     reach
         The distance to the nearer of its neighbours: how closely to look.
     jumps
-        Sizes of the jumps of c, c', c'' and c'''; exactly 0 where there is none beyond rounding.
+        Sizes of the jumps of c, c', c'' and c'''; exactly 0 where there is none beyond rounding, NaN where
+        double precision does not decide.
     angle
         Between the tangents before and after, in degrees; NaN where the curve stands still.
     curvature
@@ -78,7 +85,7 @@ class JointRow:
     continuity
         The orders of parametric and geometric continuity, up to 3; -1 for a break.
     smoothness
-        The same as "C³", "C¹, G²" or "break".
+        The same as "C³", "C¹, G²", "≥C¹" or "break".
     kind, words
         The kind that this makes it, and the same in a sentence.
     speed_ratio
@@ -142,16 +149,36 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
         t=joint.parameter,
         place=(x, y),
         reach=reaches[point],
-        jumps=tuple(0.0 if order <= joint.parametric else size for order, size in enumerate(sizes)),
+        jumps=tuple(_shown_jump(joint, order, size) for order, size in enumerate(sizes)),
         angle=0.0 if joint.geometric >= 1 else math.degrees(joint.angle),
         curvature=_curvature_jump(joint),
         continuity=continuity,
         smoothness=joint.label.translate(_RAISED),
         kind=kind,
-        words=_RESTS if kind is JointKind.REST else _WORDS[continuity[0], min(continuity[1], 2)],
+        words=_words(joint, kind),
         speed_ratio=joint.speed_ratio,
         measured="" if math.isnan(joint.angle) else _measured(joint),
     )
+
+
+def _shown_jump(joint: Joint, order: int, size: float) -> float:
+    if order <= joint.parametric:
+        return 0.0
+    return math.nan if joint.is_parametric_open and order == joint.parametric + 1 else size
+
+
+def _words(joint: Joint, kind: JointKind) -> str:
+    """Return what a joint is, as a sentence."""
+    if kind is JointKind.REST:
+        return _RESTS
+    if not joint.is_parametric_open and not joint.is_geometric_open:
+        return _WORDS[joint.parametric, min(max(joint.parametric, joint.geometric), 2)]
+    order, what, bound = joint.geometric + 1, _OF_LINE, ""
+    if joint.is_parametric_open:
+        order, what = joint.parametric + 1, _OF_MOTION
+        bound = f": rounding alone makes it jump by up to {number(float(joint.roundings[order]), 2)}"
+    sure = _SURE[joint.parametric]
+    return f"{sure} Whether the {what[order]} does too, double precision does not decide{bound}."
 
 
 def _measured(joint: Joint) -> str:
@@ -162,6 +189,8 @@ def _measured(joint: Joint) -> str:
 
 def _curvature_jump(joint: Joint) -> float:
     scale = max(abs(joint.curvature_before), abs(joint.curvature_after))
+    if joint.is_geometric_open and joint.geometric == 1:
+        return math.nan
     is_none = joint.geometric >= 2 or abs(joint.curvature_jump) <= _RESIDUE * scale
     return 0.0 if is_none else joint.curvature_jump
 
@@ -173,6 +202,8 @@ def _kind(joint: Joint) -> JointKind:
         return JointKind.REST
     if joint.parametric >= 2:
         return JointKind.SMOOTH
+    if joint.is_parametric_open or (joint.is_geometric_open and joint.geometric == 0):
+        return JointKind.UNDECIDED
     if joint.parametric == 1:
         return JointKind.ACCELERATION
     return JointKind.SPEED if joint.geometric >= 1 else JointKind.CORNER

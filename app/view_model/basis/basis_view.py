@@ -189,8 +189,11 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the scaled functions of one kind at `t`, one for each knot."""
-        values: FloatArray = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[:, kind]
-        return values
+        values = self.curve.basis(np.array([t]))
+        if not self.curve.is_local:
+            values = _by_point(values, self.owners)
+        found: FloatArray = values[0, :, kind] * self.scales[:, kind]
+        return found
 
 
 def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
@@ -217,8 +220,19 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
         return _piecewise_view(curve, owners, scales)
     if len(owners) < _MANY or not curve.is_one_polynomial:
         t = _samples_over(curve)
-        return BasisView(curve, owners, t, curve.basis(t), None, scales)
+        return BasisView(curve, owners, t, _by_point(curve.basis(t), owners), None, scales)
     return _many_functions(curve, owners, scales, previous)
+
+
+def _by_point(values: FloatArray, owners: tuple[int, ...]) -> FloatArray:
+    """Return functions (m, knots, R) in which the last knot of a closed curve and its first have their sum.
+
+    They are one point. Of piecewise curves the panel draws one beside the other.
+    """
+    if owners[-1] == 0:
+        values[:, 0] += values[:, -1]
+        values[:, -1] = values[:, 0]
+    return values
 
 
 def _are_idle_moves(curve: ParametricCurve, before: ParametricCurve) -> bool:
