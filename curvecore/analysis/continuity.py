@@ -18,13 +18,11 @@ import numpy as np
 from curvecore.analysis.curvature import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import JOINT_ORDERS, JointDerivatives
+from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS, JointDerivatives
 from curvecore.scaling import UNIT_ROUNDOFF
 from curvecore.vectors import vector_lengths
 
 _BREAK = -1
-_ROUNDINGS = 32.0 * UNIT_ROUNDOFF
-"""Of the sizes of the terms that a derivative is the sum of: what that may be off."""
 _OF_POINTS = 48.0 * UNIT_ROUNDOFF
 """Of the largest coordinate, over powers of the length: what its rounding does to derivatives of cubics."""
 
@@ -126,7 +124,8 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
         c; to the larger of both sides for its derivatives, for the curvature and
         for its change along the curve; in radians for the angle. A jump below the
         rounding of its own computation is none too, where that is less than this
-        share of what is usual around the joint; else it is not decided.
+        share of what is usual around the joint; else it is not decided. Where
+        derivatives are differences, it is at least what these keep.
     closed : bool, optional
         Whether the curve is meant to be closed, so that its end and its
         beginning are a joint too, reported last as joint 0.
@@ -154,6 +153,10 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     """
     limit = tolerance_value(tolerance)
     t = curve.parameters
+    limits = np.full(JOINT_ORDERS, limit)
+    if curve.difference_digits:
+        # Differences show no smaller jumps than these.
+        limits[1:] = np.maximum(limit, 10.0 ** (1.0 - np.array(curve.difference_digits)))
     indices = (np.arange(1, len(t)) % (len(t) - 1))[: None if closed else -1]
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         ends, starts = (curve.joint_derivatives(before=side) for side in (True, False))
@@ -170,7 +173,7 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
             before.roundings + after.roundings,
             before.of_points + after.of_points,
             usual,
-            limit,
+            limits,
         )
         extent = np.ptp(curve.points, axis=0).max()
         motion[:, 0] = np.where(vector_lengths(jumps[:, 0]) <= limit * extent, _NONE, _JUMPS)
@@ -189,7 +192,7 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
             before.of_line(before.roundings) + after.of_line(after.roundings),
             before.of_line(before.of_points) + after.of_line(after.of_points),
             np.column_stack((one, usual[:, 2] / slow**2, usual[:, 3] / slow**3)),
-            limit,
+            limits[1:],
         )
         ratio = np.where(slow > 0.0, after.sizes[:, 1] / before.sizes[:, 1], np.nan)
     motion, line = _agreed(motion, np.column_stack((motion[:, :1], line)))
@@ -216,15 +219,15 @@ def _verdicts(
     rounding: FloatArray,
     of_points: FloatArray,
     usual: FloatArray,
-    limit: float,
+    limits: FloatArray,
 ) -> IntArray:
-    """Return verdicts on jumps of quantities of a size, all (k, orders).
+    """Return verdicts on jumps of quantities of a size, all (k, orders), for limits (orders,).
 
     None is what their computation may make, or the rounding of points on a line where nobody would see it.
     """
-    is_sure = np.isfinite(rounding) & (rounding <= limit * np.maximum(size, usual))
-    unseen = np.where(of_points <= limit * usual, of_points, 0.0)
-    is_none = jump <= np.maximum(limit * size, rounding + unseen)
+    is_sure = np.isfinite(rounding) & (rounding <= limits * np.maximum(size, usual))
+    unseen = np.where(of_points <= limits * usual, of_points, 0.0)
+    is_none = jump <= np.maximum(limits * size, rounding + unseen)
     return np.where(is_none, np.where(is_sure, _NONE, _OPEN), _JUMPS)
 
 
@@ -266,7 +269,7 @@ class _Side(NamedTuple):
     def of(cls, derivatives: JointDerivatives, rows: IntArray, h: FloatArray, largest: float) -> _Side:
         values, scale = (each[rows] for each in derivatives)
         of_points = _OF_POINTS * largest / h[rows, None] ** np.arange(JOINT_ORDERS)
-        return cls(values, vector_lengths(values), _ROUNDINGS * scale, of_points)
+        return cls(values, vector_lengths(values), JOINT_ROUNDINGS * scale, of_points)
 
     def of_line(self, errors: FloatArray) -> FloatArray:
         """Return errors (k, 3) of direction, curvature and its change along the curve, by those of values."""

@@ -21,7 +21,7 @@ from curvecore.families.evaluation import Evaluation
 from curvecore.families.immutable import Immutable
 from curvecore.families.parameter_derivatives import ParameterDerivatives
 from curvecore.families.polynomial_facts import PolynomialFacts
-from curvecore.families.records import JOINT_ORDERS, JointDerivatives, LocalBasis
+from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS, JointDerivatives, LocalBasis
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 from curvecore.scaling import UNIT_ROUNDOFF, made_finite
 
@@ -368,22 +368,21 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
         t = self._parameters[1:] if before else self._parameters[:-1]
         is_beside = before & np.isin(t, self.breaks[:-1])
         at = np.where(is_beside, np.nextafter(t, -np.inf), t)
-        values, scale = [], []
-        for order in range(JOINT_ORDERS + 1):
-            value, size = self._sums_from_a_point(at, order)
-            digits = self.difference_digits[order - 1 : order] if order else ()
-            values.append(value)
-            scale.append(size * max([1.0, *(10.0**-each / UNIT_ROUNDOFF for each in digits)]))
+        sums = [self._sums_from_a_point(at, order) for order in range(JOINT_ORDERS + 1)]
+        values, sizes = (list(each) for each in zip(*sums, strict=True))
         # A derivative beside a break is that at the break but for the step of t between them; elsewhere both
         # sides are one value.
         is_break = np.isin(t, self.breaks)
+        h, extent = np.diff(self._parameters), np.ptp(self.points, axis=0).max()
+        scale = []
         for order in range(JOINT_ORDERS):
-            scale[order] = is_break * (scale[order] + is_beside * np.abs(t) * scale[order + 1])
+            steps = is_beside * np.abs(t) * sizes[order + 1]
+            digits = self.difference_digits[order - 1 : order] if order else ()
+            lost = sum(10.0**-each for each in digits) / JOINT_ROUNDINGS * extent / h**order
+            scale.append(is_break * (sizes[order] + steps + lost))
         joints = self.evaluate(self._parameters)
         values[0] = joints[1:] if before else joints[:-1]
-        return JointDerivatives(
-            np.stack(values[:JOINT_ORDERS], axis=1), np.stack(scale[:JOINT_ORDERS], axis=1)
-        )
+        return JointDerivatives(np.stack(values[:JOINT_ORDERS], axis=1), np.stack(scale, axis=1))
 
     def _sums_from_a_point(self, t: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
         """Return derivatives (m, dim), and the sizes of their terms (m,), in differences from a point.

@@ -5,9 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from curvecore.arrays import FloatArray, IntArray
+from curvecore.scaling import UNIT_ROUNDOFF
 
 JOINT_ORDERS = 4
 """The number of derivatives compared at joints, the curve itself included: jumps of c to c'''."""
+
+JOINT_ROUNDINGS = 32.0 * UNIT_ROUNDOFF
+"""Share of the sizes of its terms by which a derivative at a joint may be off."""
 
 
 class LocalBasis(NamedTuple):
