@@ -203,6 +203,7 @@ def worst_case_band(
     parameter_error: ArrayLike = 0.0,
     velocity_error: ArrayLike = 0.0,
     acceleration_error: ArrayLike = 0.0,
+    jerk_error: ArrayLike = 0.0,
     *,
     cardinal: CardinalBasis | None = None,
     sensitivity: ArrayLike | None = None,
@@ -219,8 +220,9 @@ def worst_case_band(
         Largest length of the error of every point, at least 0.
     parameter_error : float or array_like, shape (n,), optional
         Largest size of the error of every t_i, at least 0.
-    velocity_error, acceleration_error : float or array_like, shape (n,), optional
-        The same for velocities and accelerations, per unit of t.
+    velocity_error, acceleration_error, jerk_error : float or array_like, shape (n,), optional
+        The same for velocities, accelerations and third derivatives, per unit of t, as far as the family has
+        them; derivatives of higher order have no errors.
     cardinal : CardinalBasis, optional
         The cardinal functions of the points, where velocities or accelerations are estimated from them; of
         the whole curve, where `curve` is a piece of it. ``point_error`` counts its points then.
@@ -261,7 +263,8 @@ def worst_case_band(
     """
     at = parameter_row(t)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        ball = _ball(curve, at, (point_error, velocity_error, acceleration_error), cardinal)
+        errors = (point_error, velocity_error, acceleration_error, jerk_error)
+        ball = _ball(curve, at, errors, cardinal)
         known = None if sensitivity is None else np.asarray(sensitivity, dtype=np.float64)
         count = len(curve.parameters) if known is None else known.shape[1]
         delta = error_sizes(parameter_error, count, "parameter_error")
@@ -278,10 +281,13 @@ def _ball(
 ) -> FloatArray:
     """Return the sum of |B_ir| times the sizes of the errors, for points of |C_i| where these are given."""
     rows, width = curve.jets.shape[:2]
-    names = ("point_error", "velocity_error", "acceleration_error")
+    names = ("point_error", "velocity_error", "acceleration_error", "jerk_error")
     of_points: ArrayLike = 0.0 if cardinal is not None else errors[0]
-    given = zip((of_points, *errors[1:]), names, strict=True)
-    sizes = np.stack([error_sizes(error, rows, name) for error, name in given][:width], axis=1)
+    sizes = np.zeros((rows, width))
+    for r, (error, name) in enumerate(zip((of_points, *errors[1:]), names, strict=True)):
+        checked = error_sizes(error, rows, name)
+        if r < width:
+            sizes[:, r] = checked
     ball = np.zeros(len(t)) if cardinal is not None and not sizes.any() else _sum_of_data(curve, t, sizes)
     if cardinal is not None:
         ball += cardinal.sums(t, error_sizes(errors[0], cardinal.count, names[0]))

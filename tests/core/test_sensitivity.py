@@ -9,6 +9,7 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     acceleration_sensitivity,
     chebyshev,
     ensemble,
@@ -23,6 +24,7 @@ FAMILIES = {
     "lagrange": (LagrangeCurve, 1),
     "hermite": (HermiteCurve, 2),
     "quintic_hermite": (QuinticHermiteCurve, 3),
+    "septic_hermite": (SepticHermiteCurve, 4),
 }
 every_family = pytest.mark.parametrize("name", list(FAMILIES))
 
@@ -179,6 +181,24 @@ def test_errors_of_their_own_for_each_point_and_of_derivatives(rng):
     assert (band.across == band.distance).all()
     wider = worst_case_band(curve, t, sizes, 0.01)
     assert (wider.distance >= wider.across).all()
+
+
+@every_family
+def test_errors_of_data_of_every_order_are_reached(rng, name):
+    """A septic curve with errors of parameters raised NumPy's broadcast error: jerks had no errors."""
+    curve = build(name, data(name, rng, 5), uniform(5))
+    t = np.linspace(0.03, 0.97, 33)
+    sizes = np.array([0.01, 0.02, 0.03, 0.04])
+    with_t = worst_case_band(curve, t, *sizes[:1], 1e-3, *sizes[1:])
+    alone = worst_case_band(curve, t, *sizes[:1], 0.0, *sizes[1:])
+    for k in range(len(t)):
+        signs = np.sign(curve.basis(t[k]))
+        jets = curve.jets + (signs * sizes[: curve.jets.shape[1]])[:, :, None] * [0.6, 0.8]
+        reached = np.linalg.norm(curve.with_jets(jets).evaluate(t[k]) - curve.evaluate(t[k]))
+        assert reached == pytest.approx(alone.distance[k], rel=1e-11)
+    of_t = worst_case_band(curve, t, parameter_error=1e-3)
+    assert with_t.distance == pytest.approx(alone.distance + of_t.distance, rel=1e-12)
+    assert with_t.across == pytest.approx(alone.distance + of_t.across, rel=1e-12)
 
 
 @every_family
