@@ -824,6 +824,15 @@ def test_convert_puts_points_into_a_dxf(capsys, tmp_path):
     assert [spline.dxf.degree for spline in ezdxf.readfile(out).modelspace()] == [3]
 
 
+def test_convert_writes_a_formula_with_as_many_digits_as_it_needs(capsys, tmp_path):
+    near, out = tmp_path / "near.csv", tmp_path / "near.tex"
+    near.write_text("x,y\n0,0\n1,0\n1.00000001,0\n2,1\n", encoding="utf-8")
+    assert "Write 8 or more" in refusal(capsys, "convert", str(near), str(out))
+    assert main(["convert", str(near), str(out), "--digits", "9"]) == 0
+    assert "1.00000001" in out.read_text(encoding="utf-8")
+    assert "whole number from 1 to 17" in refusal(capsys, "convert", str(near), str(out), "--digits", "0")
+
+
 def test_render_writes_a_motion(tmp_path, capsys):
     gif, png = tmp_path / "move.gif", tmp_path / "move.png"
     words = ["render", LETTER, "--width", "64", "--fps", "10"]

@@ -13,7 +13,7 @@ import pytest
 from app.document.model import Document, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.formulas import coefficients_json, desmos_expressions, svg_path_data
-from app.exchange.formats.latex import PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
+from app.exchange.formats.latex import DIGITS, PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.options import Options
 from app.exchange.parts import beziers_of, cubics_of, sources_of
 from app.view_model.curve.curve_view import view_of
@@ -157,7 +157,7 @@ def tex_rows(text):
 
 
 def test_the_numbers_of_the_formula_give_the_curve_within_the_stated_deviation(kind):
-    written = latex_formula(kind, digits=4)
+    written = latex_formula(kind, Options(own={DIGITS.name: 4}))
     rows = tex_rows(written.text)
     assert rows
     (source,), _ = sources_of(kind)
@@ -179,7 +179,9 @@ def test_the_rows_of_a_formula_fit_a_page(kind):
 
 
 def test_more_digits_come_closer(sketch):
-    deviations = [latex_formula(sketch, digits=digits).deviation for digits in (3, 6, 9, 17)]
+    deviations = [
+        latex_formula(sketch, Options(own={DIGITS.name: digits})).deviation for digits in (3, 6, 9, 17)
+    ]
     assert deviations == sorted(deviations, reverse=True)
     # What is no polynomial is written as cubics within the tolerance, whatever the digits.
     is_exact = view_of(sketch.curves[0]).curve.degree is not None
@@ -188,8 +190,9 @@ def test_more_digits_come_closer(sketch):
 
 def test_too_few_digits_are_refused():
     document = Document((make_curve([(0, 0), (1, 0), (1.00001, 0), (2, 0)]),))
-    with pytest.raises(ExchangeError, match="With 3 digits two parameters would be equal"):
-        latex_formula(document, digits=3)
+    with pytest.raises(ExchangeError, match=r"With 3 digits two parameters would be equal.*--digits 5 of"):
+        latex_formula(document, Options(own={DIGITS.name: 3}))
+    assert latex_formula(document, Options(own={DIGITS.name: 6})).text.count("0.500005") == 1
 
 
 def balanced(text):

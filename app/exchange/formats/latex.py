@@ -20,13 +20,20 @@ from ..drawing.drawing import drawing_of
 from ..drawing.frames import Frame
 from ..drawing.outlines import Outline
 from ..errors import ExchangeError
-from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
+from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options, Whole
 from ..parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
 from ..units import size_in_words
 from . import Format, Written
 
-DIGITS = 6
-"""Significant digits of the numbers in a formula, unless asked otherwise."""
+DIGITS = Whole(
+    name="digits",
+    label="Digits",
+    title="Significant digits",
+    tip="Significant digits of the numbers in the formula; 17 hold every number exactly",
+    default=6,
+    limits=(1, 17),
+    help="of a LaTeX formula: significant digits of its numbers (default: %(default)s)",
+)
 
 PICTURE_SIDE = 12.0
 """Longer side of a TikZ picture, in centimetres."""
@@ -48,11 +55,11 @@ _SPECIAL = {
 _CAPS = {LineCap.BUTT: "butt", LineCap.ROUND: "round", LineCap.SQUARE: "rect"}
 
 
-def latex_formula(document: Document, options: Options = DEFAULT, digits: int = DIGITS) -> Written:
+def latex_formula(document: Document, options: Options = DEFAULT) -> Written:
     """Return every curve as a formula in LaTeX with the numbers that go into it; needs amsmath.
 
     Lagrange curves are written in Lagrange's form, Hermite curves by the Bézier control points of their
-    segments. The deviation is what rounding the numbers to `digits` significant digits costs.
+    segments. The deviation is what rounding the numbers to `DIGITS` costs.
 
     Raises
     ------
@@ -60,6 +67,7 @@ def latex_formula(document: Document, options: Options = DEFAULT, digits: int = 
         If there is no curve, or if so few digits would make two parameters equal.
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
+    digits = options[DIGITS]
     deviation = max(
         _rounded_deviation(piece, digits) + source.formulas.deviation
         for source in told(sources, part(options.report, 0.3, 0.6), "Comparing")
@@ -209,8 +217,11 @@ def _rounded_deviation(piece: ParametricCurve, digits: int) -> float:
     """Return how far the curve of the rounded numbers is from the true one."""
     t = _rounded(piece.parameters, digits)
     if not (np.diff(t) > 0).all():
+        enough = (each for each in range(digits, 17) if (np.diff(_rounded(piece.parameters, each)) > 0).all())
+        least = next(enough, 17)
         raise ExchangeError(
-            f"With {digits} digits two parameters would be equal; the formula needs more digits."
+            f"With {digits} digits two parameters would be equal. Write {least} or more: option “Digits” of "
+            f"the export, {DIGITS.flag} {least} of the command line."
         )
     if piece.is_one_polynomial:
         try:
@@ -270,6 +281,7 @@ FORMATS = (
         title="LaTeX formula",
         description="The polynomials as a formula.",
         place=100,
+        options=(DIGITS,),
         write=latex_formula,
     ),
     Format(
