@@ -22,8 +22,50 @@ _CHUNK = 12_288  # parameters at a time, so that the working arrays stay in the 
 _SHORT = 2.0**-50  # segments shorter, or data smaller, by powers of these could leave the range
 _SMALL = 2.0**-500
 _FEW = 300  # parameters, of which it does not pay to ask whether they ascend
-_LONG = 4000  # the same, of less than so many a piece
-_RUN = 2  # ascending parameters a piece, from which on it is the ends that are sought among them
+_RUN = 4  # ascending parameters a piece, from which on it is the ends that are sought among them
+_INTERVALS = 2  # a piece, by which it is found
+
+
+class PieceIntervals(NamedTuple):
+    """Equal intervals of t, by which pieces are found without a search.
+
+    No processor predicts the branches of a binary search for parameters in arbitrary order, so that it takes
+    several times as long as all arithmetic. The interval that holds t says how many ends lie before it, and
+    seldom holds more than one end itself.
+
+    Attributes
+    ----------
+    ends : ndarray, shape (k,)
+        The first double behind each piece, ascending.
+    before : ndarray of int, shape (j,)
+        How many of them lie in the intervals before each.
+    start, scale : float
+        The interval of t is floor((t - start) * scale).
+    """
+
+    ends: FloatArray
+    before: IntArray
+    start: float
+    scale: float
+
+    @classmethod
+    def of(cls, ends: FloatArray, start: float) -> PieceIntervals:
+        """Return the intervals from the beginning of the first piece on."""
+        scale = _INTERVALS * ends.size / (ends.item(-1) - start)
+        counts = np.bincount(((ends - start) * scale).astype(np.intp))
+        return cls(ends, np.concatenate([[0], counts.cumsum()]), start, scale)
+
+    def find(self, t: FloatArray) -> IntArray:
+        """Return the index of the piece that holds each t, (m,), inside the domain."""
+        # Whatever is rounded, a greater t is never in an earlier interval: all ends in earlier intervals are
+        # less than t, all in later ones greater. Those in its own are compared with t, so that this is exact.
+        x = t - self.start
+        x *= self.scale
+        piece: IntArray = self.before.take(x.astype(np.intp))
+        piece += t >= self.ends.take(piece)
+        others = np.flatnonzero(t >= self.ends.take(piece))
+        piece[others] = self.ends.searchsorted(t[others], "right")
+        return piece
 
 
 class TaylorPieces(NamedTuple):
@@ -31,8 +73,8 @@ class TaylorPieces(NamedTuple):
 
     Attributes
     ----------
-    ends : ndarray, shape (k,)
-        The first double behind each piece, ascending.
+    intervals : PieceIntervals
+        Where they are.
     numbers : ndarray, shape (K + 1, dim, k)
         Coefficients, the highest power first; then, unless there is but one, what is subtracted from t, for
         each coordinate again: arithmetic of NumPy's is the fastest of arrays of one shape.
@@ -40,7 +82,7 @@ class TaylorPieces(NamedTuple):
         The beginning of the first and the end of the last piece.
     """
 
-    ends: FloatArray
+    intervals: PieceIntervals
     numbers: FloatArray
     domain: tuple[float, float]
 
@@ -49,8 +91,7 @@ class TaylorPieces(NamedTuple):
 
         In memory one coordinate follows the other.
         """
-        is_few = t.size <= _FEW or t.size < min(_RUN * self.ends.size, _LONG)
-        values = self._few_values if is_few else self._many_values
+        values = self._few_values if t.size <= _FEW else self._many_values
         try:
             return values(t)
         except IndexError:  # There is no piece behind the last one.
@@ -63,7 +104,7 @@ class TaylorPieces(NamedTuple):
     def _few_values(self, t: FloatArray) -> FloatArray | None:
         if not t.item(t.argmin()) >= self.domain[0]:
             return None
-        return _polynomials(self.numbers.take(self.ends.searchsorted(t, "right"), 2), t).T
+        return _polynomials(self.numbers.take(self.intervals.ends.searchsorted(t, "right"), 2), t).T
 
     def _many_values(self, t: FloatArray) -> FloatArray | None:
         ascend = np.count_nonzero(t[1:] >= t[:-1]) == t.size - 1
@@ -80,17 +121,16 @@ class TaylorPieces(NamedTuple):
 
     def _gathered(self, t: FloatArray, ascend: bool) -> FloatArray:
         """Return the numbers of the pieces that hold parameters, (K + 1, dim, m)."""
-        if not ascend:
-            return self.numbers.take(self.ends.searchsorted(t, "right"), 2)
-        ends, numbers = self.ends, self.numbers
-        if t.size < _RUN * len(ends):
-            first, last = (int(ends.searchsorted(end, "right")) for end in (t.item(0), t.item(-1)))
-            ends, numbers = ends[first : last + 1], numbers[:, :, first : last + 1]
-        if t.size >= _RUN * len(ends):
-            counts = t.searchsorted(ends)
-            counts[1:] -= counts[:-1].copy()
-            return numbers.repeat(counts, 2)
-        return numbers.take(_count_breaks(t, ends[:-1]), 2)
+        if ascend:
+            ends, numbers = self.intervals.ends, self.numbers
+            if t.size < _RUN * len(ends):
+                first, last = (int(ends.searchsorted(end, "right")) for end in (t.item(0), t.item(-1)))
+                ends, numbers = ends[first : last + 1], numbers[:, :, first : last + 1]
+            if t.size >= _RUN * len(ends):
+                counts = t.searchsorted(ends)
+                counts[1:] -= counts[:-1].copy()
+                return numbers.repeat(counts, 2)
+        return self.numbers.take(self.intervals.find(t), 2)
 
 
 def _polynomials(numbers: FloatArray, t: FloatArray) -> FloatArray:
@@ -103,22 +143,6 @@ def _polynomials(numbers: FloatArray, t: FloatArray) -> FloatArray:
             value *= x
             value += numbers[k]
     return value
-
-
-def _count_breaks(t: FloatArray, breaks: FloatArray) -> IntArray:
-    """Return how many breaks are at most t, both ascending.
-
-    NumPy's linear interpolation looks at the neighbours of its last interval first, and takes a quarter of
-    the time of a search.
-    """
-    # Every interval ends a hair before the next break, so that no rounding leads into the next one.
-    knots = np.empty(2 * len(breaks) - 1)
-    knots[::2] = breaks
-    np.subtract(breaks[1:], 2.0**-52 * np.abs(breaks[1:]), out=knots[1::2])
-    if not (knots[1:] > knots[:-1]).all():
-        return breaks.searchsorted(t, side="right")
-    places: FloatArray = np.interp(t, knots, 1.0 + 0.5 * np.arange(len(knots)), left=0.0)
-    return places.astype(np.intp)
 
 
 def taylor_pieces(
@@ -156,10 +180,11 @@ def taylor_pieces(
         least = np.nextafter(starts, ends)[:, None]
         np.maximum(starts[:, None] + h[:, None] * places.cuts, least, out=cuts[:, :-1])
         cuts[-1, -1] = np.nextafter(ends[-1], np.inf)
+        intervals = PieceIntervals.of(cuts.ravel(), float(starts[0]))
     numbers = coefficients[::-1].reshape(-1, origins.size, first.shape[2]).swapaxes(1, 2)
     if len(numbers) > 1:
         numbers = np.concatenate([numbers, np.broadcast_to(origins.ravel(), (1, *numbers.shape[1:]))])
-    return TaylorPieces(cuts.ravel(), np.ascontiguousarray(numbers), (float(starts[0]), float(ends[-1])))
+    return TaylorPieces(intervals, np.ascontiguousarray(numbers), (float(starts[0]), float(ends[-1])))
 
 
 def _in_range(h: FloatArray, data: FloatArray) -> bool:

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from curvecore import CurveError, HermiteCurve, QuinticHermiteCurve
 from curvecore.bezier.vanishing_places import vanishing_places
+from curvecore.families.taylor_pieces import PieceIntervals
 from tests.rows import each_row
 
 profile = settings(derandomize=True, deadline=None, max_examples=150)
@@ -70,7 +71,7 @@ def test_zeros_that_are_doubles_are_zeros():
 @pytest.mark.parametrize("family", FAMILIES.values())
 @pytest.mark.parametrize("order", range(4))
 def test_in_what_order_and_how_densely_they_are_asked_for_changes_nothing(rng, family, order):
-    """Searched, interpolated and counted; at once and in pieces."""
+    """Searched, found by intervals and counted; at once and in pieces."""
     n = 400
     joints = np.cumsum(rng.random(n) + 0.01)
     data = rng.standard_normal((family.derivatives + 1, n, 2))
@@ -83,6 +84,19 @@ def test_in_what_order_and_how_densely_they_are_asked_for_changes_nothing(rng, f
     dense = np.sort(np.concatenate([t, rng.uniform(joints[3], joints[5], 40_000)]))
     found = np.searchsorted(dense, t)
     assert (family(*data, joints).evaluate(dense, order)[found] == together).all()
+
+
+@each_row("start", [0.0, -3.0, 1e6, 1e15])
+@each_row("power", [0.0, 1.0, 2.0, 40.0])
+def test_intervals_find_the_piece_that_a_search_finds(rng, power, start):
+    """Also where nearly all pieces share one interval, at every end and at the doubles beside it."""
+    ends = np.unique(start + rng.random(500) ** (1.0 + power))[1:]
+    ends = np.append(ends, ends[-1:] + 1.0)
+    ends = np.insert(ends, 7 % ends.size, ends[7 % ends.size])
+    t = np.concatenate([ends, np.nextafter(ends, -np.inf), np.nextafter(ends, np.inf), [start]])
+    t = rng.permutation(t[(t >= start) & (t < ends[-1])])
+    found = PieceIntervals.of(ends, start).find(t)
+    assert found.tolist() == np.searchsorted(ends, t, side="right").tolist()
 
 
 @each_row("order", range(4))
