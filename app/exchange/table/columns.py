@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from itertools import pairwise
 
 from ...document.derivatives import DERIVATIVES
 from ..errors import ExchangeError
@@ -19,9 +20,9 @@ WORDS = ("curve", "family")
 """Roles of columns of text: the name of the row's curve, and its family."""
 
 _UNITS = """m mm cm km dm µm um nm in inch ft px pt s ms µs us sec min h hz deg degree degrees rad °
-m/s mm/s m/s² m/s^2 - 1 none"""
+m/s mm/s m/s² m/s^2 mps mps2 meter meters metre metres second pixel pixels - 1 none"""
 UNITS = frozenset(_UNITS.split())
-"""Words of a row of units."""
+"""Words of a row of units, and behind titles."""
 
 _FILL = "(?:pos|position|positions|coord|coords|coordinate|koordinate|wert|value|val|point|punkt|loc|location"
 _FILL += "|data|axis|achse|dir)?"
@@ -37,6 +38,7 @@ _NAMES = {
     "jy": "jy|jerky|yjerk",
 }
 _PATTERNS = {role: re.compile(pattern) for role, pattern in _NAMES.items()}
+_ALONG = re.compile("s|arclength|distance|station|chainage|bogenlaenge|bogenlänge")
 _INDEX = re.compile(r"|index|unnamed: ?0|#|nr\.?|no\.?|row|id")
 
 
@@ -92,16 +94,20 @@ def numbered_titles(count: int) -> tuple[str, ...]:
 def role_of(title: str) -> str:
     """Return what a column of this title is; empty where the title does not say.
 
-    A unit in brackets, or behind the last “_”, counts for nothing: "x [mm]", "time_s".
+    A unit in brackets, or behind the name, counts for nothing: "x [mm]", "time_s", "x in m".
     """
-    plain = re.split(r"[\[(]", title.strip().lower())[0].strip()
+    plain = title.strip().lower()
     if plain in AFTER or plain in WORDS:
         return plain
-    parts = [part for part in re.split(r"[\s_\-./:]+", plain) if part]
-    if len(parts) > 1 and parts[-1] in UNITS:
+    name = _without_unit(plain)
+    return next((role for role, pattern in _PATTERNS.items() if pattern.fullmatch(name)), "")
+
+
+def _without_unit(title: str) -> str:
+    parts = [part for part in re.split(r"[\s_\-./:]+", re.split(r"[\[({]", title.lower())[0]) if part]
+    while len(parts) > 1 and parts[-1] in UNITS:
         parts.pop()
-    joined = "".join(parts)
-    return next((role for role, pattern in _PATTERNS.items() if pattern.fullmatch(joined)), "")
+    return "".join(parts)
 
 
 def guess(
@@ -120,7 +126,10 @@ def guess(
     """
     known = _named(titles)
     if {"x", "y"} <= set(known):
-        return Guess(ColumnMapping(**known))
+        # Not beside velocities, which are per unit of time.
+        has_rates = not set(known) <= {"x", "y", *WORDS}
+        along = [] if has_rates else _columns_along(titles, rows)
+        return Guess(ColumnMapping(**known | dict(zip(("t",), along, strict=False))))
     free = [
         column
         for column in range(len(titles))
@@ -190,7 +199,24 @@ def _named(titles: Sequence[str]) -> dict[str, int]:
         role = role_of(title)
         if role and (role not in found or len(title) < len(titles[found[role]])):
             found[role] = column
-    return found
+    # Of a vector both coordinates: "vx" alone is the speed along the way, of vehicles.
+    parts = (*ROLES[3:], *AFTER)
+    halves = [pair for pair in zip(parts[::2], parts[1::2], strict=True) if not set(pair) <= set(found)]
+    return {role: column for role, column in found.items() if not any(role in pair for pair in halves)}
+
+
+def _columns_along(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> list[int]:
+    """Return the columns that are lengths along the way by their titles, and increase in the first rows."""
+    columns = [column for column, title in enumerate(titles) if _ALONG.fullmatch(_without_unit(title))]
+    return [column for column in columns if _increases(rows, column)]
+
+
+def _increases(rows: Sequence[Sequence[str]], column: int) -> bool:
+    try:
+        numbers = [float(row[column].replace(",", ".")) for row in rows]
+    except (ValueError, IndexError):
+        return False
+    return len(numbers) > 1 and all(first < second for first, second in pairwise(numbers))
 
 
 def _counts(title: str, rows: Sequence[Sequence[str]], column: int) -> bool:

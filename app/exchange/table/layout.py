@@ -163,11 +163,31 @@ def cells_of(line: str, layout: TextLayout, width: int = 0) -> list[str]:
     return cells[:-1] if ends_so else cells
 
 
-def titles_of(rows: list[list[str]], layout: TextLayout) -> tuple[str, ...]:
-    """Return the titles of the columns: the cells of the first of `rows`, or "Column 1" and so on."""
-    numbered = numbered_titles(len(rows[0]))
-    given = rows[0] if layout.header else [""] * len(numbered)
+def titles_of(first: list[str], layout: TextLayout, comments: list[str]) -> tuple[str, ...]:
+    """Return the titles of the columns: the cells of the first row, of a comment, or "Column 1" and so on."""
+    numbered = numbered_titles(len(first))
+    given = first if layout.header else titles_in(comments, len(first), layout) or [""] * len(first)
     return tuple(cell or title for cell, title in zip(given, numbered, strict=True))
+
+
+def titles_in(comments: list[str], width: int, layout: TextLayout) -> list[str]:
+    """Return as many titles as there are columns, from the last of some comments that has them; else none.
+
+    NumPy's savetxt writes "# y,x" above numbers between blanks. A sentence may have as many words as there
+    are columns, so titles between other marks than those of the rows, and between blanks, must be known ones.
+    """
+    for text in reversed(comments):
+        for said in (text, text.partition(":")[2]):
+            for separator in (layout.separator, *SEPARATORS):
+                marks = replace(layout, separator=separator)
+                cells = cells_of(said, marks, width)
+                if len(cells) != width or any(is_number(cell, marks) for cell in cells):
+                    continue
+                roles = list(map(role_of, cells))
+                is_row = separator == layout.separator != " " and width > 1
+                if is_row or all(roles) or {"x", "y"} <= set(roles):
+                    return cells
+    return []
 
 
 def cells_of_row(data: bytes, layout: TextLayout, row: int) -> tuple[str, ...]:

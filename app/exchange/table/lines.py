@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import codecs
+import math
+import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from ..errors import ExchangeError
 from .layout import RowProblem
@@ -14,6 +17,9 @@ _BLOCK = 2**19
 
 SNIFFED_LINES = 50
 _HEADS = (2**16, 2**22)
+_COMMENT = re.compile(r"[#%]+|//+|;+(?=\s*[^\W\d][^;]*[\s,][^\s;][^;]*$)")
+"""Marks of comments. A “;” may end an empty cell as well: it does unless words without another “;” follow."""
+
 _UTF_8_MARK = codecs.BOM_UTF8
 _UTF_16_MARKS = {codecs.BOM_UTF16_LE: "utf-16-le", codecs.BOM_UTF16_BE: "utf-16-be"}
 
@@ -55,8 +61,30 @@ def parts_of(data: bytes) -> Iterator[tuple[int, list[str], int]]:
         start, number = end + 1, number + len(lines)
 
 
-def numbered_first_lines(data: bytes) -> list[tuple[int, str]]:
-    """Return the first lines that hold data, each after its number, from 1, in an editor of text.
+@dataclass(frozen=True)
+class FirstLines:
+    """First lines of a table that hold data.
+
+    Attributes
+    ----------
+    lines, numbers
+        The lines, and their numbers, from 1, in an editor of text.
+    comments
+        The texts of the comments among and above these lines, by their numbers.
+    """
+
+    lines: list[str]
+    numbers: list[int]
+    comments: dict[int, str]
+
+    def comments_above(self, place: int) -> list[str]:
+        """Return the comments above the line at a place in `lines`."""
+        first = self.numbers[place] if place < len(self.numbers) else math.inf
+        return [text for number, text in self.comments.items() if number < first]
+
+
+def first_lines(data: bytes) -> FirstLines:
+    """Return the first lines of UTF-8 bytes that hold data.
 
     Raises
     ------
@@ -64,17 +92,27 @@ def numbered_first_lines(data: bytes) -> list[tuple[int, str]]:
         If there is none.
     """
     for size in (*_HEADS, len(data)):
-        found = [(number, line) for number, line in enumerate(_head(data, size), start=1) if is_data(line)]
+        head = list(enumerate(_head(data, size), start=1))
+        found = [(number, line) for number, line in head if is_data(line)]
         is_enough = len(found) > 1 or size >= len(data) or (found and len(found[0][1]) >= _HEADS[0])
         if found and is_enough:
-            return found[:SNIFFED_LINES]
+            numbers, lines = zip(*found[:SNIFFED_LINES], strict=True)
+            texts = ((number, comment_in(line)) for number, line in head)
+            return FirstLines(list(lines), list(numbers), {number: text for number, text in texts if text})
     raise ExchangeError("The table has no rows of numbers.")
 
 
 def is_data(line: str) -> bool:
     """Whether a line is neither empty nor a comment."""
     text = line.lstrip()
-    return bool(text) and text[0] != "#"
+    # The marks first: this is asked of every row.
+    return bool(text) and not (text[0] in "#%/;" and _COMMENT.match(text))
+
+
+def comment_in(line: str) -> str:
+    """Return the text of a line that is a comment; empty for any other."""
+    mark = _COMMENT.match(line.lstrip())
+    return line.strip()[mark.end() :].strip() if mark else ""
 
 
 def _head(data: bytes, size: int) -> list[str]:

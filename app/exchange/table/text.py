@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import io
 import math
+import re
 from dataclasses import dataclass
+from itertools import compress
 
 import numpy as np
 
@@ -13,7 +15,7 @@ from curvecore.arrays import FloatArray
 from ...document.model import MAX_MAGNITUDE
 from ...tasks.progress import Report, silent
 from ..errors import ExchangeError
-from .columns import AFTER, ROLES, WORDS, ColumnMapping, guess
+from .columns import AFTER, ROLES, WORDS, ColumnMapping, guess, numbered_titles, role_of
 from .layout import (
     MissingNumber,
     RowProblem,
@@ -24,10 +26,11 @@ from .layout import (
     sniffed,
     titles_of,
 )
-from .lines import is_data, numbered_first_lines, parts_of, plain_utf_8
+from .lines import first_lines, is_data, parts_of, plain_utf_8
 from .table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 
 _FORMULA = ("=", "@")
+_WORDS_OF_COMMENT = re.compile(r"[\s,;]+")
 
 
 def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
@@ -38,16 +41,18 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
     ExchangeError
         If the bytes are no text.
     """
-    numbered = numbered_first_lines(plain_utf_8(data))
-    lines = [line for _number, line in numbered]
-    layout = layout or sniffed(lines)
-    rows = _rows(lines, layout)
-    titles = titles_of(rows, layout)
+    head = first_lines(plain_utf_8(data))
+    layout = layout or sniffed(head.lines)
+    rows = _rows(head.lines, layout)
+    comments = head.comments_above(layout.above)
+    titles = titles_of(rows[0], layout, comments)
     shown = rows[layout.header + layout.units :]
     found = guess(titles, shown, _are_numbers(shown, len(titles), layout))
     cells = tuple(map(tuple, shown[:PREVIEW_ROWS]))
-    numbers = tuple(number for number, _line in numbered[layout.above :][:PREVIEW_ROWS])
-    return Preview(layout, titles, cells, numbers, found, _said(lines, layout))
+    numbers = tuple(head.numbers[layout.above :][:PREVIEW_ROWS])
+    has_titles = titles != numbered_titles(len(titles))
+    said = _said(head.lines, layout, [] if has_titles else comments)
+    return Preview(layout, titles, cells, numbers, found, said)
 
 
 def read_table(
@@ -60,8 +65,8 @@ def read_table(
 ) -> Table:
     """Return the numbers of a table of text.
 
-    Empty lines are skipped, and lines that begin with "#"; cells may be empty. Nothing is ever computed: a
-    formula is text, and refused as such.
+    Empty lines and comments are skipped; cells may be empty. Nothing is ever computed: a formula is text, and
+    refused as such.
 
     Parameters
     ----------
@@ -82,7 +87,8 @@ def read_table(
         With the row, as an editor of text counts, and the column, for the first cell that is no number.
     """
     data = plain_utf_8(data)
-    titles = titles_of(_rows([line for _number, line in numbered_first_lines(data)], layout), layout)
+    head = first_lines(data)
+    titles = titles_of(_rows(head.lines, layout)[0], layout, head.comments_above(layout.above))
     wanted = _wanted(len(titles), mapping)
     rows_at_most = max(data.count(b"\n"), data.count(b"\r")) + 1
     collector = _Collector(layout, wanted, rows_at_most, allows_missing)
@@ -115,12 +121,14 @@ def _are_numbers(rows: list[list[str]], width: int, layout: TextLayout) -> list[
     ]
 
 
-def _said(lines: list[str], layout: TextLayout) -> str:
-    """Return what stands above the numbers and is none of them."""
+def _said(lines: list[str], layout: TextLayout, comments: list[str]) -> str:
+    """Return what stands above the numbers and is none of them, in comments only what names a coordinate."""
     above = [f"“{line.strip()[:40]}”" for line in lines[: layout.skipped][:3]]
     titles = f"Not read as numbers: {', '.join(above)}." if above else ""
     units = "The row below the titles holds units." if layout.units else ""
-    return " ".join(filter(None, (titles, units)))
+    naming = [text for text in comments if {"x", "y"} & set(map(role_of, _WORDS_OF_COMMENT.split(text)))]
+    unused = f"“{naming[-1][:40]}” in a comment is not one title for each column." if naming else ""
+    return " ".join(filter(None, (titles, units, unused)))
 
 
 # From lines to numbers
@@ -191,7 +199,8 @@ class _Collector:
             self._note_gaps(lines, are_data, first)
         if not any(are_data):
             return
-        values = _fast(lines, self._layout, self._wanted, self._allows_missing)
+        rows = lines if all(are_data) else list(compress(lines, are_data))
+        values = _fast(rows, self._layout, self._wanted, self._allows_missing)
         if values is None:
             values = _careful(lines, first, self._layout, self._wanted, self._allows_missing)
         self._first_row = self._first_row or first + are_data.index(True)
@@ -275,8 +284,8 @@ def _is_even(lines: list[str], text: str, layout: TextLayout, width: int) -> boo
     if "#" in text:
         return False
     if layout.separator == " ":
-        return all(len(line.split()) == width for line in lines if is_data(line))
-    return all(line.count(layout.separator) == width - 1 for line in lines if is_data(line))
+        return all(len(line.split()) == width for line in lines)
+    return all(line.count(layout.separator) == width - 1 for line in lines)
 
 
 def _careful(
