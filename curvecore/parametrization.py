@@ -21,6 +21,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, finite_number, integer, point_array
+from curvecore.double_double import (
+    DoubleDouble,
+    add,
+    cumulative_sum,
+    difference,
+    divide,
+    logarithm,
+    multiply,
+    rescaled,
+    square_root,
+    vector_lengths,
+)
 from curvecore.errors import CurveError
 
 
@@ -141,6 +153,7 @@ def chord_length(points: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray, shape (n,)
+        Each within 0.51 units in its last place, however many the points are.
 
     Raises
     ------
@@ -205,6 +218,7 @@ def power(points: ArrayLike, alpha: float) -> FloatArray:
     Returns
     -------
     ndarray, shape (n,)
+        As accurate as those of `chord_length`.
 
     Raises
     ------
@@ -246,43 +260,54 @@ def relative_spacing(points: FloatArray, alpha: float, rule: str) -> FloatArray:
     CurveError
         For a negative alpha, and for coincident points unless alpha is 0.
     """
-    exponent = finite_number(alpha, "alpha")
-    if exponent < 0.0:
-        raise CurveError(f"alpha must be at least 0, not {exponent}")
-    if exponent == 0.0:
-        return np.ones(len(points) - 1)
-    length = _relative_distances(points, rule)
     with np.errstate(under="ignore"):
-        spacing: FloatArray = length**exponent
-    return spacing
+        spacing = _spacing(points, alpha, rule).high
+        relative: FloatArray = spacing / spacing.max()
+    return relative
 
 
 def _power(points: FloatArray, alpha: float, rule: str) -> FloatArray:
-    spacing = relative_spacing(points, alpha, rule)
-    parameters = np.zeros(len(points))
-    np.cumsum(spacing, out=parameters[1:])
-    parameters /= parameters[-1]
+    """Return the parameters, each within 0.51 units in its last place."""
+    with np.errstate(under="ignore"):
+        total = cumulative_sum(_spacing(points, alpha, rule))
+        shares = divide(total, DoubleDouble(total.high[-1], total.low[-1]))
+    parameters = np.append(0.0, shares.high)
     _check_increasing(parameters, f"{rule} parameters cannot tell these points apart: parameters")
     return parameters
 
 
-def _relative_distances(points: FloatArray, rule: str) -> FloatArray:
-    """Return the distances of consecutive points over the largest distance."""
+def _spacing(points: FloatArray, alpha: float, rule: str) -> DoubleDouble:
+    """Return distance ** alpha, (n - 1,), in units such that the largest one is about 1."""
+    exponent = finite_number(alpha, "alpha")
+    if exponent < 0.0:
+        raise CurveError(f"alpha must be at least 0, not {exponent}")
+    if exponent == 0.0:
+        return DoubleDouble(np.ones(len(points) - 1), np.zeros(len(points) - 1))
+    length = _relative_distances(points, rule)
+    if exponent in (0.5, 1.0):
+        return length if exponent == 1.0 else square_root(length)
+    rounded = length.high**exponent
+    # By the difference of logarithms the power is off, relatively.
+    wanted = multiply(logarithm(length), DoubleDouble(np.array(exponent), np.array(0.0)))
+    reached = logarithm(DoubleDouble(rounded, np.zeros_like(rounded)))
+    return DoubleDouble(rounded, rounded * add(wanted, DoubleDouble(-reached.high, -reached.low)).high)
+
+
+def _relative_distances(points: FloatArray, rule: str) -> DoubleDouble:
+    """Return the distances of consecutive points in units of a power of two, the largest one about 1."""
     # Halves, because the difference of two finite coordinates may overflow.
     halved = 0.5 * points if np.abs(points).max() > 1e300 else points
-    step = np.abs(np.diff(halved, axis=0))
-    largest = step.max(axis=1)
+    step = difference(halved[1:], halved[:-1])
+    largest = np.abs(step.high).max(axis=1)
     if not largest.all():
         i = int(np.argmin(largest))
         raise CurveError(
             f"points {i} and {i + 1} coincide; {rule} parameters need distinct consecutive points", (i, i + 1)
         )
-    # Dividing each row by its own largest entry keeps every square in range.
-    with np.errstate(under="ignore"):
-        norm = np.sqrt(np.square(step / largest[:, None]).sum(axis=1))
-        relative: FloatArray = (largest / largest.max()) * norm
-    relative /= relative.max()
-    return relative
+    # Each in its own units, which keeps every square in range.
+    _, exponent = np.frexp(largest)
+    lengths = vector_lengths(rescaled(step, -exponent[:, None]))
+    return rescaled(lengths, exponent - exponent.max())
 
 
 def _check_increasing(parameters: FloatArray, what: str) -> None:
