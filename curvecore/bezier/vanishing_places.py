@@ -37,7 +37,7 @@ class VanishingPlaces(NamedTuple):
         Ascending.
     inner : ndarray of int, shape (k,)
         Which of them are no ends of the segment.
-    shares : DoubleDouble, shape (2, 1, k)
+    shares : DoubleDouble, shape (2, k, 1)
         1 - s and s of these.
     cuts : ndarray, shape (P - 1,)
         The middles between neighbours.
@@ -115,4 +115,4 @@ def _parts(exact: list[list[Fraction]]) -> DoubleDouble:
         [float(each - Fraction(part)) for each, part in zip(*rows, strict=True)]
         for rows in zip(exact, high, strict=True)
     ]
-    return DoubleDouble(*(read_only(np.array(part).reshape(2, 1, -1)) for part in (high, low)))
+    return DoubleDouble(*(read_only(np.array(part).reshape(2, -1, 1)) for part in (high, low)))

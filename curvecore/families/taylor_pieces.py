@@ -167,24 +167,27 @@ def taylor_pieces(
         data = _scaled_data(first, last, h)
         if not _in_range(h, data):
             return None
+        # Segments are the last axis until all is done: loops of NumPy's over one or two numbers are slow.
         coefficients = places.coefficients[:, None, :, 0, None] * data[0, :, None]
         for k, each in enumerate(data[1:], 1):
             coefficients += places.coefficients[:, None, :, k, None] * each[:, None]
         origins = _expand_at_doubles(coefficients, starts, ends, places)
         for power in range(len(coefficients)):
             for _ in range(order + power):
-                coefficients[power] /= h[:, None, None]
+                coefficients[power] /= h
         cuts = np.empty_like(origins)
-        cuts[:, -1] = ends
+        cuts[-1] = ends
         # What lies at a joint belongs to it, however short the segment.
-        least = np.nextafter(starts, ends)[:, None]
-        np.maximum(starts[:, None] + h[:, None] * places.cuts, least, out=cuts[:, :-1])
+        least = np.nextafter(starts, ends)
+        np.maximum(starts + h * places.cuts[:, None], least, out=cuts[:-1])
         cuts[-1, -1] = np.nextafter(ends[-1], np.inf)
-        intervals = PieceIntervals.of(cuts.ravel(), float(starts[0]))
-    numbers = coefficients[::-1].reshape(-1, origins.size, first.shape[2]).swapaxes(1, 2)
-    if len(numbers) > 1:
-        numbers = np.concatenate([numbers, np.broadcast_to(origins.ravel(), (1, *numbers.shape[1:]))])
-    return TaylorPieces(intervals, np.ascontiguousarray(numbers), (float(starts[0]), float(ends[-1])))
+        intervals = PieceIntervals.of(cuts.T.ravel(), float(starts[0]))
+    powers, dim = coefficients.shape[:2]
+    numbers = np.empty((powers + (powers > 1), dim, *origins.T.shape))
+    numbers[:powers] = coefficients[::-1].swapaxes(2, 3)
+    numbers[powers:] = origins.T
+    domain = float(starts[0]), float(ends[-1])
+    return TaylorPieces(intervals, numbers.reshape(len(numbers), dim, origins.size), domain)
 
 
 def _in_range(h: FloatArray, data: FloatArray) -> bool:
@@ -196,42 +199,43 @@ def _in_range(h: FloatArray, data: FloatArray) -> bool:
 
 
 def _scaled_data(first: FloatArray, last: FloatArray, h: FloatArray) -> FloatArray:
-    """Return the data of both ends of segments, with derivatives by the local s, (2 R, k, dim)."""
+    """Return the data of both ends of segments, with derivatives by the local s, (2 R, dim, k)."""
     width = first.shape[1]
-    data = np.concatenate([first.swapaxes(0, 1), last.swapaxes(0, 1)])
+    data = np.empty((2 * width, first.shape[2], h.size))  # np.concatenate would keep the order in memory
+    data[:width], data[width:] = first.transpose(1, 2, 0), last.transpose(1, 2, 0)
     for k in range(1, width):
         for _ in range(k):
-            data[k::width] *= h[:, None]
+            data[k::width] *= h
     return data
 
 
 def _expand_at_doubles(
     coefficients: FloatArray, starts: FloatArray, ends: FloatArray, places: VanishingPlaces
 ) -> FloatArray:
-    """Turn polynomials in s minus a place, (K, k, P, dim), into those about the double nearest to it.
+    """Turn polynomials in s minus a place, (K, dim, P, k), into those about the double nearest to it.
 
-    Returns these doubles, (k, P).
+    Returns these doubles, (P, k).
     """
-    joints = np.stack([starts, ends])[:, :, None]
-    h = joints[1] - joints[0]
-    origins: FloatArray = joints[0] + h * places.places
-    origins[:, places.places == 1.0] = joints[1]
+    joints = np.stack([starts, ends])[:, None]
+    h = ends - starts
+    origins: FloatArray = starts + h * places.places[:, None]
+    origins[places.places == 1.0] = ends
     inner = places.inner
     if inner.size and len(coefficients) > 1:
-        near = origins[:, inner]
+        near = origins[inner]
         # How far that lies behind the place, from exact distances: for some, by less than a rounding.
         high, low = multiply(difference(near, joints), places.shares)
         behind = add(DoubleDouble(high[0], low[0]), DoubleDouble(high[1], low[1]))
         exact = difference(near, behind.high)
-        origins[:, inner] = exact.high
+        origins[inner] = exact.high
         _shift(coefficients, inner, (behind.low - exact.low) / h)
     return origins
 
 
 def _shift(coefficients: FloatArray, inner: IntArray, offsets: FloatArray) -> None:
-    """Make polynomials in s, (K, k, P, dim), at some places those in s minus an offset, (k, places)."""
+    """Make polynomials in s, (K, dim, P, k), at some places those in s minus an offset, (places, k)."""
     some = coefficients[:, :, inner]
     for lowest in range(len(some) - 1):
         for power in range(len(some) - 2, lowest - 1, -1):
-            some[power] += offsets[..., None] * some[power + 1]
+            some[power] += offsets * some[power + 1]
     coefficients[:, :, inner] = some

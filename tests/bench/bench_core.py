@@ -222,6 +222,21 @@ def test_cubic_of_a_thousand_joints(compare, cubic, rng, ascend, order):
     assert targets.at_most(what, ratio, 1 if ascend else 0.5, "times")
 
 
+@pytest.mark.parametrize("order", [0, 1, 2, 3])
+def test_new_cubic_of_a_thousand_joints(compare, cubic, rng, order):
+    """With its construction, and the expansions that it keeps afterwards."""
+    curve, _, t = cubic(1000, 10_000)
+    rng.shuffle(t)
+    data = curve.points, curve.jets[:, 1], curve.parameters
+
+    def peer():
+        return interpolate.CubicHermiteSpline(data[2], data[0], data[1])(t, order)
+
+    ratio = 1.0 / compare(lambda: HermiteCurve(*data).evaluate(t, order), peer, 200)
+    what = f"new cubic, 1000 joints, derivative {order} at 10,000 t, over SciPy's"
+    assert targets.at_most(what, ratio, 1, "times")
+
+
 @pytest.mark.parametrize("order", [1, 2, 3])
 @pytest.mark.parametrize(("count", "limit"), [(100, 1), (1000, 1), (10_000, 0.5)])
 def test_derivatives_of_a_cubic(compare, cubic, count, limit, order):
