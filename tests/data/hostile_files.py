@@ -50,6 +50,16 @@ LARGE: dict[str, Callable[[], bytes]] = {
     "million_digits.svg": lambda: svg(f'<path d="M0 0L1 {DIGITS}"/>'),
     "many_pieces.svg": lambda: svg('<path d="M0 0' + "L1 1 0 0" * 50_001 + '"/>'),
     "wide_attributes.svg": lambda: svg("<g " + " ".join(f'a{i}=""' for i in range(100_000)) + "/>"),
+    "quadratic_entities.svg": lambda: (
+        f'<!DOCTYPE svg [<!ENTITY a "{"x" * 60_000}">]>'.encode() + svg(f'<g id="{"&a;" * 200_000}"/>')
+    ),
+    "quadratic_defaults.svg": lambda: (
+        f'<!DOCTYPE svg [<!ENTITY a "{"x" * 60_000}"><!ATTLIST g id CDATA "{"&a;" * 200_000}">]>'.encode()
+        + svg("")
+    ),
+    "default_values.svg": lambda: (
+        f'<!DOCTYPE svg [<!ATTLIST g id CDATA "{"x" * 60_000}">]>'.encode() + svg("<g/>" * 9000)
+    ),
     "many_entities.dxf": lambda: dxf("0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n" * 10_001),
     "million_digits.dxf": lambda: dxf(spline(DIGITS)),
 }

@@ -557,10 +557,10 @@ def test_another_document_comes_in_too(editor, tmp_path):
 
 
 UNREADABLE = (
-    ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
+    ("a.svg", "<!DOCTYPE svg [<!ENTITY a SYSTEM 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
     (
         "b.svg",
-        '<?xml version="1.0"?>\n<!DOCTYPE svg [<!ENTITY a "b">]>\n<svg/>',
+        '<?xml version="1.0"?>\n<!DOCTYPE svg [<!ENTITY % a "b">]>\n<svg/>',
         "delete all from “<!DOCTYPE” to “]>” in a text editor",
     ),
     ("a.dxf", "  0\nSECTION\n", "cut off"),

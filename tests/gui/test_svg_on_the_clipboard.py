@@ -104,6 +104,12 @@ def test_svg_of_a_page_says_no_name_spaces(three):
     assert len(chosen(three)) == 2
 
 
+def test_a_file_with_declarations_is_a_drawing(three):
+    three.paste_text('<!DOCTYPE svg [\n<!ENTITY end "0 0Z">\n] >' + LEAF.replace("0 0Z", "&end;"))
+    paste(three)
+    assert chosen(three) == ["leaf"]
+
+
 @pytest.mark.parametrize("text", ["M", "Mean 5", "<html><svg/></html>", "1 2\n3 4", "<svgs/>", ""])
 def test_other_text_is_no_drawing(text):
     assert fragment_in(text) is None

@@ -3,7 +3,7 @@
 - ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
   ``numbers``: numbers and text as XML has them.
 - ``reader``: SVG as Hermite curves, and what of a file is lost.
-  ``xml_tree``: elements, without DTD and entities, with their names.  ``groups``: what holds them.
+  ``xml_tree``: elements with their names.  ``groups``: what holds them.
 - ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
 - ``shapes``, ``path_data``: outlines.  ``clips``: boxes that cut.
 - ``cascade``, ``properties``, ``paint``: the style of an element, from attributes and rules.

@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 _ELEMENTS = "svg|g|path|rect|circle|ellipse|line|polyline|polygon|use|symbol|defs"
 _ROOT = re.compile(r"<(?:[\w-]+:)?svg[\s/>]")
 _ELEMENT = re.compile(rf"<(?:{_ELEMENTS})[\s/>]")
-_PROLOGUE = re.compile(r"\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*|<!DOCTYPE[^>]*>\s*)*<", re.DOTALL)
+_PROLOGUE = re.compile(
+    r"\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>\s*)*<", re.DOTALL
+)
 _PATH = re.compile(r"[Mm]\s*[-+.\d][-+.,\d\sMmZzLlHhVvCcSsQqTtAaEe]*")
 _SVG, _XLINK = "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"
 

@@ -1,7 +1,7 @@
 """SVG in: paths and basic shapes become cubic Hermite curves, with their styles, groups and names.
 
 Coordinates are those of the file in the unit of its size, with y turned up. Nothing outside the file is ever
-read, and no DTD or entity inside it. What does not come in as it is drawn is told, by kind and count.
+read. What does not come in as it is drawn is told, by kind and count.
 """
 
 from __future__ import annotations
@@ -109,8 +109,8 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     Raises
     ------
     ExchangeError
-        With the element, for anything that is no SVG or that is hostile: a DTD, entities, elements that
-        use themselves, more than `MAX_ELEMENTS` elements, broken data.
+        With the element, for anything that is no SVG or that is hostile: entities beyond bounds, elements
+        that use themselves, more than `MAX_ELEMENTS` elements, broken data.
     """
     return _read(data, tolerance)[0]
 

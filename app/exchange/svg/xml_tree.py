@@ -1,15 +1,19 @@
 """XML trees of SVG files, and the names and references of their elements.
 
-No DTD is fetched, no entity declared; there are neither many elements nor deep ones. Names are those of
-the dialects of several programs.
+Entities and default values that a DOCTYPE declares within the file are followed within bounds; nothing
+outside the file is ever read. There are neither many elements nor deep ones. Names are those of the dialects
+of several programs.
 """
 
 from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
+from typing import NoReturn
 from xml.parsers.expat.errors import XML_ERROR_UNDEFINED_ENTITY, codes
 
 from defusedxml.ElementTree import DefusedXMLParser
@@ -19,11 +23,18 @@ from ..errors import ExchangeError
 MAX_ELEMENTS = 10_000
 MAX_DEPTH = 200
 
-_SUBSET = (
-    "Its DOCTYPE declares entities, or something else between “[” and “]>”, and that is not read. Save it as "
-    "plain SVG; or, where no “&name;” stands in the file, delete all from “<!DOCTYPE” to “]>” in a text "
-    "editor."
+MAX_TEXT = 2**16
+"""Characters that entities and default values may add to a file."""
+
+MAX_NESTING = 4
+"""Entities within each other."""
+
+_NOT_WITHIN = (
+    "Its DOCTYPE declares or uses {}, and that is not read. Save it as plain SVG; or, where no “&name;” "
+    "stands in the file, delete all from “<!DOCTYPE” to “]>” in a text editor."
 )
+_ENTITY = r"&([^#&;\s][^&;\s]*);"
+_PREDEFINED = ("amp", "lt", "gt", "quot", "apos")
 
 _LONGEST_NAME = 200
 
@@ -49,20 +60,21 @@ _REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 def parsed(data: bytes) -> ET.Element:
     """Return the root of an XML file.
 
-    A plain DOCTYPE, as matplotlib and Illustrator write it, is passed over: what it points to is not read.
+    What a DOCTYPE points to is not read; what it declares itself, as Illustrator and Sodipodi do, is.
 
     Raises
     ------
     ExchangeError
-        With the place, for what is not XML; for entities, a DTD in the file, more than `MAX_ELEMENTS`
-        elements, and elements deeper than `MAX_DEPTH`.
+        With the place, for what is not XML; for entities that are outside the file, that are parameters, or
+        that come to more than `MAX_NESTING` and `MAX_TEXT`; for more than `MAX_ELEMENTS` elements, and
+        elements deeper than `MAX_DEPTH`.
     """
     if not data.strip():
         raise ExchangeError("The file is empty.")
     try:
         return _tree(data)
-    except _PlainDoctype as found:
-        return _tree(_without_doctype(data, found.end), may_have_doctype=False)
+    except _ExternalId as found:
+        return _tree(_without_external_id(data, *found.args), may_point_outside=False)
 
 
 def tag_of(element: ET.Element) -> str:
@@ -83,8 +95,8 @@ def speaks_to_us(element: ET.Element) -> bool:
     )
 
 
-def _tree(data: bytes, *, may_have_doctype: bool = True) -> ET.Element:
-    parser = _Parser(_CountingBuilder(), may_have_doctype)
+def _tree(data: bytes, *, may_point_outside: bool = True) -> ET.Element:
+    parser = _Parser(_Declared(data), may_point_outside)
     try:
         parser.feed(data)
         root: ET.Element = parser.close()
@@ -100,53 +112,121 @@ def _tree(data: bytes, *, may_have_doctype: bool = True) -> ET.Element:
     return root
 
 
-class _PlainDoctype(Exception):  # noqa: N818 - found, not wrong
-    """There is a DOCTYPE with nothing in it; `end` is the place of its “>”."""
-
-    def __init__(self, end: int) -> None:
-        super().__init__(end)
-        self.end = end
+class _ExternalId(Exception):  # noqa: N818 - found, not wrong
+    """A DOCTYPE points to a DTD outside the file, after a keyword and before the “[” or “>” at this place."""
 
 
 class _Parser(DefusedXMLParser):  # type: ignore[misc]  # that package has no types
-    """Stops at a DOCTYPE, and refuses one that declares anything.
+    """Stops at a DOCTYPE that points outside the file, and refuses parameter entities and external ones.
 
-    Expat itself would read on after a plain one, but then drop every “&name;” in an attribute without a
+    Expat itself would read on after the former, but then drop every “&name;” in an attribute without a
     word, for a DTD that it has not read might declare it.
     """
 
-    def __init__(self, target: object, may_have_doctype: bool) -> None:
-        super().__init__(target=target, forbid_dtd=True)
-        self._may_have_doctype = may_have_doctype
+    def __init__(self, declared: _Declared, may_point_outside: bool) -> None:
+        super().__init__(target=_CountingBuilder(declared), forbid_dtd=True)
+        self._declared, self._may_point_outside = declared, may_point_outside
+        self.parser.AttlistDeclHandler = declared.attribute
 
     def defused_start_doctype_decl(
-        self, name: str, sysid: str | None, pubid: str | None, has_internal_subset: int
+        self, _name: str, sysid: str | None, pubid: str | None, _has_internal_subset: int
     ) -> None:
-        if has_internal_subset:
-            raise ExchangeError(_SUBSET)
-        if not self._may_have_doctype:
-            raise ExchangeError("The file is not XML: it has two DOCTYPEs.")
-        raise _PlainDoctype(self.parser.CurrentByteIndex)
+        if sysid is not None or pubid is not None:
+            if not self._may_point_outside:
+                raise ExchangeError("The file is not XML: its DOCTYPE is broken.")
+            raise _ExternalId(b"SYSTEM" if pubid is None else b"PUBLIC", self.parser.CurrentByteIndex)
+        # From here on it is called for references to parameter entities alone.
+        self.parser.NotStandaloneHandler = _refused_parameter
+
+    def defused_entity_decl(
+        self, name: str, is_parameter: bool, value: str | None, *_outside: object
+    ) -> None:
+        if is_parameter:
+            _refused_parameter()
+        if value is None:
+            raise ExchangeError(_NOT_WITHIN.format("an entity outside the file"))
+        self._declared.entity(name, value)
+
+    def defused_unparsed_entity_decl(self, name: str, *_outside: object) -> None:
+        self.defused_entity_decl(name, False, None)
 
 
-def _without_doctype(data: bytes, end: int) -> bytes:
-    """Return the file with blanks in place of the DOCTYPE before the “>” at `end`: no other place moves."""
+def _refused_parameter() -> NoReturn:
+    raise ExchangeError(_NOT_WITHIN.format("a parameter entity"))
+
+
+class _Declared:
+    """Entities and default values that a DOCTYPE declares, and how much text they add to a file.
+
+    Counted before any of it is made: by the references that stand in the file, in whichever encoding, those
+    in comments and in other entities included.
+    """
+
+    def __init__(self, data: bytes) -> None:
+        self._data, self._added = data, 0
+        self._entities = dict.fromkeys(_PREDEFINED, (1, 0))
+        self._defaults: Counter[str] = Counter()
+
+    def entity(self, name: str, value: str) -> None:
+        """Take note of the length of an entity with those in it, and how deep they are."""
+        inner = Counter(re.findall(_ENTITY, value))
+        if unknown := next((each for each in inner if each not in self._entities), None):
+            raise ExchangeError(
+                f"The entity “{name[:40]}” uses “&{unknown[:40]};”, which is not declared before it."
+            )
+        depth = 1 + max((self._entities[each][1] for each in inner), default=0)
+        if depth > MAX_NESTING:
+            raise ExchangeError(f"The entity “{name[:40]}” is nested deeper than {MAX_NESTING} levels.")
+        size = len(value) + sum(count * self._entities[each][0] for each, count in inner.items())
+        self._entities[name] = size, depth
+        self._add(size * (self._uses[name.encode()] if name.isascii() else self._uses.total()))
+
+    @cached_property
+    def _uses(self) -> Counter[bytes]:
+        # Expat takes no encoding in which letters are written otherwise, but for the zeros of UTF-16.
+        return Counter(re.findall(_ENTITY.encode(), self._data.replace(b"\0", b"")))
+
+    def attribute(self, element: str, name: str, _kind: str, default: str | None, _required: int) -> None:
+        """Take note of the length of a default value."""
+        self._add(len(name))
+        if default is not None:
+            self._defaults[element.rpartition(":")[2]] += len(name) + len(default)
+
+    def use_defaults(self, element: str) -> None:
+        """Count the default values of an element."""
+        self._add(self._defaults[element])
+
+    def _add(self, length: int) -> None:
+        self._added += length
+        if self._added > MAX_TEXT:
+            raise ExchangeError(
+                f"The entities and default values of its DOCTYPE come to more than {MAX_TEXT // 1024} KB."
+            )
+
+
+def _without_external_id(data: bytes, keyword: bytes, end: int) -> bytes:
+    """Return the file with blanks from a keyword in its DOCTYPE to the mark at `end`: no place moves."""
     # In UTF-16 every character takes two bytes, and the zero stands before or after.
     width = 2 if 0 in data[end : end + 2] else 1
-    closing = data[end : end + width]
-    opening = b"".join(closing.replace(b">", bytes([letter])) for letter in b"<!DOCTYPE")
-    start = data.rfind(opening, 0, end)
-    space, newline = closing.replace(b">", b" "), closing.replace(b">", b"\n")
-    units = (data[place : place + width] for place in range(start, end, width))
-    blank = b"".join(newline if unit == newline else space for unit in units)
-    return data[:start] + blank + space + data[end + width :]
+    unit = data[end : end + width]
+    mark = unit.strip(b"\0")
+
+    def written(text: bytes) -> bytes:
+        return b"".join(unit.replace(mark, bytes([letter])) for letter in text)
+
+    start = data.find(written(keyword), data.rfind(written(b"<!DOCTYPE"), 0, end), end)
+    newline, space = written(b"\n"), written(b" ")
+    units = (data[place : place + width] for place in range(start, end, width)) if start > 0 else ()
+    blank = b"".join(newline if each == newline else space for each in units)
+    return data[: end - len(blank)] + blank + data[end:]
 
 
 class _CountingBuilder(ET.TreeBuilder):
     """Builds the tree as long as it is neither large nor deep."""
 
-    def __init__(self) -> None:
+    def __init__(self, declared: _Declared) -> None:
         super().__init__()
+        self._declared = declared
         self._count = self._depth = 0
 
     def start(self, tag: str, attributes: dict[str, str], /) -> ET.Element:
@@ -156,6 +236,7 @@ class _CountingBuilder(ET.TreeBuilder):
             raise ExchangeError(f"The file has more than {MAX_ELEMENTS} elements.")
         if self._depth > MAX_DEPTH:
             raise ExchangeError(f"Element {self._count} is nested deeper than {MAX_DEPTH} levels.")
+        self._declared.use_defaults(tag.rpartition("}")[2])
         return super().start(tag, attributes)
 
     def end(self, tag: str, /) -> ET.Element:
