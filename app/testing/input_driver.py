@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from ..document.model import Vector
 from ..plotting.plot_widget import PlotWidget
 from ..window.main_window import MainWindow
-from .reach import require_enabled, require_reachable, require_under_mouse
+from .reach import require_enabled, require_reachable, require_under_mouse, require_within_drag
 from .waiting import SHORT_MS, deliver_events, wait_for_rest, wait_until_visible
 
 _STEPS = 6
@@ -133,8 +133,9 @@ class InputDriver:
         keys: Qt.KeyboardModifier = _NO_KEYS,
         button: Qt.MouseButton = _LEFT,
     ) -> None:
-        """Drag between two pixels of a plot's viewport."""
+        """Drag between two pixels of a plot's viewport; the second may lie outside it, within a screen."""
         start, to = QPointF(start), QPointF(to)
+        require_within_drag(plot.viewport(), to)  # before the press, which would stay
         self.send(plot, QEvent.Type.MouseMove, start, held=False, keys=keys)
         self.send(plot, QEvent.Type.MouseButtonPress, start, keys=keys, button=button)
         for step in range(1, _STEPS + 1):
@@ -155,11 +156,12 @@ class InputDriver:
     ) -> None:
         """Send one mouse event to a plot's viewport.
 
-        With a button held the mouse may leave the plot, as it may leave it before the release.
+        With a button held the mouse may leave the plot, but not farther than a screen, as it may before the
+        release.
         """
         place = QPointF(pixel)
         if kind == QEvent.Type.MouseButtonRelease or (kind == QEvent.Type.MouseMove and held):
-            require_reachable(plot.viewport())
+            require_within_drag(plot.viewport(), place)
         else:
             require_under_mouse(plot.viewport(), place)
         nothing = Qt.MouseButton.NoButton

@@ -10,6 +10,8 @@ from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
+_BRING_IT_IN = " Bring the place into view first: editor.fit() shows the whole curve, editor.wheel(…) zooms."
+
 
 class ImpossibleError(RuntimeError):
     """Something that no person could do in the window as it is; the message says why."""
@@ -46,12 +48,29 @@ def require_under_mouse(widget: QWidget, pixel: QPoint | QPointF) -> None:
     where = f"({place.x()}, {place.y()})"
     if not widget.rect().contains(place):
         size = f"{widget.width()} × {widget.height()}"
-        raise ImpossibleError(f"The pixel {where} lies outside {name}, which has {size}.")
+        raise ImpossibleError(f"The pixel {where} lies outside {name}, which has {size}.{_BRING_IT_IN}")
     if not widget.visibleRegion().contains(place):
         raise ImpossibleError(f"The pixel {where} of {name} is covered, or cut off.")
     there = widget.childAt(place)
     if there is not None:
         raise ImpossibleError(f"At the pixel {where} of {name} lies {named(there)}.")
+
+
+def require_within_drag(widget: QWidget, pixel: QPoint | QPointF) -> None:
+    """Raise `ImpossibleError` unless a mouse that was pressed on `widget` can be moved to this pixel of it.
+
+    It may leave the widget, and the window, but not by more than the screen, or a window larger than that:
+    wherever the window stands, the screen ends there.
+    """
+    require_reachable(widget)
+    place, name = QPointF(pixel).toPoint(), named(widget.parentWidget() or widget)
+    room = widget.screen().virtualSize().expandedTo(widget.window().size())
+    within = widget.rect().adjusted(-room.width(), -room.height(), room.width(), room.height())
+    if not within.contains(place):
+        raise ImpossibleError(
+            f"The pixel ({place.x()}, {place.y()}) lies outside {name}, farther than a screen from it; no "
+            f"hand drags there.{_BRING_IT_IN}"
+        )
 
 
 def _require_unblocked(window: QWidget | None, what: str) -> None:

@@ -32,7 +32,23 @@ def test_what_no_person_can_do_is_refused_with_the_reason(editor):
     ):
         with impossible("lies outside canvas"):
             gesture()
-    # With the button held the mouse may leave the window.
+    # With the button held the mouse may leave the window, but not for a place that is on no screen.
+    far = (1e6, 1e6)
+    for gesture in (
+        lambda: editor.click(far),
+        lambda: editor.drag_point(1, to=far),
+        lambda: editor.drag_point(1, to=(-1e22, 0.0)),
+        lambda: editor.bend(0.5, to=far),
+        lambda: editor.drag_parameter(1, to=1e6),
+        lambda: editor.scrub(-1e6),
+        lambda: editor.add_point(*editor.point(1), velocity_handle=far),
+        lambda: editor.move(far),
+        lambda: editor.release(far),
+    ):
+        with impossible(r"lies outside .*editor.fit\(\)"):
+            gesture()
+        assert session.document is before
+        assert not session.is_previewing
     editor.drag(editor.point(1), outside)
     assert editor.point(1) == pytest.approx(outside, abs=2 * editor.pixel)
     editor.trigger("undo")
