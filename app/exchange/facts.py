@@ -17,7 +17,7 @@ from ..document.model import Curve, Document, Parametrization
 from ..document.style import PLAIN_STYLE, Style
 from ..families import Family, FamilySetting, SettingValue
 from ..tasks.progress import Report, silent
-from ..view_model.basis.growth import growths_of_points
+from ..view_model.basis.growth import growth_of_data, growths_of_points
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..view_model.geometry.arc_lengths import lengths_of
 from .drawing.drawing import refuse_wild, too_much
@@ -237,7 +237,7 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
 def _growths(views: Sequence[CurveView]) -> list[Growth]:
     """Return the constants of the data and of the points."""
     return [
-        Growth(1.0 if view.curve is not None and view.curve.is_positive else constant, constant)
+        Growth(growth_of_data(view) if view.cardinal is None or view.cardinal.follows else constant, constant)
         for view, constant in zip(views, growths_of_points(views), strict=True)
     ]
 

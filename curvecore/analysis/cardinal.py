@@ -80,6 +80,28 @@ def cardinal_basis(
     return CardinalBasis(curve, follow).basis(t, order)
 
 
+def by_point(functions: FloatArray, count: int) -> FloatArray:
+    """Return the functions of points: of a closed curve the last joint is the first point, and both count.
+
+    Parameters
+    ----------
+    functions : ndarray, shape (m, joints, ...)
+        One for each joint; with `joints` - `count` of them the curve comes back to its first points.
+    count : int
+        The number of points, at least half of the joints.
+
+    Returns
+    -------
+    ndarray, shape (m, count, ...)
+        The sums of the functions of each point.
+    """
+    found, again = functions[:, :count], functions.shape[1] - count
+    if again:
+        found = found.copy()
+        found[:, :again] += functions[:, count:]
+    return found
+
+
 class LocalCardinals(NamedTuple):
     """The cardinal functions that count at each t.
 
@@ -298,9 +320,7 @@ class CardinalBasis:
             # Two rows of data belong to a joint of two pieces.
             rows = np.flatnonzero(np.diff(joint_of_row(self.curve), prepend=-1))
             basis = np.add.reduceat(basis, rows, axis=1)
-        if self.closed:
-            basis[:, 0] += basis[:, -1]
-            basis = basis[:, :-1]
+        basis = by_point(basis, self.count)
         return LocalCardinals(np.broadcast_to(np.arange(self.count), basis.shape), basis)
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:

@@ -164,25 +164,20 @@ def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
     if isinstance(curve, CardinalBasis):
         if curve.follows:
             return lebesgue_constants([curve])[0]
-        if curve.closed and not curve.curve.is_positive:
-            # The first and the last row of data are one point: its functions count together.
-            return _largest_of_curve(curve.curve, curve.sums)
-        return lebesgue_constant(curve.curve)
+        return _largest_over(curve.curve, curve)
+    return max(_largest_over(piece, piece) for piece in curve.pieces)
+
+
+def _largest_over(curve: ParametricCurve, functions: ParametricCurve | CardinalBasis) -> float:
+    """Return the largest sum of functions over the domain of a curve."""
     if curve.is_positive:
         return 1.0
-    return max(1.0 if piece.is_positive else _largest_of_curve(piece) for piece in curve.pieces)
-
-
-def _largest_of_curve(
-    curve: ParametricCurve, sums_at: Callable[[FloatArray], FloatArray] | None = None
-) -> float:
     joints = all_joints(curve)
     segments = np.arange(len(joints) - 1)
     intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
 
     def sums(t: FloatArray, _segment: IntArray) -> FloatArray:
-        found = _sums(curve, t.ravel())[:, 0] if sums_at is None else sums_at(t.ravel())
-        return found.reshape(t.shape)
+        return lebesgue_function(functions, t)
 
     search = _FEW_PEAKS if curve.degree is None else _ONE_PEAK
     return float(_largest_sums(sums, intervals, 1, search)[0])

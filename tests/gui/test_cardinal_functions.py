@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.document.model import Curve, Document, Parametrization, Point
 from app.families import HERMITE, LAGRANGE
+from app.features.basis.function_lines import FunctionLines
 from app.settings.preferences import Preferences
 from app.testing import Editor
 
@@ -46,6 +47,9 @@ def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
     for point in range(7):
         t, values = panel.drawing.basis.function(point, 0)
         assert values == pytest.approx(cardinal.basis(t)[:, point])
+        # All of it is drawn: beyond the neighbours of its point nothing was.
+        lines = FunctionLines(panel.drawing.basis, panel.pixel_map)
+        assert lines.function(point, 0).size() == len(t) == len(panel.drawing.basis.t)
     # Hovering a function lights its point: between points 2 and 3 the function of point 1 is at −1.8.
     panel.drawing.fit_values()
     uneven.settle()

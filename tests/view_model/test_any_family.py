@@ -9,8 +9,10 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
+from app.document.derivatives import VelocityRule
 from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
+from app.exchange.facts import facts_of
 from app.families import FAMILIES, HERMITE, titles
 from app.view_model.analysis.cost import cost_of
 from app.view_model.analysis.cures import cures_of
@@ -38,7 +40,8 @@ from app.view_model.animation.motion import STATIONS, Course, Pace
 from app.view_model.animation.motion_picture import jumps_in_words, rivals_of
 from app.view_model.animation.motion_settings import timed_families
 from app.view_model.basis.basis_view import basis_view, weights_at
-from app.view_model.basis.growth import growth_of_points
+from app.view_model.basis.cardinal_view import cardinal_view
+from app.view_model.basis.growth import growth_at, growth_of_points
 from app.view_model.bending.bend import Bend
 from app.view_model.bending.hold import BendWith
 from app.view_model.curve.curve_view import view_of
@@ -68,6 +71,7 @@ JOINTS = {
     "tests_natural_spline": len(POINTS) - 2,
 }
 """Inner breaks of the families of which the tests know it."""
+LINEAR = [rule for rule in VelocityRule if rule.is_linear]
 RULES = [kind for kind in ParametrizationKind if kind is not ParametrizationKind.MANUAL]
 
 
@@ -77,8 +81,13 @@ def curve_of(name, kind=ParametrizationKind.CHORD_LENGTH, points=POINTS):
     if kind is not ParametrizationKind.MANUAL:
         return replace(made, parametrization=rule)
     times = np.linspace(1.0, 3.5, len(points)) + 0.1 * np.sin(np.arange(len(points)))
-    points = tuple(replace(point, t=float(t)) for point, t in zip(made.points, times, strict=True))
-    return replace(made, points=points, parametrization=rule)
+    return with_times(replace(made, parametrization=rule), times.tolist())
+
+
+def with_times(curve, times):
+    points = tuple(replace(point, t=t) for point, t in zip(curve.points, times, strict=True))
+    rule = replace(curve.parametrization, kind=ParametrizationKind.MANUAL)
+    return replace(curve, points=points, parametrization=rule)
 
 
 def made_or_reason(make):
@@ -317,6 +326,56 @@ def test_a_closed_curve_is_the_sum_of_its_functions_and_as_smooth_at_its_seam(na
     shown = basis_view(view)
     assert [view.owner(knot) for knot in (0, len(POINTS))] == [0, 0]
     assert len(shown.owners) == len(POINTS) + 1
+
+
+def chebyshev_samples(knots, degree, times):
+    """Return so many times degree Chebyshev points in each segment.
+
+    Between them a polynomial is at most 1 / cos(π / 2 times) as large as at them (Ehlich, Zeller 1964), and
+    so is a sum of sizes of polynomials: it is the largest of their sums with signs.
+    """
+    angles = (np.arange(times * degree) + 0.5) * np.pi / (times * degree)
+    return (knots[:-1, None] + np.diff(knots)[:, None] * (1 + np.cos(angles)) / 2).ravel()
+
+
+@each_row("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL])
+def test_the_first_point_of_a_closed_curve_counts_once(name, kind):
+    """Λ was 2.7346 for 2.5913, and the panel had two functions of point 0.
+
+    The sums are made by really moving each point; the parameters stay.
+    """
+    family = FAMILIES.named(name)
+    if not family.curve_class.can_close:
+        return
+    for rule in LINEAR if family.derivatives else LINEAR[:1]:
+        closed = replace(curve_of(name, kind), closed=True, velocity_rule=rule)
+        view = view_of(closed)
+        basis = (cardinal_view if family.derivatives else basis_view)(view)
+        # Where it is no polynomial the samples are as dense, and the bound is none.
+        t = chebyshev_samples(view.parameters, view.curve.degree or 9, 24)
+        effects = effects_of(view, np.concatenate([t, basis.t]))
+        effects, drawn = effects[:, : len(t)], effects[:, len(t) :]
+        sums = np.abs(effects).sum(axis=0)
+        assert growth_at(view, t) == pytest.approx(sums, rel=1e-11)
+        found = growth_of_points(view)
+        assert sums.max() * (1 - 1e-11) <= found <= sums.max() / np.cos(np.pi / 48)
+        assert facts_of(Document((closed,)))[0].lebesgue_constant.points == pytest.approx(found, rel=1e-12)
+        assert growth_of_points(view, basis) == found
+        assert weights_at(view, float(t[7])) == pytest.approx(effects[:, 7], abs=1e-12)
+        assert (basis.owners[0], basis.owners[-1], basis.point_count) == (0, 0, len(POINTS))
+        assert basis.value_at(float(t[7]), 0) == pytest.approx(effects[[*basis.owners], 7], abs=1e-12)
+        for knot, owner in enumerate(basis.owners):
+            assert basis.function(knot, 0)[1] == pytest.approx(drawn[owner], abs=1e-12)
+
+
+def effects_of(view, t):
+    """Return how far a move of each point by 1 moves the curve at t, (points, m); the parameters stay."""
+    document = Document((with_times(view.source, view.parameters[: len(view.points)].tolist()),))
+    moved = [
+        edits.set_position(document, 0, i, (x + 1.0, y)) for i, (x, y) in enumerate(view.points.tolist())
+    ]
+    ways = [view_of(each.curves[0]).curve.evaluate(t) - view.curve.evaluate(t) for each in moved]
+    return np.array(ways)[:, :, 0]
 
 
 @each_row("using", [BendWith.ALL, BendWith.POINTS])

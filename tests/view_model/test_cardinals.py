@@ -24,6 +24,7 @@ from app.view_model.bending.hold import BendWith
 from app.view_model.curve.curve_view import curve_through, view_of
 from curvecore import ensemble, lebesgue_constant, worst_case_band
 
+CUBIC_SPLINE = FAMILIES.named("cubic_spline")
 UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]
 CHORD, MANUAL = ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL
 LINEAR = [rule for rule in VelocityRule if rule.is_linear]
@@ -207,6 +208,16 @@ def test_the_constant_of_the_points_and_of_the_data():
     assert growth_of_points(view_of(set_by_hand)) == 1.0
     lagrange = view_of(seven(family=LAGRANGE))
     assert growth_of_points(lagrange) == growth_of_data(lagrange) == lebesgue_constant(lagrange.curve)
+
+
+def test_a_closed_spline_grows_errors_as_the_same_curve_of_the_hermite_family():
+    """Its first point counted twice: 2.7346."""
+    points = tuple(Point(x, y) for x, y in [(2.0, 1.0), (3.0, 1.0), (4.0, 0.0), (0.0, 4.0)])
+    for family in (CUBIC_SPLINE, HERMITE):
+        closed = view_of(Curve("Closed", family, Parametrization(CHORD), points, closed=True))
+        assert growth_of_points(closed) == pytest.approx(2.59131779, abs=1e-8)
+    assert growth_of_data(closed) == 1.0
+    assert growth_of_data(view_of(replace(closed.source, family=CUBIC_SPLINE))) == pytest.approx(2.59131779)
 
 
 def test_the_facts_have_both_constants():

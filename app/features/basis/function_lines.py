@@ -52,7 +52,7 @@ def note_on_drawing(basis: BasisView) -> str:
     drawing = way_to_draw(basis)
     if drawing is FunctionDrawing.EACH:
         return ""
-    return f"{basis.count} functions: {drawing.value} + selection"
+    return f"{basis.point_count} functions: {drawing.value} + selection"
 
 
 class FunctionLines:

@@ -8,6 +8,7 @@ from functools import cached_property, reduce
 import msgspec
 import numpy as np
 
+from curvecore.analysis.cardinal import by_point
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
@@ -110,9 +111,13 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self._inside_supports(range(self.count))
 
     def _inside_supports(self, knots: Iterable[int]) -> list[slice]:
-        low, high = np.array([self.curve.support(knot) for knot in knots]).T
+        low, high = np.array([self._support(knot) for knot in knots]).T
         first, end = np.searchsorted(self.t, low), np.searchsorted(self.t, high, side="right")
         return [slice(*ends) for ends in zip(first.tolist(), end.tolist(), strict=True)]
+
+    def _support(self, knot: int) -> tuple[float, float]:
+        # The function of the first point of a closed curve has a part at each end.
+        return self.curve.support(knot) if self.point_count == self.count else self.curve.domain
 
     @property
     def is_coarse(self) -> bool:
@@ -185,13 +190,11 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """
         assert not self.curve.is_local
         with np.errstate(over="ignore"):
-            return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
+            return float(np.abs(self.values[:, : self.point_count, 0]).sum(axis=1).max())
 
     def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the scaled functions of one kind at `t`, one for each knot."""
-        values = self.curve.basis(np.array([t]))
-        if not self.curve.is_local:
-            values = _by_point(values, self.owners)
+        values = _functions(self.curve, np.array([t]), self.owners)
         found: FloatArray = values[0, :, kind] * self.scales[:, kind]
         return found
 
@@ -213,26 +216,24 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
         return None
     if previous is not None and _are_idle_moves(curve, previous.curve):
         return msgspec.structs.replace(previous, curve=curve)
-    scales = basis_scales(curve)
+    scales = basis_scales(curve, closed=view.source.is_closed)
     count = len(view.source.points)
     owners = tuple(knot % count for knot in range(len(curve.parameters)))
     if curve.is_local:
         return _piecewise_view(curve, owners, scales)
     if len(owners) < _MANY or not curve.is_one_polynomial:
         t = _samples_over(curve)
-        return BasisView(curve, owners, t, _by_point(curve.basis(t), owners), None, scales)
+        return BasisView(curve, owners, t, _functions(curve, t, owners), None, scales)
     return _many_functions(curve, owners, scales, previous)
 
 
-def _by_point(values: FloatArray, owners: tuple[int, ...]) -> FloatArray:
-    """Return functions (m, knots, R) in which the last knot of a closed curve and its first have their sum.
+def _functions(curve: ParametricCurve, t: FloatArray, owners: tuple[int, ...]) -> FloatArray:
+    """Return the functions of all knots at t (m,), (m, knots, R): of both knots of one point their sum.
 
-    They are one point. Of piecewise curves the panel draws one beside the other.
+    Those of the first point of a piecewise curve lie side by side already.
     """
-    if owners[-1] == 0:
-        values[:, 0] += values[:, -1]
-        values[:, -1] = values[:, 0]
-    return values
+    values = curve.basis(t)
+    return values if curve.is_local else by_point(values, max(owners) + 1)[:, list(owners)]
 
 
 def _are_idle_moves(curve: ParametricCurve, before: ParametricCurve) -> bool:
@@ -290,7 +291,7 @@ def _sample_counts(spacing: FloatArray) -> IntArray:
     return np.full(len(spacing), each)
 
 
-def basis_scales(curve: ParametricCurve) -> FloatArray:
+def basis_scales(curve: ParametricCurve, *, closed: bool = False) -> FloatArray:
     """Return the factors that make functions of all kinds readable on one axis, (k, R).
 
     Functions of derivatives are in proportion to h, h² and so on, powers of the spacing; the longer of a
@@ -301,6 +302,8 @@ def basis_scales(curve: ParametricCurve) -> FloatArray:
         return np.ones((len(curve.parameters), 1))
     spacing = np.zeros(len(curve.parameters) + 1)
     spacing[1:-1] = np.diff(curve.parameters)
+    if closed:
+        spacing[[0, -1]] = spacing[[-2, 1]]
     longer = np.maximum(spacing[:-1], spacing[1:])
     with np.errstate(divide="ignore", over="ignore", under="ignore"):
         factors: FloatArray = np.array(_FACTORS[len(orders) - 1]) / longer[:, None] ** orders
@@ -322,7 +325,6 @@ def weights_at(view: CurveView, t: float) -> FloatArray:
     if view.cardinal is not None:
         return np.asarray(view.cardinal.basis(t))
     assert view.basis_curve is not None
-    count = len(view.source.points)
-    weights = view.basis_curve.basis(t)[:, 0]
-    weights[0] += weights[count:].sum()
-    return weights[:count]
+    basis = view.basis_curve.basis(np.array([t]))[:, :, 0]
+    weights: FloatArray = by_point(basis, len(view.source.points))[0]
+    return weights

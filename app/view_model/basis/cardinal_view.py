@@ -43,6 +43,9 @@ class CardinalView(BasisView, frozen=True, eq=False, dict=True):
         t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
         return t, self._at(t)[:, [self.owners[index]]]
 
+    def _support(self, knot: int) -> tuple[float, float]:
+        return self.curve.domain
+
     def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the functions at `t`, one for each knot."""
         return self._at(np.array([t]))[0, list(self.owners)]

@@ -12,13 +12,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from curvecore import lebesgue_constant
+from curvecore import CardinalBasis, lebesgue_constant
 from curvecore.analysis.stability import lebesgue_constants
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
 
 from ..curve.curve_view import CurveView
 from .basis_view import BasisView
+
+_FEW = 60
+"""Knots up to which a Lebesgue constant takes some milliseconds."""
 
 
 def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
@@ -29,8 +32,8 @@ def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
 def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
     """Return the Lebesgue constant Λ of the points of a curve; infinite where it is beyond all floats.
 
-    `basis` lends the functions of a Lagrange curve, of which many take long: the largest of their samples is
-    as much of the constant as can be drawn. What is on screen may still be the functions of another curve.
+    `basis` lends functions, of which many take long: the largest of their samples is as much of the constant
+    as can be drawn. What is on screen may still be the functions of another curve.
     """
     if not view.is_current or view.basis_curve is None:
         return math.nan
@@ -45,7 +48,7 @@ def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
         return 1.0
     if basis is not None and _lends(basis, view):
         return basis.lebesgue_constant
-    return lebesgue_constant(view.basis_curve)
+    return lebesgue_constant(CardinalBasis(view.basis_curve, closed=view.source.is_closed))
 
 
 def _lends(basis: BasisView, view: CurveView) -> bool:
@@ -53,8 +56,8 @@ def _lends(basis: BasisView, view: CurveView) -> bool:
     own = view.basis_curve
     if own is None or basis.curve.is_local or basis.curve.functions_key != own.functions_key:
         return False
-    if view.source.is_closed:
-        return False  # two of them belong to the first point
+    if len(view.parameters) < _FEW or basis.point_count != len(view.source.points):
+        return False
     return bool(np.array_equal(basis.curve.parameters, view.parameters))
 
 
