@@ -100,6 +100,7 @@ from curvecore.rounding.evaluation import available_methods as available_methods
 from curvecore.rounding.evaluation import evaluate_rounded as evaluate_rounded
 from curvecore.rounding.evaluation import rounded_decimals as rounded_decimals
 from curvecore.rounding.exact_values import digits_lost as digits_lost
+from curvecore.rounding.exact_values import exact_decimals as exact_decimals
 from curvecore.rounding.exact_values import exact_values as exact_values
 from curvecore.rounding.operations import OperationCounts as OperationCounts
 from curvecore.rounding.operations import operation_counts as operation_counts

@@ -47,7 +47,7 @@ Row: TypeAlias = list[Decimal]
 
 
 def exact_context(data: Data, t: FloatArray) -> Context:
-    """Return an arithmetic in which none of the first twenty digits of a result is rounded.
+    """Return an arithmetic in which none of the first thirty digits of a result is rounded.
 
     With the t axis scaled to a largest absolute t of 1, which elimination does
     not notice, a Vandermonde matrix of parameters at least g apart has entries

@@ -68,8 +68,8 @@ from curvecore.rounding.decimal_methods import (
 from curvecore.rounding.rounded_data import decimal_context
 from curvecore.scaling import LARGEST
 
-_SHOWN = 20
-"""Digits of a result that was computed exactly: four more than any computation rounds to."""
+_SHOWN = 30
+"""Digits of a result that was computed exactly: enough beyond those shown that to round again is no error."""
 
 
 class Method(StrEnum):
@@ -255,7 +255,7 @@ def rounded_decimals(
     Returns
     -------
     list of list of Decimal
-        m rows of dim; what was evaluated exactly is given to 20 digits.
+        m rows of dim; what was evaluated exactly is given to 30 digits.
 
     See Also
     --------

@@ -36,12 +36,16 @@ class CommonPolynomial(NamedTuple):
 
     def value(self, t: float) -> float:
         """Return the value at t, rounded once and limited to the largest finite number."""
+        return as_float(*self.ratio(t))
+
+    def ratio(self, t: float) -> tuple[int, int]:
+        """Return the value at t as a numerator and a denominator above 0."""
         top, bottom = t.as_integer_ratio()
         result, power = self.coefficients[-1], 1
         for coefficient in reversed(self.coefficients[:-1]):
             power *= bottom
             result = result * top + coefficient * power
-        return as_float(result, self.denominator * power)
+        return result, self.denominator * power
 
 
 def scaled_integers(values: Sequence[float]) -> tuple[list[int], int]:
@@ -49,6 +53,20 @@ def scaled_integers(values: Sequence[float]) -> tuple[list[int], int]:
     ratios = [float(value).as_integer_ratio() for value in values]
     power = max((bottom for _, bottom in ratios), default=1)
     return [top * (power // bottom) for top, bottom in ratios], power
+
+
+def lagrange_ratio(parameters: Sequence[float], values: Sequence[float], t: float) -> tuple[int, int]:
+    """Return the polynomial through values at one t as a numerator and a denominator, in n**2 products.
+
+    For one t the coefficients of `interpolated` would take n**4 operations.
+    """
+    (x, *nodes), _ = scaled_integers([t, *parameters])
+    total = Fraction(0)
+    for i, (node, value) in enumerate(zip(nodes, values, strict=True)):
+        others = nodes[:i] + nodes[i + 1 :]
+        above, below = math.prod(x - each for each in others), math.prod(node - each for each in others)
+        total += Fraction(value) * Fraction(above, below)
+    return total.as_integer_ratio()
 
 
 def as_float(numerator: int, denominator: int) -> float:

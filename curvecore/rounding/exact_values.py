@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from decimal import ROUND_HALF_EVEN, Context, Decimal
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, number_array, parameter_row
+from curvecore.arrays import FloatArray, integer, number_array, parameter_row
 from curvecore.errors import CurveError
 from curvecore.rounding.data import Data
-from curvecore.rounding.exact import interpolated
+from curvecore.rounding.exact import interpolated, lagrange_ratio
 from curvecore.rounding.rounded_data import digit_count
 
 
@@ -42,6 +44,7 @@ def exact_values(
     See Also
     --------
     evaluate_rounded : The same with few digits.
+    exact_decimals : The same with more digits than a double has.
 
     Notes
     -----
@@ -65,6 +68,61 @@ def exact_values(
         for axis, values in enumerate(jets.transpose(2, 0, 1).tolist()):
             polynomial = interpolated(places.tolist(), values)
             result[chosen, axis] = [polynomial.value(x) for x in where[chosen].tolist()]
+    return result
+
+
+def exact_decimals(
+    points: ArrayLike,
+    parameters: ArrayLike,
+    t: float,
+    digits: int,
+    velocities: ArrayLike | None = None,
+    accelerations: ArrayLike | None = None,
+    jerks: ArrayLike | None = None,
+) -> list[Decimal]:
+    """Return one point of the curve with so many correct digits.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i; n >= 2.
+    parameters : array_like, shape (n,)
+        Strictly increasing.
+    t : float
+        Finite.
+    digits : int
+        At least 1: significant digits of each coordinate.
+    velocities, accelerations, jerks : array_like, shape (n, dim), optional
+        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
+        septic one.
+
+    Returns
+    -------
+    list of Decimal, dim
+        The exact values for the data as doubles, rounded once, half to even.
+
+    See Also
+    --------
+    exact_values : The nearest doubles, at many t.
+    rounded_decimals : The digits of a computation.
+
+    Examples
+    --------
+    >>> from curvecore import exact_decimals
+    >>> print(*exact_decimals([[0.0], [1.0], [4.0]], [0, 1, 3], 0.5, 20))
+    0.45833333333333333333
+    """
+    data = Data.of(points, parameters, velocities, accelerations, jerks)
+    (where,) = parameter_row(t).tolist()
+    places, jets = data.stretch(int(data.segments(np.array([where]))[0]))
+    context = Context(prec=integer(digits, "digits", 1), rounding=ROUND_HALF_EVEN)
+    result = []
+    for values in jets.transpose(2, 0, 1).tolist():
+        if len(values[0]) == 1:
+            ratio = lagrange_ratio(places.tolist(), [value for (value,) in values], where)
+        else:
+            ratio = interpolated(places.tolist(), values).ratio(where)
+        result.append(context.divide(*map(Decimal, ratio)))
     return result
 
 

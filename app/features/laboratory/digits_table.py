@@ -42,13 +42,12 @@ class DigitsTable(QWidget):
         return [(name.text(), x.text(), y.text()) for name, x, y in self._rows if not name.isHidden()]
 
     def render_digits(self, digits: Digits | None, shown: int) -> None:
-        """Show the digits at one t; the true ones with two more than the `shown` that are computed with."""
+        """Show the digits at one t; `shown` are those that are computed with."""
         self.setVisible(digits is not None)
         if digits is None:
             return
         self._title.setText(f"At t = {number(digits.t)}")
-        true = [f"{value:.{shown + 2}g}" for value in digits.truth]
-        rows = [("True", *map(_aligned, true))]
+        rows = [("True", *map(_aligned, digits.truth))]
         rows += [(method.label, *map(_aligned, pair)) for method, pair in digits.rows]
         while len(self._rows) < len(rows):
             self._add_row()

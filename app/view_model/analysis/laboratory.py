@@ -1,7 +1,7 @@
 """The curve computed with few decimal digits by several methods, and how wrong each comes out.
 
-The truth is the curve itself, through data that are not rounded, over the shifted t. For one polynomial
-through few points it is computed in fractions; else in double precision, which is as good as 16 digits.
+The truth is the curve itself, through data that are not rounded, over the shifted t. It is computed in
+fractions, at many t only for pieces of few points; else in double precision, which is as good as 16 digits.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from curvecore import (
     available_methods,
     digits_lost,
     evaluate_rounded,
+    exact_decimals,
     exact_values,
     monomial_condition,
     round_data,
@@ -41,7 +42,10 @@ MOST_AT_ALL = 200
 """Above so many points nothing is: a window should not compute for a minute."""
 
 _MOST_EXACT = 16
-"""Points up to which the truth is computed in fractions, with some n**4 operations."""
+"""Points of one polynomial up to which its truth is computed in fractions, with some n**4 operations."""
+
+_MORE_OF_TRUTH = 2
+"""Digits that are shown of the truth beyond those that are computed with."""
 
 _CHUNK = 48
 """Parameters between two looks at whether the result is still wanted; above `MOST_POINTS` points what is
@@ -116,13 +120,13 @@ class Digits:
     t
         Where, not shifted.
     truth
-        (x, y).
+        x and y with two digits more, all of them correct, as text.
     rows
         For each method x and y as decimal numbers of so many digits, as text.
     """
 
     t: float
-    truth: tuple[float, float]
+    truth: tuple[str, str]
     rows: tuple[tuple[Calculation, tuple[str, str]], ...]
 
 
@@ -189,8 +193,7 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
         )
     except CurveError:
         return None
-    x, y = experiment.truth(np.array([t]))[0].tolist()
-    return Digits(t, (x, y), rows)
+    return Digits(t, experiment.true_digits(t), rows)
 
 
 class _Experiment:
@@ -210,9 +213,17 @@ class _Experiment:
     def truth(self, t: FloatArray) -> FloatArray:
         """Return the points of the curve itself, (m, 2)."""
         at = t + self._settings.shift
-        if self._jets.shape[1] > 1 or len(self._shifted) > _MOST_EXACT:
+        points, *derivatives = self._piece.jets.swapaxes(0, 1)
+        if not derivatives and len(points) > _MOST_EXACT:
             return self._shifted_curve.evaluate(at)
-        return exact_values(self._piece.points, self._shifted, at)
+        return exact_values(points, self._shifted, at, *derivatives)
+
+    def true_digits(self, t: float) -> tuple[str, str]:
+        """Return x and y of the curve itself at one t, every digit of it."""
+        points, *derivatives = self._piece.jets.swapaxes(0, 1)
+        at, shown = t + self._settings.shift, self._settings.digits + _MORE_OF_TRUTH
+        x, y = exact_decimals(points, self._shifted, at, shown, *derivatives)
+        return f"{x:.{shown}g}", f"{y:.{shown}g}"
 
     def values(self, t: FloatArray, calculation: Calculation, report: Report) -> FloatArray:
         """Return what a method computes, (m, 2)."""
@@ -230,7 +241,7 @@ class _Experiment:
         if self._settings.rounding is RoundedPart.EVERY_STEP:
             return str(x), str(y)
         # As many as are shown of the truth: what is computed exactly has no last digit of its own.
-        shown = self._settings.digits + 2
+        shown = self._settings.digits + _MORE_OF_TRUTH
         return f"{x:.{shown}g}", f"{y:.{shown}g}"
 
     def _rounded(
