@@ -7,6 +7,7 @@ Reference: Scalable Vector Graphics 2, section 6; CSS Cascading and Inheritance 
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -42,6 +43,7 @@ OWN = {
     "clip-path": "none",
     "display": "inline",
     "filter": "none",
+    "font-size": "",
     "mask": "none",
     "mix-blend-mode": "normal",
     "opacity": "1",
@@ -57,6 +59,12 @@ MAX_MATCHES = 5_000_000
 """Elements times selectors: each may have to be held against each."""
 
 _KNOWN = frozenset((*INHERITED, *OWN))
+_FONT_SIZE = re.compile(
+    r"(?:^|\s)([-+]?[.\d][-+.\de]*(?:[a-z]+|%)|(?:xx?-|xxx-)?(?:small|large)|medium|smaller|larger)[\s/]",
+    re.IGNORECASE,
+)
+"""The size that a `font` says: no other part of it has a unit."""
+
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _RULE = Flaw("style rule", "not followed")
 _HARMLESS = ("font-face", "charset", "namespace", "keyframes")
@@ -140,6 +148,8 @@ def _named(nodes: Iterable[Any]) -> Iterator[_Declared]:
         if node.type != "declaration":
             continue
         name, value = node.lower_name, tinycss2.serialize(node.value).strip()
+        if name == "font" and (size := _FONT_SIZE.search(value)):
+            name, value = "font-size", size[1]
         for each in _MARKERS if name == "marker" else (name,):
             if each in _KNOWN:
                 yield each, value, node.important

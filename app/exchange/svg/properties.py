@@ -14,11 +14,12 @@ from ...document.model import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import ExchangeError, Flaw
 from .cascade import INHERITED
-from .lengths import Viewport, length
+from .lengths import Viewport
 from .paint import Paint, Paints, colour_of, is_paint, share_of
 
 _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
+_LENGTHS = ("stroke-width", "stroke-dasharray", "stroke-dashoffset")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _COVERED = Flaw("paint order", "not applied")
 _TRANSPARENT = Flaw("shape", "came with the opacity on fill and stroke separately")
@@ -44,11 +45,13 @@ class Properties:
     opacity: float = 1.0
     is_displayed: bool = True
 
-    def entered(self, declared: Mapping[str, str]) -> Properties:
-        """Return the properties within an element that declares these."""
+    def entered(self, declared: Mapping[str, str], viewport: Viewport) -> Properties:
+        """Return the properties within an element that declares these, of whose font lengths are parts."""
         if not declared:
             return self
-        new = {name: self._computed(name, value) for name, value in declared.items() if name in INHERITED}
+        known = {name: value for name, value in declared.items() if name in INHERITED}
+        known |= {name: viewport.in_pixels(known[name]) for name in _LENGTHS if name in known}
+        new = {name: self._computed(name, value) for name, value in known.items()}
         return Properties(
             {**self.values, **new},
             self.opacity * share_of(declared.get("opacity", "1")),
@@ -140,10 +143,10 @@ def _has_fill_above(text: str) -> bool:
 
 def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float:
     try:
-        return length(values[name], viewport.side(name)) or 0.0
+        return viewport.length(values[name]) or 0.0
     except ExchangeError:
         # As CSS has it: what is no length does not stand there.
-        return length(INHERITED[name]) or 0.0
+        return float(INHERITED[name])
 
 
 def _dashes(text: str, viewport: Viewport) -> tuple[float, ...]:
@@ -152,7 +155,7 @@ def _dashes(text: str, viewport: Viewport) -> tuple[float, ...]:
         return ()
     words = [word for word in re.split(r"[\s,]+", text.strip()) if word]
     try:
-        lengths = [length(word, viewport.side("")) or 0.0 for word in words]
+        lengths = [viewport.length(word) or 0.0 for word in words]
     except ExchangeError:
         return ()
     is_sound = bool(lengths) and min(lengths) >= 0 and 0 < sum(lengths) <= MAX_MAGNITUDE

@@ -180,9 +180,10 @@ class _Reader:
     def __init__(self, root: ET.Element, tolerance: float | None = None) -> None:
         self._root, self._tolerance = root, tolerance
         self._ours = OurOwn(root)
-        self.sheet = sheet_of(root, is_nominal=self._ours.has_nominal_size)
         self.missed = _Missing(root)
         self._cascade = Cascade(root, self.missed)
+        font_size = self._cascade.of(root).get("font-size", "")
+        self.sheet = sheet_of(root, font_size, is_nominal=self._ours.has_nominal_size)
         self._elements = elements = Elements.within(root, self._cascade.of)
         self._paints = Paints(elements)
         self._visited = self._found = 0
@@ -230,6 +231,8 @@ class _Reader:
             self._note_effects(element, declared, state, is_many=count > 1)
 
     def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
+        if (size := declared.get("font-size")) and element is not self._root:
+            state = replace(state, viewport=state.viewport.with_font(size))
         matrix, windows = state.matrix, state.windows
         # A rule outweighs the attribute.
         transform = declared.get("transform", "none")
@@ -250,7 +253,7 @@ class _Reader:
             state,
             matrix=matrix,
             windows=windows,
-            properties=state.properties.entered(declared),
+            properties=state.properties.entered(declared, state.viewport),
             # What is locked where it is drawn is not so where it is used.
             is_locked=state.is_locked or (not state.inside and element.get(INSENSITIVE) == "true"),
         )
@@ -285,10 +288,12 @@ class _Reader:
             windows = (*windows, Window(place, state.matrix, sized, _CUT))
         if box is None:
             matrix = combined(state.matrix, shifting(*corner))
-            return replace(state, matrix=matrix, viewport=Viewport(width, height), windows=windows)
+            return replace(
+                state, matrix=matrix, viewport=state.viewport.sized(width, height), windows=windows
+            )
         fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
         matrix = combined(state.matrix, fit)
-        return replace(state, matrix=matrix, viewport=Viewport(*box[2:]), windows=windows)
+        return replace(state, matrix=matrix, viewport=state.viewport.sized(*box[2:]), windows=windows)
 
     def _used(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
         reference = reference_of(element)

@@ -11,7 +11,7 @@ import numpy as np
 from ..arcs import arc
 from ..cubics_in import lines
 from ..errors import ExchangeError
-from .lengths import Viewport, length
+from .lengths import Viewport
 from .path_data import Subpath, read_path_data
 from .xml_tree import tag_of
 
@@ -28,7 +28,7 @@ SHAPES = ("path", "polyline", "polygon", *LENGTHS)
 
 
 class UnknownLengthError(ExchangeError):
-    """A length that hangs on a font, or on a size that nobody says."""
+    """A length that is a part of something that nobody says."""
 
 
 def subpaths_of(element: ET.Element, viewport: Viewport, tolerance: float | None) -> list[Subpath]:
@@ -59,7 +59,7 @@ def length_of(element: ET.Element, name: str, viewport: Viewport) -> float | Non
     if text is None or not text.strip():
         return None
     try:
-        return length(text, viewport.side(name))
+        return viewport.length(text, name)
     except ExchangeError as problem:
         raise ExchangeError(f"its {name} {problem}") from None
 

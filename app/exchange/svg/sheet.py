@@ -44,28 +44,30 @@ class Sheet:
     frame: Frame | None = None
 
 
-def sheet_of(root: ET.Element, *, is_nominal: bool = False) -> Sheet:
-    """Return the sheet of a file; a nominal size means nothing."""
+def sheet_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) -> Sheet:
+    """Return the sheet of a file whose root declares a font size; a nominal size means nothing."""
+    em = Viewport().with_font(font_size).em
+    fonts = Viewport(em=em, rem=em)
     box = box_of(root.get("viewBox", ""))
-    size = None if is_nominal else _size(root, box)
+    size = None if is_nominal else _size(root, box, em)
     if size is None:
-        viewport = Viewport(*box[2:]) if box else Viewport()
+        viewport = fonts.sized(*box[2:]) if box else fonts
         return Sheet("", _scaling(1.0, 1.0), viewport, frame=_frame(box) if box else None)
     width, height, unit = size
     pixel = MILLIMETRES["px"] / MILLIMETRES[unit]
     place = (0.0, 0.0, width, height)
     if box is None:
-        viewport = Viewport(width / pixel, height / pixel)
+        viewport = fonts.sized(width / pixel, height / pixel)
         return Sheet(unit, _scaling(pixel, pixel), viewport, pixel, _frame(place))
     fit = fitted_box(box, place, root.get("preserveAspectRatio", ""))
     across, down = (_snapped(fit[axis, axis]) for axis in (0, 1))
     frame = _frame((-fit[0, 2], -fit[1, 2], width, height))
-    return Sheet(unit, _scaling(across, down), Viewport(*box[2:]), pixel, frame)
+    return Sheet(unit, _scaling(across, down), fonts.sized(*box[2:]), pixel, frame)
 
 
-def _size(root: ET.Element, box: Box | None) -> tuple[float, float, str] | None:
+def _size(root: ET.Element, box: Box | None, em: float) -> tuple[float, float, str] | None:
     """Return width and height of a file in one unit; None where it does not say both, in any way."""
-    across, down = (with_unit(root.get(name, "")) for name in ("width", "height"))
+    across, down = (with_unit(root.get(name, ""), em) for name in ("width", "height"))
     first = across or down
     if first is None or (box is None and (across is None or down is None)):
         return None
