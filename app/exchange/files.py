@@ -20,7 +20,7 @@ from ..storage.unread import clause_about_name
 from ..tasks.progress import FINAL, Report, silent
 from . import table
 from .errors import ExchangeError
-from .formats import FORMATS, ContentKind, Format, Written, ending_in, format_of, is_document
+from .formats import FORMATS, ContentKind, Format, Written, ending_in, format_in, format_of
 from .options import DEFAULT, Options
 
 if TYPE_CHECKING:
@@ -63,13 +63,46 @@ class ImportOptions:
     only: Sequence[str] = ()
 
 
+@dataclass(frozen=True)
+class ForeignFile:
+    """File that is to be imported.
+
+    Attributes
+    ----------
+    name
+        Without the ending.
+    form
+        The format, by the content, or else by the ending.
+    data
+        The content.
+    """
+
+    name: str
+    form: Format
+    data: bytes
+
+
+def foreign_file(path: str | os.PathLike[str]) -> ForeignFile:
+    """Return a file and its format.
+
+    Raises
+    ------
+    ExchangeError
+        For an unknown ending.
+    StorageError
+        If the file cannot be read.
+    """
+    named, data = format_to_read(path), read(path)
+    return ForeignFile(Path(path).name[: -len(ending_in(path, named))], format_in(data, named), data)
+
+
 def begin_import(path: str | os.PathLike[str], options: ImportOptions, process: ReaderProcess) -> None:
     """Let a process begin to read a drawing; `import_file` waits for the rest, or says what is wrong."""
     with suppress(ExchangeError, OSError, MemoryError):
-        form, data = format_to_read(path), read(path)
-        if form.kind is ContentKind.DRAWING and not is_document(data):
-            assert form.read is not None
-            process.begin(form.read, data, options.tolerance)
+        file = foreign_file(path)
+        if file.form.kind is ContentKind.DRAWING:
+            assert file.form.read is not None
+            process.begin(file.form.read, file.data, options.tolerance)
 
 
 def import_file(
@@ -99,9 +132,9 @@ def import_file(
         If the file cannot be read at all.
     """
     options = options or ImportOptions()
-    form = format_to_read(path)
+    format_to_read(path)  # its refusal names the file
     try:
-        found = _imported(Path(path), form, read(path), options, report, process)
+        found = _imported(Path(path), foreign_file(path), options, report, process)
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
@@ -124,21 +157,23 @@ def format_to_read(path: str | os.PathLike[str]) -> Format:
 
 def _imported(
     path: Path,
-    form: Format,
-    data: bytes,
+    file: ForeignFile,
     options: ImportOptions,
     report: Report,
     process: ReaderProcess | None,
 ) -> Imported:
-    if form.kind is ContentKind.DOCUMENT or is_document(data):
-        found = document_in(data, path)
+    form = file.form
+    if form.kind is ContentKind.DOCUMENT:
+        found = document_in(file.data, path)
         remarks = (found.left_out.sentence(path.name),) if found.left_out else ()
         return exchange.cubics_in.Imported(found.document, remarks=remarks)
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
         limited = exchange.child.limited if process is None else process.read
-        return limited(form.read, data, options.tolerance, report=report)
-    return table.source.import_table(path, ending_in(path, form), data, options, report)
+        return limited(form.read, file.data, options.tolerance, report=report)
+    return table.source.import_table(
+        file.name, table.source.TableSource(file.data, form.read), options, report
+    )
 
 
 def export(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> Written:

@@ -14,6 +14,7 @@ from app.document.model import Document, make_curve
 from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.dxf import dxf_text
+from app.exchange.formats.pathweaver import read_path
 from app.exchange.formats.points import points_table
 from app.exchange.formats.samples import sampled_table
 from app.exchange.options import Options
@@ -105,6 +106,13 @@ READERS = {
             b'[{"x": 1, "y": 2, "n": "a"}, {"x": 2, "y": 3}]',
             b'{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"a"},'
             b'"geometry":{"type":"MultiLineString","coordinates":[[[9,53],[10,54]],[[1,2],[3,4]]]}}]}',
+        ],
+    ),
+    "pathweaver": (
+        lambda data: document_of_table(read_path(data)).document,
+        [
+            b"X,Y,Tangent X,Tangent Y,Fixed Theta,Reversed,Name\n1,2,2,0,true,false,\n4,3,-1,1,true,true,a\n"
+            b"6,6,0,2,,true,\n"
         ],
     ),
     "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).data, SHAPES, STYLED]),

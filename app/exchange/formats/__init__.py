@@ -129,6 +129,8 @@ class Format(FileKind):
         Of a drawing a function at the top level of its module, for a process of its own calls it by name: it
         takes the content and the tolerance and returns what was `Imported`. That of a table takes the content
         and returns a `Table`. None for documents and for tables of text.
+    recognises
+        Whether a content is of this format, in a file whose name ends as those of others; None if none is.
     """
 
     description: str = ""
@@ -140,6 +142,7 @@ class Format(FileKind):
     kind: ContentKind | None = None
     plural: str = ""
     read: Callable[..., Any] | None = None
+    recognises: Callable[[bytes], bool] | None = None
 
 
 class Registry:
@@ -237,6 +240,11 @@ def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
 def _longest(name: str, endings: Sequence[str]) -> str:
     """Return the longest ending that a name has; empty if it has none."""
     return max((each for each in endings if name.lower().endswith(each)), key=len, default="")
+
+
+def format_in(data: bytes, named: Format) -> Format:
+    """Return the format that recognises the content of a file, or else that of its name."""
+    return next((each for each in FORMATS.read if each.recognises and each.recognises(data)), named)
 
 
 def ending_in(path: str | os.PathLike[str], known: Format) -> str:

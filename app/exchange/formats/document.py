@@ -9,7 +9,7 @@ from ...storage.format_error import FormatError
 from ...storage.image_path import relative_to
 from ..errors import ExchangeError
 from ..options import Options
-from . import DOCUMENT_ENDING, ContentKind, Format, Written
+from . import DOCUMENT_ENDING, ContentKind, Format, Written, is_document
 
 
 def _write(document: Document, options: Options) -> Written:
@@ -28,5 +28,6 @@ FORMATS = (
         write=_write,
         kind=ContentKind.DOCUMENT,
         plural="Curvebench documents",
+        recognises=is_document,
     ),
 )

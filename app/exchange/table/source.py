@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...tasks.progress import Report, part, silent
 from ..cubics_in import Imported
 from ..errors import ExchangeError
-from ..formats import FORMATS, format_of
 from .columns import ColumnMapping, mapping_of, words_on
 from .curves import Missing, TableOptions, document_of_table
 from .layout import MissingNumber, TextLayout, cells_of_row
@@ -29,16 +28,14 @@ class TableSource:
     ----------
     data
         The content.
-    ending
-        Of its name.
     lines
         About how many rows it has.
     """
 
-    def __init__(self, data: bytes, ending: str = ".csv") -> None:
-        self.data, self.ending = data, ending
-        self._read_whole = format_of(f"a{ending}", FORMATS.read).read
-        self._is_text = self._read_whole is None
+    def __init__(self, data: bytes, read_whole: Callable[[bytes], Table] | None = None) -> None:
+        """Keep the content, and the reader of its format; None for a table of text."""
+        self.data, self._read_whole = data, read_whole
+        self._is_text = read_whole is None
         self._whole: Table | None = None
         self._read: tuple[TextLayout, ColumnMapping, bool, Table] | None = None
         self.lines = data.count(b"\n") if self._is_text else 0
@@ -96,10 +93,9 @@ class TableSource:
         return self._whole
 
 
-def import_table(path: Path, ending: str, data: bytes, options: ImportOptions, report: Report) -> Imported:
-    """Return what a table holds, whose file at `path` has that `ending` and content."""
-    source, missing = TableSource(data, ending), Missing(options.missing)
-    preview = source.preview()
+def import_table(name: str, source: TableSource, options: ImportOptions, report: Report) -> Imported:
+    """Return what a table holds, whose file has that `name` without its ending."""
+    preview, missing = source.preview(), Missing(options.missing)
     mapping = mapping_of(options.columns, preview.titles) if options.columns else preview.certain_mapping()
     try:
         table = source.table(preview.layout, mapping, missing, part(report, 0.0, 0.5))
@@ -107,7 +103,7 @@ def import_table(path: Path, ending: str, data: bytes, options: ImportOptions, r
             table,
             mapping,
             TableOptions(
-                name=path.name[: -len(ending)] or TableOptions.name,
+                name=name or TableOptions.name,
                 thin=options.thin,
                 thinning=Thinning.POLYLINE if options.corners else Thinning.CURVE,
                 family=options.family,

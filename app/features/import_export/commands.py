@@ -19,13 +19,7 @@ from ...document.shapes import counted_shapes
 from ...document.style import Style
 from ...document.words import count_of, listed, number
 from ...exchange import table
-from ...exchange.formats import (
-    ContentKind,
-    ending_in,
-    file_filters,
-    is_document,
-)
-from ...storage.files import read
+from ...exchange.formats import ContentKind, file_filters
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
@@ -98,14 +92,11 @@ class ImportCommands:
 
     def _begin(self, path: Path) -> None:
         def work(report: Report) -> Imported | _OpenTable:
-            form = exchange.files.format_to_read(path)
-            if form.kind is not ContentKind.TABLE:
-                return exchange.files.import_file(path, report=report)
             report(0.0, "Reading")
-            data = read(path)
-            if is_document(data):
+            file = exchange.files.foreign_file(path)
+            if file.form.kind is not ContentKind.TABLE:
                 return exchange.files.import_file(path, report=report)
-            source = table.source.TableSource(data, ending_in(path, form))
+            source = table.source.TableSource(file.data, file.form.read)
             return _OpenTable(source, source.preview())
 
         def done(found: Imported | _OpenTable) -> None:

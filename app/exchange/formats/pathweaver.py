@@ -1,0 +1,171 @@
+"""Paths of PathWeaver, which robots follow: points with tangents, as CSV.
+
+PathWeaver draws WPILib's quintic Hermite splines: between two waypoints s runs from 0 to 1, the tangents are
+the velocities per unit of s, and the accelerations are zero (`WpilibSpline.java`). A waypoint that is
+reversed begins a piece that is driven backwards: its tangents point where the robot looks.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+
+from ...document.model import Document
+from ...families import QUINTIC_HERMITE
+from ...tasks.progress import part, told
+from ...view_model.curve.curve_view import ParametricCurve
+from ..errors import ExchangeError
+from ..options import DEFAULT, TOLERANCE, Options
+from ..parts import Source, bezier_values, cell_of_number, checked_tolerance, sources_of
+from ..table.columns import AFTER, ROLES, mapping_of
+from ..table.layout import RowProblem, TextLayout
+from ..table.table import Table
+from ..table.text import preview_table, read_table
+from . import ContentKind, Format, Written
+
+MOST_WAYPOINTS = 10_000
+
+_TITLES = "X,Y,Tangent X,Tangent Y,Fixed Theta,Reversed,Name"
+_HEAD = re.compile(rb"(?i)(\xef\xbb\xbf)?\s*x\s*,\s*y\s*,\s*tangent x\s*,\s*tangent y\b")
+_LAYOUT = TextLayout(",", decimal_comma=False, header=True)
+_ROUNDING = 1e-14  # of the size
+
+
+def recognises(data: bytes) -> bool:
+    """Whether a table has PathWeaver's titles."""
+    return _HEAD.match(data) is not None
+
+
+def read_path(data: bytes) -> Table:
+    """Return a path as the rows of a quintic Hermite curve, whose t counts its points.
+
+    Raises
+    ------
+    ExchangeError
+        With the row of what is no number, and the title of a column that there is not.
+    """
+    titles = preview_table(data, _LAYOUT).titles
+    words = ",curve=Reversed" if "reversed" in map(str.lower, titles) else ""
+    mapping = mapping_of(f"x=X,y=Y,vx=Tangent X,vy=Tangent Y{words}", titles)
+    table = read_table(data, _LAYOUT, mapping)
+    said = table.words.get(mapping.curve or 0, ["false"] * len(table.values))
+    for row, word in enumerate(said):
+        if word.lower() not in ("true", "false"):
+            raise RowProblem(f": “{word[:20]}” is neither true nor false.", table.line_of(row))
+    ahead = np.array([-1.0 if word.lower() == "true" else 1.0 for word in said])[:, None]
+    behind = np.concatenate([ahead[:1], ahead[:-1]])
+    ahead[-1] = behind[-1]
+    columns = list(mapping.columns(("x", "y", "vx", "vy")).values())
+    points, tangents = np.split(table.values[:, columns], 2, axis=1)
+    turns = ahead != behind
+    t, zero, empty = np.arange(len(points))[:, None], np.zeros_like(points), np.full_like(points, np.nan)
+    parts = [t, points, behind * tangents, zero]
+    if turns.any():
+        parts += [np.where(turns, ahead * tangents, np.nan), np.where(turns, zero, np.nan)]
+    used = (*ROLES[:7], *(AFTER[:4] if turns.any() else ()), "family")
+    return Table(
+        used,
+        np.hstack([*parts, empty[:, :1]]),
+        table.first_row,
+        table.gaps,
+        words={len(used) - 1: [QUINTIC_HERMITE.name] * len(points)},
+        said="Tangents are velocities, and t counts the points. Fixed Theta and Name are left out.",
+    )
+
+
+def path_table(document: Document, options: Options = DEFAULT) -> Written:
+    """Return the first visible curve as a path of PathWeaver.
+
+    The path is the curve itself where that is a quintic Hermite curve with even parameters and without
+    accelerations. Of any other there are waypoints at equal steps of t, as many as the tolerance takes.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve, or `MOST_WAYPOINTS` do not suffice.
+    """
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
+    allowed = checked_tolerance(sources[:1], options.tolerance)
+    rows: list[str] = []
+    deviation = 0.0
+    for source in told(sources, part(options.report, 0.5, 1.0), "Writing"):
+        if rows:
+            remarks = (*remarks, f"“{source.name}” was left out: a file of PathWeaver has one path.")
+        else:
+            rows, deviation = _rows_of(source, allowed)
+    return Written("\n".join([_TITLES, *rows]) + "\n", deviation, remarks)
+
+
+def _rows_of(source: Source, allowed: float) -> tuple[list[str], float]:
+    """Return the rows of a curve, and the largest distance of the path from it."""
+    count = len(source.core.parameters) - 1
+    while count < MOST_WAYPOINTS:
+        path = _Path(source.core, count)
+        if path.deviation <= allowed:
+            is_exact = path.deviation <= _ROUNDING * source.size
+            return path.rows, 0.0 if is_exact else path.deviation
+        count *= 2
+    raise ExchangeError(
+        f"“{source.name}” takes more than {MOST_WAYPOINTS:,} waypoints. Make its corners smooth, or choose a "
+        "larger tolerance."
+    )
+
+
+class _Path:
+    """Path with waypoints at equal steps of t along a curve.
+
+    Attributes
+    ----------
+    rows
+        Of the file.
+    deviation
+        Largest distance of the path from the curve.
+    """
+
+    def __init__(self, core: ParametricCurve, count: int) -> None:
+        grid = np.linspace(*core.domain, count + 1)
+        step = grid[1] - grid[0]
+        points, leaving, arriving = core.evaluate(grid), np.empty((count, 2)), np.empty((count, 2))
+        for piece in core.pieces:
+            inside = np.flatnonzero((grid[1:] + grid[:-1]) / 2 > piece.domain[0])
+            leaving[inside] = step * piece.evaluate(grid[inside], 1)
+            arriving[inside] = step * piece.evaluate(grid[inside + 1], 1)
+        # Where the curve turns back it goes on backwards.
+        turns = np.einsum("kd,kd->k", arriving[:-1], leaving[1:]) < 0
+        signs = np.cumprod([1.0, *np.where(turns, -1.0, 1.0)])
+        tangents = np.append(signs[:, None] * leaving, signs[-1:] * arriving[-1:], axis=0)
+        words = ["true" if sign < 0 else "false" for sign in (*signs, signs[-1])]
+        self.rows = [
+            ",".join([*map(cell_of_number, numbers), "true", word, ""])
+            for numbers, word in zip(np.hstack([points, tangents]).tolist(), words, strict=True)
+        ]
+        start, end = signs[:, None] * tangents[:-1] / 5, signs[:, None] * tangents[1:] / 5
+        sides = (points[:-1], points[:-1] + start, points[:-1] + 2 * start)
+        others = (points[1:] - 2 * end, points[1:] - end, points[1:])
+        controls = np.stack([*sides, *others], axis=1)
+        # Of polynomials of degree d the largest value is at most 1 / cos(π/8) of that at 4 d Chebyshev points
+        # (Ehlich & Zeller, Math. Z. 86 (1964) 41-44).
+        many = 4 * min(max(core.degree or 0, 5), 10)
+        nodes = (1 - np.cos(np.pi * (np.arange(many) + 0.5) / many)) / 2
+        ends = np.union1d(grid, core.breaks)
+        t = (ends[:-1, None] + np.diff(ends)[:, None] * nodes).ravel()
+        away = np.hypot(*(bezier_values(controls, grid, t) - core.evaluate(t)).T)
+        self.deviation = float(away.max()) / math.cos(math.pi / 8)
+
+
+FORMATS = (
+    Format(
+        endings=(".pathweaver.csv",),
+        title="PathWeaver path",
+        description="Waypoints with tangents for robots: one curve, between points of quintic pieces.",
+        place=75,
+        options=(TOLERANCE,),
+        write=path_table,
+        kind=ContentKind.TABLE,
+        plural="PathWeaver paths",
+        read=read_path,
+        recognises=recognises,
+    ),
+)
