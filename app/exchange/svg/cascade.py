@@ -1,21 +1,24 @@
 """The properties that SVG elements declare: attributes, the rules of <style>, and ``style`` attributes.
 
 tinycss2 reads the rules and cssselect2 finds their elements. Nothing is fetched: an @import is passed over.
+Values that CSS has for the geometry of elements replace those of their attributes, which all else reads.
 
-Reference: Scalable Vector Graphics 2, section 6; CSS Cascading and Inheritance 4, section 6.
+Reference: Scalable Vector Graphics 2, sections 6 and 7; CSS Cascading and Inheritance 4, section 6.
 """
 
 from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import cssselect2
 import tinycss2
+from tinycss2.ast import DimensionToken, FunctionBlock, IdentToken, NumberToken, PercentageToken, StringToken
 
 from ..errors import ExchangeError, Flaw, Missed
+from .lengths import with_unit
 from .xml_tree import tag_of
 
 INHERITED = {
@@ -55,10 +58,16 @@ OWN = {
 }
 """Properties that do not, likewise."""
 
+_SIZES = ("width", "height", "r", "rx", "ry")
+_LENGTHS = ("x", "y", "cx", "cy", *_SIZES)
+_GEOMETRY = (*_LENGTHS, "d")
+
 MAX_MATCHES = 5_000_000
 """Elements times selectors: each may have to be held against each."""
 
 _KNOWN = frozenset((*INHERITED, *OWN))
+_READ = frozenset((*_KNOWN, *_GEOMETRY))
+_INITIAL = ("initial", "unset", "revert", "revert-layer")
 _FONT_SIZE = re.compile(
     r"(?:^|\s)([-+]?[.\d][-+.\de]*(?:[a-z]+|%)|(?:xx?-|xxx-)?(?:small|large)|medium|smaller|larger)[\s/]",
     re.IGNORECASE,
@@ -96,17 +105,29 @@ class Cascade:
                 raise ExchangeError("The rules in its <style> are too many for its elements.")
             wrapped = cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
             self._wrapped = {each.etree_element: each for each in wrapped}
+        self._styles = {element: self._style_of(element) for element in root.iter()}
+        for element, style in self._styles.items():
+            for name, value in style.items():
+                # A root that is as large as a page, or as a part of it, keeps the size that its file has.
+                if name in _GEOMETRY and (element is not root or with_unit(value, 1.0)):
+                    _put(element, name, value)
 
     def of(self, element: ET.Element) -> dict[str, str]:
         """Return the values of the known properties that an element declares."""
         found = {name: value.strip() for name, value in element.attrib.items() if name in _KNOWN}
         found.pop("transform", None)
+        found |= self._styles[element]
+        return {name: value for name, value in found.items() if value and name in _KNOWN}
+
+    def _style_of(self, element: ET.Element) -> dict[str, str]:
+        """Return the values that rules and the `style` of an element declare."""
+        found: dict[str, str] = {}
         inline = element.get("style", "")
         layers = [self._matched(element), _declarations(inline) if inline else []]
         for is_important in (False, True):
             for layer in layers:
                 found.update({name: value for name, value, important in layer if important == is_important})
-        return {name: value for name, value in found.items() if value}
+        return found
 
     def _matched(self, element: ET.Element) -> list[_Declared]:
         """Return what the rules declare for an element, the weakest first."""
@@ -143,13 +164,43 @@ def _declarations(text: str) -> list[_Declared]:
     return list(_named(tinycss2.parse_blocks_contents(text)))
 
 
+def _put(element: ET.Element, name: str, value: str) -> None:
+    """Set the attribute of an element that stands for a property of its geometry."""
+    if value.lower() in _INITIAL:
+        element.attrib.pop(name, None)
+    else:
+        element.set(name, value)
+
+
+def _of_geometry(name: str, tokens: Sequence[Any]) -> str | None:
+    """Return a value of `_GEOMETRY` as its attribute has it; None where CSS does not take it."""
+    match tokens:
+        case [IdentToken(lower_value="none")] if name == "d":
+            return ""
+        case [FunctionBlock(lower_name="path", arguments=[StringToken(value=data)])] if name == "d":
+            return str(data)
+        # Other than in attributes all numbers but 0 have a unit.
+        case [NumberToken(value=value)] if value != 0:
+            return None
+        case [DimensionToken(value=value) | PercentageToken(value=value)] if value < 0 and name in _SIZES:
+            return None
+        case [token] if name != "d":
+            return str(token.serialize())
+    return None
+
+
 def _named(nodes: Iterable[Any]) -> Iterator[_Declared]:
     for node in nodes:
         if node.type != "declaration":
             continue
         name, value = node.lower_name, tinycss2.serialize(node.value).strip()
+        if name in _GEOMETRY:
+            tokens = [each for each in node.value if each.type not in ("whitespace", "comment")]
+            if (valid := _of_geometry(name, tokens)) is None:
+                continue
+            value = valid
         if name == "font" and (size := _FONT_SIZE.search(value)):
             name, value = "font-size", size[1]
         for each in _MARKERS if name == "marker" else (name,):
-            if each in _KNOWN:
+            if each in _READ:
                 yield each, value, node.important

@@ -22,7 +22,7 @@ _PIXELS = {"": 1.0, "q": 96 / 101.6} | {
 _FONT_SHARES = {"em": 1.0, "ex": 0.5, "ch": 0.5}
 """Units of a font as parts of its size. Of a font that is not there CSS takes half for x and for 0."""
 
-_UNKNOWN = ("vw", "vh", "vi", "vb", "vmin", "vmax", "cap", "ic", "lh", "auto")
+_UNKNOWN = ("vw", "vh", "vi", "vb", "vmin", "vmax", "cap", "ic", "lh", "auto", ")")
 _MEDIUM = 16.0
 _FONT_SIZES = {
     "xx-small": 9.0,

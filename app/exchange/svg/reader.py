@@ -68,7 +68,7 @@ _CLIPPED = Flaw("clip path", _NOT_APPLIED)
 _CUT = Flaw("element", "came whole, beyond the view box")
 _TRANSPARENT = Flaw("group", "came with the opacity on each shape separately")
 _UNEVEN = Flaw("stroke", "of uneven width came with the mean width")
-_NO_LENGTHS = Flaw("shape", "with lengths in units of unknown size left out")
+_NO_LENGTHS = Flaw("shape", "with lengths of unknown size left out")
 _UNUSABLE = Flaw("reference", "to elements outside the file left out")
 _NOTHING: Iterable[Drawn] = ()
 
