@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 from app.document.model import Document, make_curve
 from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
+from app.exchange.formats.choreo import read_trajectories
 from app.exchange.formats.dxf import dxf_text
+from app.exchange.formats.pathplanner import read_path as read_robot_path
 from app.exchange.formats.pathweaver import read_path
 from app.exchange.formats.points import points_table
 from app.exchange.formats.samples import sampled_table
@@ -113,6 +115,22 @@ READERS = {
         [
             b"X,Y,Tangent X,Tangent Y,Fixed Theta,Reversed,Name\n1,2,2,0,true,false,\n4,3,-1,1,true,true,a\n"
             b"6,6,0,2,,true,\n"
+        ],
+    ),
+    "choreo": (
+        lambda data: document_of_table(read_trajectories(data)).document,
+        [
+            b'{"name":"a","trajectory":{"samples":[{"t":0,"x":0,"y":1,"vx":1,"vy":0},{"t":1,"x":2,"y":1,"heading":1,'
+            b'"vl":1,"vr":2}]}}',
+            b'{"paths":{"a":{"trajectory":[{"timestamp":0,"x":0,"y":1,"velocityX":1,"velocityY":0},{"timestamp":1,'
+            b'"x":1,"y":1,"velocityX":1,"velocityY":0}]}}}',
+        ],
+    ),
+    "pathplanner": (
+        lambda data: read_robot_path(data).document,
+        [
+            b'{"waypoints":[{"anchor":{"x":0,"y":0},"prevControl":null,"nextControl":{"x":1,"y":2}},{"anchor":{"x":3,'
+            b'"y":0},"prevControl":{"x":2,"y":1},"nextControl":null}],"eventMarkers":[{}]}'
         ],
     ),
     "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).data, SHAPES, STYLED]),

@@ -85,7 +85,7 @@ def test_tangents_are_velocities(tmp_path):
 
 
 def test_a_file_of_an_old_version_has_fewer_columns(tmp_path):
-    path = tmp_path / "Left - Left Cube.csv"
+    path = tmp_path / "Left - Left Cube.path"  # an ending of PathPlanner, too
     path.write_text(
         "x,y,TANGENT X,Tangent Y,Fixed Theta\n8.590428240085988,18.40432011464992,1.0,1.0,false\n"
         "11.016179215930306,18.00606249175011,7.855193235484615,-1.5706722062045402,false\n"

@@ -7,20 +7,16 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from typing import Any
 
-import msgspec
 import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...storage.format_error import not_json
 from ..errors import ExchangeError
+from ..json_in import json_in
 from ..naming import numbered
 from .columns import numbered_titles
 from .layout import RowProblem
 from .table import Table, table_of
-
-MOST_BYTES = 32 * 2**20
-"""Of a JSON file: as Python's own numbers it takes several times as much."""
 
 _GEO = """Feature FeatureCollection GeometryCollection LineString MultiLineString Polygon MultiPolygon
 Point MultiPoint"""
@@ -38,17 +34,7 @@ def read_json(data: bytes) -> Table:
     ExchangeError
         If it is no JSON, or nothing that is a table, with the row of what is no number.
     """
-    if len(data) > MOST_BYTES:
-        raise ExchangeError(f"A JSON table may have {MOST_BYTES >> 20} MB; save this one as CSV or .npy.")
-    try:
-        content = msgspec.json.decode(data)
-    except UnicodeDecodeError:
-        raise ExchangeError("It is not UTF-8 text.") from None
-    except msgspec.DecodeError as problem:
-        clause = not_json(str(problem), data)
-        raise ExchangeError(f"{clause[0].upper()}{clause[1:]}.") from None
-    except RecursionError:
-        raise ExchangeError("The file is nested too deeply.") from None
+    content: Any = json_in(data, object)
     if isinstance(content, dict) and content.get("type") in _GEO.split():
         return _lines(content)
     if isinstance(content, dict) and content and all(isinstance(each, list) for each in content.values()):

@@ -1,0 +1,105 @@
+"""Trajectories of Choreo in: samples with velocities at times, in metres and seconds, as tables.
+
+Between two samples of a swerve drive the acceleration is constant (`SwerveSample.java`), so that the cubic
+with the positions and velocities of both is the motion itself. A differential drive goes where it heads.
+"""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+
+from ..errors import ExchangeError
+from ..json_in import is_object, json_in
+from ..naming import numbered
+from ..table.table import Table, table_of
+from . import ContentKind, Format
+
+_TITLES = ("curve", "t", "x", "y", "vx", "vy")
+_MARKS = (b'"sampleType"', b'"omega"', b'"velocityX"', b'"vl"')
+
+
+class _Sample(msgspec.Struct, rename="camel"):
+    """Position and velocity at a time; the long names are those of the versions until 2024."""
+
+    x: float
+    y: float
+    t: float | None = None
+    timestamp: float | None = None
+    vx: float | None = None
+    vy: float | None = None
+    velocity_x: float | None = None
+    velocity_y: float | None = None
+    vl: float | None = None
+    vr: float | None = None
+    heading: float = 0.0
+
+    def row(self, number: int) -> tuple[float, ...]:
+        """Return time, position and velocity."""
+        t = self.timestamp if self.t is None else self.t
+        vx, vy = (self.velocity_x, self.velocity_y) if self.vx is None else (self.vx, self.vy)
+        if self.vl is not None and self.vr is not None:
+            speed = (self.vl + self.vr) / 2
+            vx, vy = speed * math.cos(self.heading), speed * math.sin(self.heading)
+        if t is None or vx is None or vy is None:
+            raise ExchangeError(f"Sample {number} has no {'time' if t is None else 'velocity'}.")
+        return (t, self.x, self.y, vx, vy)
+
+
+class _Trajectory(msgspec.Struct):
+    samples: list[_Sample] = []
+
+
+class _OldPath(msgspec.Struct):
+    trajectory: list[_Sample] | None = None
+
+
+class _File(msgspec.Struct):
+    name: str = ""
+    trajectory: _Trajectory | None = None
+    samples: list[_Sample] = []
+    paths: dict[str, _OldPath] = {}
+
+
+def recognises(data: bytes) -> bool:
+    """Whether a file is JSON with samples as Choreo names them."""
+    return is_object(data) and b'"samples"' in data and any(mark in data for mark in _MARKS)
+
+
+def read_trajectories(data: bytes) -> Table:
+    """Return the samples of a trajectory, or of all in a project of 2024, as rows.
+
+    Raises
+    ------
+    ExchangeError
+        With the place of what is missing, or no number, and where nothing was generated yet.
+    """
+    content = json_in(data, _File)
+    own = content.trajectory.samples if content.trajectory else content.samples
+    paths = {content.name or "Trajectory": own} | {
+        name: each.trajectory or [] for name, each in content.paths.items()
+    }
+    found = [samples for samples in paths.values() if samples]
+    if not found:
+        raise ExchangeError("It holds no trajectory. Generate one in Choreo, and import its .traj file.")
+    names = [" ".join(name.split())[:200] for name, samples in paths.items() if samples]
+    words = [name for name, samples in zip(numbered(names), found, strict=True) for _sample in samples]
+    rows = [
+        (np.nan, *sample.row(number)) for samples in found for number, sample in enumerate(samples, start=1)
+    ]
+    return table_of(np.array(rows), _TITLES, words={0: words})
+
+
+FORMATS = (
+    Format(
+        endings=(".traj", ".chor"),
+        title="Choreo trajectory",
+        place=77,
+        kind=ContentKind.TABLE,
+        plural="Choreo trajectories",
+        read=read_trajectories,
+        recognises=recognises,
+    ),
+)
