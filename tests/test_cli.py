@@ -313,6 +313,24 @@ def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
+def test_convert_takes_what_can_be_read_of_a_drawing_and_tells_the_rest(tmp_path, capsys):
+    path, out = tmp_path / "a.svg", tmp_path / "a.curve.json"
+    page = '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="200">{}</svg>'
+    path.write_text(page.format('<path d="M5 5L20 5 20 20L35"/><rect width="9" height="9"/>'), "utf-8")
+    assert main(["convert", str(path), str(out)]) == 0
+    said = "curvebench: 1 path drawn only up to an error in the data: Path 2 at the end.\n"
+    assert capsys.readouterr().err == said
+    assert [len(curve.points) for curve in load(out).curves] == [3, 4]
+    # A page without a curve is an empty document, and no picture.
+    path.write_text(page.format('<path id="b" d="L1 1"/>'), "utf-8")
+    assert main(["convert", str(path), str(out)]) == 0
+    assert "b at character 1" in capsys.readouterr().err
+    assert ([curve.points for curve in load(out).curves], load(out).unit) == ([()], "px")
+    words = refusal(capsys, "convert", str(path), str(tmp_path / "a.png"))
+    assert "There is no curve in the file. 1 path drawn only up to an error in the data: b at" in words
+
+
+@pytest.mark.usefixtures("drawings_read_here")
 def test_convert_keeps_unit_and_styles_of_a_drawing(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text(

@@ -120,12 +120,12 @@ def test_nothing_is_written_where_something_would_be_lost(words, said, folder, c
 @pytest.mark.parametrize(("jobs", "count"), [([], 1), (["-j", "2"], 2), (["-j", "9"], 3)])
 def test_a_process_reads_one_drawing_after_the_other(jobs, count, folder, capsys, children):
     for name in ("a.svg", "bad.svg", "c.svg"):
-        (folder / name).write_text(DRAWING.replace("M0", "L0" if name == "bad.svg" else "M0"))
+        (folder / name).write_text(DRAWING.replace("svg", "png" if name == "bad.svg" else "svg"))
     assert main(["convert", "a.svg", "bad.svg", "c.svg", "-o", "out", "--to", ".curve.json", *jobs]) == 1
     output = capsys.readouterr()
     assert output.err.splitlines() == [
         "curvebench: a.svg: 1 text left out.",
-        "curvebench: “bad.svg” cannot be read: Element 3 (<path>): its data must begin with M.",
+        "curvebench: “bad.svg” cannot be read: This is no SVG file: it begins with <png>.",
         "curvebench: c.svg: 1 text left out.",
     ]
     assert written(folder) == ["out/a.curve.json", "out/c.curve.json"]

@@ -107,7 +107,7 @@ class Framing:
     def fit(self) -> None:
         """Show all visible curves and the active one; of a wild one, its points and their surroundings.
 
-        Where there are no points the picture to trace is shown.
+        Where there are no points the picture to trace is shown, or else what lies between guides.
         """
         drawing = self._drawing
         views = [view for view in drawing.views if view.source.visible or view is drawing.view]
@@ -116,8 +116,9 @@ class Framing:
         # A picture may be far larger than what is traced of it; it counts while there is nothing else.
         image = drawing.image.corners
         box = box_of(views)
-        if box is None and image is not None:
-            box = with_margin(PlaneBox(*image))
+        if box is None:
+            corners = image if image is not None else drawing.guides.corners
+            box = None if corners is None else with_margin(PlaneBox(*corners))
         self._show(box)
         self._fitted = self._curves
 

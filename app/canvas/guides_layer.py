@@ -6,6 +6,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPen
 
+from curvecore.arrays import FloatArray
+
 from ..document.model import Axis, Guide, Vector
 from ..document.plane_edits import place_words
 from ..plotting.halo import Halo
@@ -50,6 +52,13 @@ class GuidesLayer(Layer):
             self.guides, self._unit = guides, unit
             self.set_shown(bool(guides))
             self.update()
+
+    @property
+    def corners(self) -> FloatArray | None:
+        """The lower left and the upper right corner of what lies between the guides, (2, 2), or None."""
+        at = [{each.position for each in self.guides if each.axis is axis} for axis in Axis]
+        is_box = all(len(each) > 1 for each in at)
+        return np.array([list(map(min, at)), list(map(max, at))]) if is_box else None
 
     def light(self, place: int | None) -> None:
         """Draw one of the guides lit, with its place in words."""

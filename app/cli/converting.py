@@ -17,7 +17,7 @@ from .. import exchange
 from ..document.limits import EditError
 from ..exchange.errors import ExchangeError
 from ..exchange.files import ImportOptions, begin_import, export, import_file
-from ..exchange.formats import FORMATS, ending_in, format_of
+from ..exchange.formats import FORMATS, ContentKind, ending_in, format_of
 from ..exchange.table.family_word import FamilyWord, read_family_word
 from ..families import HERMITE
 from ..storage.files import StorageError
@@ -247,6 +247,8 @@ def _converted(
     finally:
         if reader is not None and following is not None:
             begin_import(following, wanted, reader)
+    if format_of(conversion.target, FORMATS.written).kind is not ContentKind.DOCUMENT:
+        source = source.with_curves()
     document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
     written = export(
         document,

@@ -22,13 +22,14 @@ from ..document.model import (
     ParametrizationKind,
     Point,
     Vector,
+    empty_document,
 )
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
 from ..view_model.fitting.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.fitting.cubics import points_of_cubics
-from .errors import ExchangeError, Flaw, Missed
+from .errors import LEFT_OUT, ExchangeError, Flaw, Missed
 
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
@@ -37,6 +38,9 @@ FAMILY = HERMITE
 """The family of what comes in."""
 
 SINGLE_POINT = Flaw("single point")
+
+_TOO_LARGE = Flaw("curve", f"with coordinates beyond −1e12 to 1e12 {LEFT_OUT}")
+_TOO_MANY = Flaw("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
 
 _OUTER = 3
 _MOST_NAMES = 24
@@ -50,7 +54,7 @@ class Imported:
     Attributes
     ----------
     document
-        At least one curve.
+        The curves; the only one has no points where the file has no curve.
     deviation
         Largest distance of its curves from what the file describes, but for rounding.
     remarks
@@ -65,6 +69,23 @@ class Imported:
     def has_groups(self) -> bool:
         """Whether any curve lies in a group."""
         return any(curve.groups for curve in self.document.curves)
+
+    @property
+    def has_curves(self) -> bool:
+        """Whether any curve has a point."""
+        return any(curve.points for curve in self.document.curves)
+
+    def with_curves(self) -> Imported:
+        """Return the same.
+
+        Raises
+        ------
+        ExchangeError
+            If there is no curve, with what was left out.
+        """
+        if not self.has_curves:
+            raise ExchangeError(" ".join(["There is no curve in the file.", *self.remarks]))
+        return self
 
     def only(self, taken: Sequence[bool]) -> Imported:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
@@ -155,19 +176,15 @@ class PointsAlone:
 
 
 def imported(paths: Sequence[ImportedPath | PointsAlone], missed: Missed) -> Imported:
-    """Return the curves of paths as a document, with what is missed; single points are, besides.
-
-    Raises
-    ------
-    ExchangeError
-        If there is none, or if its numbers are beyond what a document may hold.
-    """
+    """Return the curves of paths as a document; single points, and curves beyond limits, are missed."""
     curves, deviation = list[Curve](), 0.0
     for number, path in enumerate(paths):
         if isinstance(path, PointsAlone):
             curves.append(_through(path))
             continue
-        _check_numbers(path)
+        if flaw := _beyond_limits(path):
+            missed.note(flaw, number, path.name)
+            continue
         # Without those that are no more than a point.
         pieces = path.pieces[(path.pieces != path.pieces[:, :1]).any(axis=(1, 2))]
         if len(pieces) == 0:
@@ -176,9 +193,8 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], missed: Missed) -> Imp
         curve, moved = _curve(path, pieces)
         curves.append(curve)
         deviation = max(deviation, path.deviation + moved)
-    if not curves:
-        raise ExchangeError(" ".join(["There is no curve in the file.", *missed.sentences]))
-    return Imported(tidy_shapes(Document(tuple(curves))), deviation, missed.sentences)
+    document = tidy_shapes(Document(tuple(curves))) if curves else empty_document()
+    return Imported(document, deviation, missed.sentences)
 
 
 def lines(points: FloatArray) -> FloatArray:
@@ -211,12 +227,12 @@ def _made(
     )
 
 
-def _check_numbers(path: ImportedPath) -> None:
+def _beyond_limits(path: ImportedPath) -> Flaw | None:
+    """Return why a path cannot be a curve of a document; None where it can."""
     # Written so that NaN fails.
     if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():
-        raise ExchangeError(f"“{path.name}” has coordinates beyond −1e12 to 1e12.")
-    if len(path.pieces) > MAX_PIECES:
-        raise ExchangeError(f"“{path.name}” has {len(path.pieces)} pieces; {MAX_PIECES} can be read.")
+        return _TOO_LARGE
+    return _TOO_MANY if len(path.pieces) > MAX_PIECES else None
 
 
 def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:

@@ -81,7 +81,7 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
-    found = imported(reader.paths, reader.missed)
+    found = imported(reader.paths, reader.missed).with_curves()
     unit = unit_of_dxf(int(drawing.units))
     return dataclasses.replace(found, document=replace(found.document, unit=unit))
 

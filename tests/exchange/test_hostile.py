@@ -1,5 +1,7 @@
 """The hostile corpus: every file gives one sentence, soon and without much memory.
 
+Most are refused. Of a drawing with an error in one element all else comes in, and that is said.
+
 All of it runs in one process of its own, by the command line, as a person would; what it says, how long
 it takes and how much memory it takes is then looked at case by case.
 """
@@ -71,6 +73,7 @@ for name, make in hostile.CASES.items():
     report = [name, code, errors.getvalue(), output.getvalue(), spent() - before, largest()]
     print(json.dumps(report), flush=True)
     path.unlink()
+    Path(folder, "out.svg").unlink(missing_ok=code != 0)
 """
 
 
@@ -91,11 +94,19 @@ def reports(tmp_path_factory):
     return {name: rest for name, *rest in map(json.loads, done.stdout.splitlines())}
 
 
+TAKEN_IN = {
+    "broken_transform.svg": "1 transform with an error not applied: Path 2 “rotate(1 2)”.",
+    "numbers_after_z.svg": "1 path drawn only up to an error in the data: Path 2 at character 11, “4 4”.",
+    "odd_points.svg": "1 polygon drawn only up to an error in the data: Polygon 2 at the end.",
+}
+
+
 @each_row("name", hostile.CASES)
 def test_a_hostile_file_gives_one_sentence(name, reports):
     code, errors, output, seconds, megabytes = reports[name]
-    assert code == 1
-    assert output == ""
+    assert code == (name not in TAKEN_IN)
+    assert ("out.svg" in output) == (name in TAKEN_IN)
+    assert TAKEN_IN.get(name, "") in errors
     assert errors.startswith("curvebench: ")
     assert errors.count("\n") == 1
     assert len(errors) < 400
@@ -118,9 +129,12 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
         ("entities.svg", "The entity “b5” is nested deeper than 4 levels"),
         ("quadratic_entities.svg", "its DOCTYPE come to more than 64 KB"),
         ("default_values.svg", "its DOCTYPE come to more than 64 KB"),
-        ("use_loop.svg", "Element 3 (<use>): it uses itself"),
-        ("nan.svg", "Element 2 (<path>): its data are broken at character 7"),
-        ("infinite_by_transform.svg", "Element 2 (<path>): its transform is beyond all numbers"),
+        ("use_loop.svg", "2 circular references left out: Use 5 and Use 3."),
+        ("nan.svg", "1 path drawn only up to an error in the data: Path 2 at character 7, “NaN 1”"),
+        ("infinite_by_transform.svg", "1 element beyond all numbers left out: Path 2."),
+        ("arc_beyond_numbers.svg", "Path 2 at character 31, “1e300”"),
+        ("many_pieces.svg", "1 curve of more than 100000 pieces left out: Path 2."),
+        ("too_large.svg", "1 curve with coordinates beyond −1e12 to 1e12 left out: Path 2."),
         ("truncated.dxf", "ends at line 59 without EOF: it is cut off"),
         ("number_of_words.dxf", "near line: 46"),
     ],

@@ -103,7 +103,11 @@ def test_paths_of_2023_have_anchor_points():
         ('"prevControl": {"x": 2.0, "y": 1.0}', '"prevControl": null', "Waypoint 2 has no prev control."),
         ('"nextControl": {"x": 1.0, "y": 0.0}', '"nextControl": null', "Waypoint 1 has no next control."),
         ('"anchor": {"x": 3.0, "y": 1.0}', '"anchor": null', "Waypoint 2 has no anchor."),
-        ('"x": 3.0', '"x": 3e13', "“Path” has coordinates beyond −1e12 to 1e12."),
+        (
+            '"x": 3.0',
+            '"x": 3e13',
+            "There is no curve in the file. 1 curve with coordinates beyond −1e12 to 1e12 left out: Path.",
+        ),
         ('"version"', "version", "It is not JSON; line 1, column 2: object keys must be strings."),
         ("waypoints", "ways", "Waypoints is missing."),
     ],

@@ -288,41 +288,120 @@ def test_a_corner_of_our_own_file_stays_the_only_one():
 P = '<path d="{}"/>'
 
 
-PATH = "Element 2 (<path>): "
+CUT = "1 path drawn only up to an error in the data: Path 2 "
+INVALID = "1 element with invalid lengths, which count as not given: "
+NO_CURVE = [
+    (P.format("L0 0"), CUT + "at character 1, “L0 0”."),
+    (P.format("M0 0 L1"), CUT + "at the end."),
+    (P.format("M0 0 L1e13 0"), "1 curve with coordinates beyond −1e12 to 1e12 left out: Path 2."),
+    ('<circle id="a" r="five"/>', INVALID + "a r “five”."),
+    ('<rect width="-1" height="2"/>', INVALID + "Rect 2 width “-1”."),
+    ('<polyline points="0"/>', "1 polyline drawn only up to an error in the data: Polyline 2 at the end."),
+    ('<use id="a" href="#a"/>', "1 circular reference left out: a."),
+    ('<g id="a"><use id="b" href="#a"/></g>', "1 circular reference left out: b."),
+    ('<svg id="a"><use href="#a"/></svg>', "1 circular reference left out: Use 3."),
+    (
+        '<g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g>',
+        "2 circular references left out: Use 5 and Use 3.",
+    ),
+    (
+        '<g transform="scale(1e200)scale(1e200)"><path d="M0 0L1 1"/></g>',
+        "1 element beyond all numbers left out: G 2.",
+    ),
+    ('<rect width="1e308in" height="1"/>', "1 element beyond all numbers left out: Rect 2."),
+    ("", ""),
+    ("<text/>", "1 text left out."),
+    (P.format("M5 5Z"), ""),
+]
+
+
+@each_row(("body", "remark"), NO_CURVE)
+def test_a_file_without_a_curve_is_an_empty_document(body, remark):
+    """All of these were refused."""
+    found = read_svg(svg(body))
+    assert [curve.points for curve in found.document.curves] == [()]
+    assert found.remarks == ((remark,) if remark else ())
+    with pytest.raises(ExchangeError) as refusal:
+        found.with_curves()
+    assert str(refusal.value) == f"There is no curve in the file. {remark}".rstrip()
+
+
+@each_row(("body", "remark"), [row for row in NO_CURVE if row[1]])
+def test_an_error_in_one_element_leaves_the_others(body, remark):
+    found = read_svg(svg(body + P.format("M3 4H5")))
+    assert [[point.position for point in curve.points] for curve in found.document.curves] == [
+        [(3, -4), (5, -4)]
+    ]
+    assert found.remarks == (remark,)
 
 
 @each_row(
-    ("body", "sentence"),
+    ("body", "same", "remark"),
     [
-        (P.format("L0 0"), PATH + "its data must begin with M."),
-        (P.format("M0 0 L1"), PATH + "its data end in the middle of a command."),
-        (P.format("M0 0 LNaN 1"), PATH + "its data are broken at character 7: “NaN 1”."),
-        (P.format("M0 0 L1e999 1"), PATH + "a number at character 7 of its data is beyond all numbers."),
-        (P.format("M0 0 A1 1 0 2 0 1 1"), PATH + "its data are broken at character 13: “2 0 1 1”."),
-        (P.format("M0 0 A1 1 0 1 0 1"), PATH + "its data end in the middle of a command."),
-        (P.format("M0 0 Z 5 5"), PATH + "its data are broken at character 8: “5 5”."),
-        (P.format("M0 0 L1 1 ,, 2 2"), PATH + "its data are broken at character 12: “, 2 2”."),
-        (P.format("M0 0 L1e13 0"), "“Path 2” has coordinates beyond −1e12 to 1e12."),
-        ('<path d="M0 0L1 1" transform="scale(nan)"/>', PATH + "its transform “scale(nan)” is broken."),
-        ('<path d="M0 0L1 1" transform="fly(1)"/>', PATH + "its transform “fly(1)” is broken."),
-        ('<path d="M0 0L1 1" transform="oops"/>', PATH + "its transform is broken at character 1."),
-        ('<circle r="five"/>', "Element 2 (<circle>): its r “five” is not a length."),
-        ('<rect width="-1" height="2"/>', "Element 2 (<rect>): it has a negative size."),
+        ('<path d="M1 2L3 4" transform="scale(nan)"/>', P.format("M1 2L3 4"), "Path 2 “scale(nan)”"),
+        ('<path d="M1 2L3 4" transform="fly(1)"/>', P.format("M1 2L3 4"), "Path 2 “fly(1)”"),
+        ('<path d="M1 2L3 4" transform="scale(2) oops"/>', P.format("M1 2L3 4"), "Path 2 at character 9"),
+        ('<path d="M1 2L3 4" style="transform:rotate(1,2)"/>', P.format("M1 2L3 4"), "Path 2 “rotate(1,2)”"),
+        ('<rect x="2" y="one" width="3" height="4"/>', P.format("M2 0H5V4H2Z"), "Rect 2 y “one”"),
         (
-            '<polyline points="0 0 1"/>',
-            "Element 2 (<polyline>): its points have an odd number of coordinates.",
+            '<rect rx="-1" ry="1" width="3" height="4"/>',
+            '<rect ry="1" width="3" height="4"/>',
+            "Rect 2 rx “-1”",
         ),
-        ('<use id="a" href="#a"/>', "Element 2 (<use>): it uses itself by way of “#a”."),
-        ("", "There is no curve in the file."),
-        ("<text/>", "There is no curve in the file. 1 text left out."),
-        (P.format("M5 5Z"), "There is no curve in the file."),
-        ("<path", "The file is not XML: line 1, column 90."),
+        ('<ellipse rx="2" ry="-1em"/>', '<circle r="2"/>', "Ellipse 2 ry “-1em”"),
+        ('<line x1="?" y1="1 2" x2="3" y2="4"/>', P.format("M0 0L3 4"), "Line 2 x1 “?” and y1 “1 2”"),
+        (
+            '<use x="#" y="2" href="#a"/><path id="a" d="M1 2L3 4"/>',
+            '<use y="2" href="#a"/><path id="a" d="M1 2L3 4"/>',
+            "Use 2 x “#”",
+        ),
+        (
+            '<svg x="left" y="2">' + P.format("M1 2L3 4") + "</svg>",
+            '<svg y="2">' + P.format("M1 2L3 4") + "</svg>",
+            "Svg 2 x “left”",
+        ),
+        (P.format("M0 0L1 1 x"), P.format("M0 0L1 1"), "Path 2 at character 10, “x”"),
+        ('<polygon points="0 0 1 1 2 0 5"/>', P.format("M0 0L1 1 2 0Z"), "Polygon 2 at the end"),
     ],
 )
-def test_broken_files_are_refused_with_the_place(body, sentence):
-    with pytest.raises(ExchangeError) as refusal:
-        read_svg(svg(body))
-    assert str(refusal.value) == sentence
+def test_what_is_invalid_counts_as_not_given(body, same, remark):
+    """As browsers do: an invalid attribute is none, and data end at their error."""
+    one, other = (read_svg(svg(each)) for each in (body, same))
+    assert [curve.points for curve in one.document.curves] == [
+        curve.points for curve in other.document.curves
+    ]
+    assert other.remarks == ()
+    assert len(one.remarks) == 1
+    assert one.remarks[0].endswith(f": {remark}.")
+
+
+def test_a_curve_with_too_many_pieces_leaves_the_others(monkeypatch):
+    monkeypatch.setattr("app.exchange.cubics_in.MAX_PIECES", 3)
+    found = read_svg(svg(P.format("M0 0h1v1h1v1M5 5h1v1h1M9 9h1v1h1v1")))
+    assert [curve.name for curve in found.document.curves] == ["Path 2 (2)"]
+    assert found.remarks == ("2 curves of more than 100000 pieces left out: Path 2 (1) and Path 2 (3).",)
+
+
+@each_row(
+    ("attributes", "edges"),
+    [
+        ('viewBox="0 0 40 40" width="200" height="200"', [0, 200, -200, 0]),
+        ('viewBox="-10 -20 40 80" width="4cm" height="8cm"', [-1, 3, -6, 2]),
+        ('viewBox="1 2 30 40"', [1, 31, -42, -2]),
+        ('width="210mm" height="297mm"', [0, 210, -297, 0]),
+        ("", []),
+    ],
+)
+def test_an_empty_page_keeps_its_size_as_guides(attributes, edges):
+    found = read_svg(f'<svg xmlns="http://www.w3.org/2000/svg" {attributes}><g id="layer1"/></svg>'.encode())
+    guides = found.document.guides
+    assert [each.axis.value for each in guides] == ["x", "x", "y", "y"][: len(edges)]
+    assert [each.position for each in guides] == pytest.approx(edges)
+
+
+def test_files_that_are_no_svg_are_refused_with_the_place():
+    with pytest.raises(ExchangeError, match="The file is not XML: line 1, column 90"):
+        read_svg(svg("<path"))
 
 
 def test_bombs_are_refused():
@@ -336,9 +415,6 @@ def test_bombs_are_refused():
     empty = doubling.replace("g14", "nothing")
     with pytest.raises(ExchangeError, match="draws more than 10000 elements"):
         read_svg(svg(empty + '<g id="nothing"/>'))
-    circle = '<g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g>'
-    with pytest.raises(ExchangeError, match="it uses itself"):
-        read_svg(svg(circle))
 
 
 ILLUSTRATOR = (

@@ -331,3 +331,39 @@ def test_layers_of_inkscape_come_in_as_groups_of_their_names(editor, tmp_path):
     again = read_svg(text.encode()).document
     assert [curve.groups for curve in again.curves] == [curve.groups for curve in document.curves]
     assert [(each.locked, each.visible) for each in again.curves] == [(True, False)] + [(False, True)] * 4
+
+
+PAGE = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20" width="200" height="100">{}</svg>'
+
+
+def test_a_page_without_a_curve_opens_as_an_empty_document_of_its_size(editor, tmp_path):
+    """It was refused: “There is no curve in the file.”"""
+    path = tmp_path / "page.svg"
+    path.write_text(PAGE.format('<g id="layer1"/>'), encoding="utf-8")
+    open_as_document(editor, path)
+    document = editor.session.document
+    assert editor.status == "Opened page.svg: no curve."
+    assert ([curve.points for curve in document.curves], document.unit) == ([()], "px")
+    assert {(each.axis, each.position) for each in document.guides} == {
+        ("x", 0.0), ("x", 200.0), ("y", 0.0), ("y", 100.0)
+    }  # fmt: skip
+    # The page fills the view.
+    view, size = editor.window.canvas.camera.pixel_map, editor.window.canvas.viewport().size()
+    (left, top), (right, bottom) = view.point(0.0, 100.0), view.point(200.0, 0.0)
+    assert 0 < left < 0.2 * size.width() < 0.8 * size.width() < right < size.width()
+    assert 0 < top < bottom < size.height()
+
+
+def test_a_file_of_unreadable_things_alone_says_so_and_brings_nothing_into_another_document(editor, tmp_path):
+    path, before = tmp_path / "words.svg", editor.session.document
+    path.write_text(PAGE.format('<text>hey</text><path id="a" d="L5 5"/>'), encoding="utf-8")
+    dialog = opened(editor, path)
+    assert dialog.summary.text() == "No curve."
+    assert dialog.remarks.text() == (
+        "1 text left out: hey.\n1 path drawn only up to an error in the data: a at character 1, “L5 5”."
+    )
+    assert (dialog.into.currentText(), dialog.into.isEnabled()) == ("A new document", False)
+    QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.session.document != before
+    assert [curve.points for curve in editor.session.document.curves] == [()]

@@ -55,7 +55,7 @@ def read_path(data: bytes, _tolerance: float | None = None) -> Imported:
     for name in path.__struct_fields__[1:]:
         for number, _lost in enumerate(getattr(path, name)):
             missed.note(Flaw(name.removesuffix("s").replace("_", " ")), number)
-    return imported([ImportedPath("Path", Look(), np.array(pieces), closed=False)], missed)
+    return imported([ImportedPath("Path", Look(), np.array(pieces), closed=False)], missed).with_curves()
 
 
 def _place(waypoints: list[_Waypoint], index: int, name: str) -> tuple[float, float]:

@@ -14,7 +14,7 @@ from ..errors import ExchangeError, Flaw
 from .lengths import Viewport
 from .matrices import Box, moved
 from .path_data import Subpath
-from .shapes import SHAPES, subpaths_of
+from .shapes import SHAPES, outline_of
 from .xml_tree import Elements, tag_of
 
 _ROUNDING = 1e-9
@@ -76,7 +76,7 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
     if tag_of(part) not in SHAPES or any(each.get("transform") for each in (clip, parts[0], part)):
         return None
     try:
-        return _rectangle(subpaths_of(part, viewport, None))
+        return _rectangle(outline_of(part, viewport, None).subpaths)
     except ExchangeError:
         return None
 

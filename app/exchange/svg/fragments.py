@@ -79,7 +79,7 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
     Raises
     ------
     ExchangeError
-        As `read_svg`; a large one is read in a process with limits.
+        As `read_svg`, and if there is no curve; a large one is read in a process with limits.
     """
     report(0.0, "Reading")
     reader = svg.reader.read_svg
@@ -87,6 +87,7 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
         found = exchange.child.at_once(reader, fragment.data)
     else:
         found = exchange.child.limited(reader, fragment.data, None, report=report)
+    found = found.with_curves()
     if not fragment.is_bare:
         is_ours = svg.our_own.MARK.encode() in fragment.data
         # Where nobody says it a unit of SVG is a pixel; of our own, the document's, which has none.

@@ -36,7 +36,7 @@ def transform_of(text: str) -> FloatArray:
     while not _REST.match(text, place):
         match = _CALL.match(text, place)
         if match is None:
-            raise ExchangeError(f"its transform is broken at character {place + 1}.")
+            raise ExchangeError(f"at character {place + 1}")
         result = combined(result, _one_transform(match[1], match[2]))
         place = match.end()
     return result
@@ -50,8 +50,7 @@ def _one_transform(name: str, arguments: str) -> FloatArray:
             raise ValueError
         return np.array(_MATRICES[name](*values), dtype=float)
     except (KeyError, TypeError, ValueError):
-        shown = f"{name}({arguments})"[:40]
-        raise ExchangeError(f"its transform “{shown}” is broken.") from None
+        raise ExchangeError(f"“{name}({arguments})"[:40] + "”") from None
 
 
 def _rotation(degrees: float, *centre: float) -> FloatArray:

@@ -1,9 +1,10 @@
 """SVG path data in, as cubic pieces.
 
 svgelements reads the data: its reader stops at the first error, and knows where. The segments that it would
-make are not used, as they mirror the control point of a C for a T, against section 9.3.7.
+make are not used, as they mirror the control point of a C for a T, against section 9.3.7. The segments before
+the one with the error are drawn, as section 9.5.4 says.
 
-Reference: Scalable Vector Graphics 2, section 9.3.
+Reference: Scalable Vector Graphics 2, section 9.
 """
 
 from __future__ import annotations
@@ -28,7 +29,11 @@ _PASSED_OVER = re.compile(rf"(?:^|[A-Za-z,]){_GAP}(,)|[VAa]{_GAP}([A-Za-z]|\Z)")
 _BARE_POINT = re.compile(r"(?<![\d.eE])(\d+)\.(?![\deE.])")
 """The point of ``1.``, which SVG 1.1 allowed and programs still write."""
 _NO_MOVE = re.compile(rf"{_GAP}[ZLHVCSQTAzlhvcsqta]")
+_NO_COORDINATE = re.compile(r"[^-+.,\deE \t\r\n\f]")
+_SEPARATORS = " \t\r\n\f,"
 _LONGEST = 50_000_000
+_SHOWN = 12
+"""Characters that are shown of data with an error."""
 _ROUNDING = 1e-6
 """Of the extent of a subpath: as short a last line comes of roundings, and is none to Inkscape either."""
 
@@ -68,54 +73,103 @@ class Subpath:
         return np.concatenate(self.pieces) if self.pieces else np.empty((0, 4, 2))
 
 
-def read_path_data(data: str, tolerance: float | None = None) -> list[Subpath]:
-    """Return the subpaths of path data.
+class ReadPath(NamedTuple):
+    """Subpaths of an element, and the error that ends them early.
+
+    Attributes
+    ----------
+    subpaths
+        Those before the segment with the error.
+    error
+        Where it is: "at character 7, “L35”", from 1; empty where there is none.
+    """
+
+    subpaths: list[Subpath]
+    error: str = ""
+
+
+def read_path_data(data: str, tolerance: float | None = None) -> ReadPath:
+    """Return the subpaths of path data, up to the first error.
 
     Lines and quadratics are raised to cubics, arcs become cubics within the tolerance.
 
     Raises
     ------
     ExchangeError
-        With the character, from 1, at which the data are not path data.
+        If the data are longer than any drawing needs.
     """
     if len(data) > _LONGEST:
         raise ExchangeError("its data are too long.")
-    if _NO_MOVE.match(data):
-        raise ExchangeError("its data must begin with M.")
-    # Of the same length, for the places of flaws.
+    pen = _Pen(tolerance)
+    place = 0 if _NO_MOVE.match(data) else _drawn(data, pen)
+    pen.end()
+    return ReadPath(pen.subpaths, _error_at(place, data))
+
+
+def read_points(data: str, *, closed: bool) -> ReadPath:
+    """Return the polyline through a list of points, up to the first error: numbers in pairs, no letter."""
+    stop = _NO_COORDINATE.search(data)
+    listed = data[: stop.start()] if stop else data
+    pen = _Pen(None)
+    place = _drawn(f"M{listed}", pen) if listed.strip() else None
+    if place is not None:
+        place -= 1
+    elif stop:
+        place = stop.start()
+    if closed:
+        pen.closed()
+    pen.end()
+    return ReadPath(pen.subpaths, _error_at(place, data))
+
+
+def _drawn(data: str, pen: _Pen) -> int | None:
+    """Draw path data up to the first error, and return its place; None where there is none."""
+    # Of the same length, for the places of errors.
     data = _BARE_POINT.sub(r"\1 ", data)
-    flaw = _PASSED_OVER.search(data)
-    pen, reader = _Pen(tolerance), _Reader()
+    flaw, reader = _PASSED_OVER.search(data), _Reader()
     try:
         reader.parse(pen, data[: flaw.start(flaw.lastindex or 0)] if flaw else data)
-        is_read = flaw is None and reader.pos == len(data)
     except ExchangeError:
-        raise
+        return int(reader.pos) - len(data[reader.end_before : reader.pos].lstrip(_SEPARATORS))
     except ValueError:
-        is_read = False
-    if not is_read:
-        raise _broken(data, reader.pos)
-    pen.end()
-    return pen.subpaths
+        # A Z is complete before a number that follows it is an error.
+        if reader.command in ("Z", "z"):
+            pen.closed()
+        return int(reader.pos)
+    return None if flaw is None and reader.pos == len(data) else int(reader.pos)
 
 
-def _broken(data: str, place: int) -> ExchangeError:
-    if place >= len(data):
-        return ExchangeError("its data end in the middle of a command.")
-    return ExchangeError(f"its data are broken at character {place + 1}: “{data[place : place + 12]}”.")
+def _error_at(place: int | None, data: str) -> str:
+    if place is None:
+        return ""
+    return f"at character {place + 1}, “{data[place : place + _SHOWN]}”" if data[place:] else "at the end"
 
 
 class _Reader(SVGLexicalParser):  # type: ignore[misc]  # that package has no types
-    """Reads commands; a number or flag that is missing is an error, not None or the end of the path."""
+    """Reads commands; a number or flag that is missing is an error, not None or the end of the path.
+
+    Attributes
+    ----------
+    command
+        The letter of the last command.
+    end_before
+        The place where the number before the last one ends.
+    """
+
+    command: str | None = None
+    end_before = 0
+
+    def _command(self) -> str | None:
+        self.command = super()._command()
+        return self.command
 
     def _number(self) -> float:
-        before = self.pos
+        self.end_before = self.pos
         number = super()._number()
         if number is None:
             raise ValueError
         if not math.isfinite(number):
-            place = self.pos - len(self.pathd[before : self.pos].lstrip(" ,\t\r\n\f"))
-            raise ExchangeError(f"a number at character {place + 1} of its data is beyond all numbers.")
+            raise ExchangeError("A number is beyond all numbers.")
         return float(number)
 
     def _flag(self) -> bool:

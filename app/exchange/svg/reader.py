@@ -17,6 +17,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.shapes import tidy_shapes
 from ...document.style import Style
+from ...document.words import enumerated
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
 from ..cubics_in import SINGLE_POINT, Imported, ImportedPath, Look, imported
@@ -43,7 +44,7 @@ from .our_own import OurOwn
 from .paint import Paints, share_of
 from .path_data import Subpath
 from .properties import Properties, style_of
-from .shapes import SHAPES, UnknownLengthError, length_of, subpaths_of
+from .shapes import LENGTHS, SHAPES, UnknownLengthError, invalid_lengths, length_of, outline_of
 from .sheet import sheet_of
 from .xml_tree import (
     INSENSITIVE,
@@ -53,7 +54,6 @@ from .xml_tree import (
     Elements,
     name_of,
     parsed,
-    reference_of,
     shown_name,
     speaks_to_us,
     tag_of,
@@ -70,6 +70,10 @@ _TRANSPARENT = Flaw("group", "came with the opacity on each shape separately")
 _UNEVEN = Flaw("stroke", "of uneven width came with the mean width")
 _NO_LENGTHS = Flaw("shape", "with lengths of unknown size left out")
 _UNUSABLE = Flaw("reference", "to elements outside the file left out")
+_CIRCULAR = Flaw("circular reference")
+_NO_TRANSFORM = Flaw("transform", "with an error not applied")
+_INVALID = Flaw("element", "with invalid lengths, which count as not given")
+_BEYOND = Flaw("element", "beyond all numbers left out")
 _NOTHING: Iterable[Drawn] = ()
 
 _MOTION = Flaw("animation", "not played")
@@ -91,10 +95,11 @@ _EFFECTS = {
     "mix-blend-mode": Flaw("blend mode", _NOT_APPLIED),
 }
 _NO_EFFECT = ("none", "normal")
+_WITH_LENGTHS = (*LENGTHS, "use", "svg")
 
 
 def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
-    """Return the curves of an SVG file.
+    """Return the curves of an SVG file; of one without any, the edges of its page as guides.
 
     Cubic and quadratic pieces and lines are taken exactly but for rounding; arcs, circles and ellipses
     become cubics, one for each quarter turn.
@@ -109,8 +114,8 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
     Raises
     ------
     ExchangeError
-        With the element, for anything that is no SVG or that is hostile: entities beyond bounds, elements
-        that use themselves, more than `MAX_ELEMENTS` elements, broken data.
+        For anything that is no SVG or that is hostile: entities beyond bounds, more than `MAX_ELEMENTS`
+        elements.
     """
     return _read(data, tolerance)[0]
 
@@ -130,7 +135,8 @@ def _read(data: bytes, tolerance: float | None) -> tuple[Imported, _Reader]:
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
     found = imported(reader.all_paths(), reader.missed)
-    document = msgspec.structs.replace(found.document, unit=reader.sheet.unit)
+    guides = () if found.has_curves else reader.sheet.edges
+    document = msgspec.structs.replace(found.document, unit=reader.sheet.unit, guides=guides)
     return replace(found, document=tidy_shapes(document)), reader
 
 
@@ -144,8 +150,10 @@ class State:
         (2, 3), to the document's plane.
     viewport
         What percentages are parts of.
-    inside
-        The `use` elements that show it, each by way of the next.
+    around
+        The elements that it is in, and those that a `use` shows, with the `use`.
+    is_used
+        Whether a `use` shows it.
     groups
         Those around it, the outermost first.
     windows
@@ -159,7 +167,8 @@ class State:
     matrix: FloatArray
     viewport: Viewport
     properties: Properties = field(default_factory=Properties)
-    inside: tuple[ET.Element, ...] = ()
+    around: tuple[ET.Element, ...] = ()
+    is_used: bool = False
     groups: tuple[Group, ...] = ()
     windows: tuple[Window, ...] = ()
     is_locked: bool = False
@@ -217,6 +226,9 @@ class _Reader:
         declared = self._cascade.of(element)
         state = self._entered(element, declared, state)
         first, found = len(self._shapes), _NOTHING
+        if not np.isfinite(state.matrix).all():
+            self.missed.note_at(element, _BEYOND)
+            return
         if tag in _NOT_READ and state.properties.is_visible:
             self.missed.note_of(element, _NOT_READ[tag])
         elif tag in SHAPES:
@@ -241,21 +253,22 @@ class _Reader:
             try:
                 matrix = combined(matrix, transform_of(transform))
             except ExchangeError as problem:
-                raise self.missed.broken(element, str(problem)) from None
-            if not np.isfinite(matrix).all():
-                raise self.missed.broken(element, "its transform is beyond all numbers.")
+                self.missed.note_at(element, _NO_TRANSFORM, str(problem))
+        if tag_of(element) in _WITH_LENGTHS and (invalid := invalid_lengths(element)):
+            self.missed.note_at(element, _INVALID, enumerated(invalid))
         if tag_of(element) == "use":
-            x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
+            x, y = (length_of(element, name, state.viewport) or 0.0 for name in ("x", "y"))
             matrix = combined(matrix, shifting(x, y))
         if (box := clip_box(self._elements, declared, state.viewport)) is not None:
             windows = (*windows, Window(box, matrix, element, _CLIPPED))
         return replace(
             state,
             matrix=matrix,
+            around=(*state.around, element),
             windows=windows,
             properties=state.properties.entered(declared, state.viewport),
             # What is locked where it is drawn is not so where it is used.
-            is_locked=state.is_locked or (not state.inside and element.get(INSENSITIVE) == "true"),
+            is_locked=state.is_locked or (not state.is_used and element.get(INSENSITIVE) == "true"),
         )
 
     def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
@@ -263,7 +276,7 @@ class _Reader:
         if tag == "g" or (depth > 0 and name):
             state = replace(state, groups=(*state.groups, Group(self._visited, name)))
         if tag == "svg" and depth > 0:
-            x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
+            x, y = (length_of(element, name, state.viewport) or 0.0 for name in ("x", "y"))
             state = self._in_view_box(element, element, state, (x, y))
         for child in element:
             if tag_of(child) not in _ONLY_WHEN_USED and speaks_to_us(child):
@@ -276,7 +289,7 @@ class _Reader:
     ) -> State:
         """Return the state in a view box, whose size another element may say."""
         width, height = (
-            self._length(sized, name, state) or self._length(element, name, state) or whole
+            length_of(sized, name, state.viewport) or length_of(element, name, state.viewport) or whole
             for name, whole in (("width", state.viewport.width), ("height", state.viewport.height))
         )
         box = box_of(element.get("viewBox", ""))
@@ -296,16 +309,16 @@ class _Reader:
         return replace(state, matrix=matrix, viewport=state.viewport.sized(*box[2:]), windows=windows)
 
     def _used(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
-        reference = reference_of(element)
         target = self._elements.used(element)
         if target is None:
             self.missed.note_of(element, _UNUSABLE)
             return
-        if depth > MAX_DEPTH or any(reference_of(each) == reference for each in state.inside):
-            raise self.missed.broken(element, f"it uses itself by way of “{reference[:40]}”.")
+        if depth > MAX_DEPTH or target in state.around:
+            self.missed.note_at(element, _CIRCULAR)
+            return
         # Of several within each other the outermost is what a person sees as the copy.
         name = state.copied or name_of(element) or f"{name_of(target)} copy"
-        state = replace(state, inside=(*state.inside, element), copied=name)
+        state = replace(state, is_used=True, copied=name)
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (0.0, 0.0))
             entered = self._entered(target, self._cascade.of(target), state)
@@ -320,12 +333,15 @@ class _Reader:
         tolerance = self._tolerance / stretch if self._tolerance is not None and stretch > 0 else None
         try:
             with np.errstate(all="ignore"):
-                subpaths = subpaths_of(element, state.viewport, tolerance)
+                subpaths, error = outline_of(element, state.viewport, tolerance)
         except UnknownLengthError:
             self.missed.note_of(element, _NO_LENGTHS)
             return
-        except ExchangeError as problem:
-            raise self.missed.broken(element, str(problem)) from None
+        except ExchangeError:
+            self.missed.note_at(element, _BEYOND)
+            return
+        if error:
+            self.missed.note_at(element, Flaw(tag, "drawn only up to an error in the data"), error)
         drawn = [each for each in subpaths if each.has_length]
         # A point without a round or square cap is not seen.
         if len(drawn) < len(subpaths) and state.properties.shows_points:
@@ -333,7 +349,7 @@ class _Reader:
         if not drawn:
             return
         self._shapes.append(element)
-        name = state.copied or name_of(element) or f"{tag.capitalize()} {self.missed.number_of(element)}"
+        name = state.copied or self.missed.name_of(element)
         keeps_width = declared.get("vector-effect") == "non-scaling-stroke"
         scale = self.sheet.pixel if keeps_width else mean_scale(state.matrix)
         look = self._look(element, state, scale, keeps_width=keeps_width)
@@ -377,12 +393,6 @@ class _Reader:
         visible = state.properties.is_visible
         return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
 
-    def _length(self, element: ET.Element, name: str, state: State) -> float | None:
-        try:
-            return length_of(element, name, state.viewport)
-        except ExchangeError as problem:
-            raise self.missed.broken(element, str(problem)) from None
-
     def _note_effects(
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
     ) -> None:
@@ -408,17 +418,15 @@ class _Missing(Missed):
         super().__init__()
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
 
-    def number_of(self, element: ET.Element) -> int:
-        """Return the number of an element in its file, from 1."""
-        return self._number[element]
+    def name_of(self, element: ET.Element) -> str:
+        """Return the name of an element, or else its tag and its number in the file, from 1."""
+        return name_of(element) or f"{tag_of(element).capitalize()} {self._number[element]}"
 
     def note_of(self, element: ET.Element, *flaws: Flaw) -> None:
         """Take note of what is missed of an element, once, however often that is used."""
         for flaw in flaws:
             self.note(flaw, element, shown_name(element))
 
-    def broken(self, element: ET.Element, why: str) -> ExchangeError:
-        """Return the error that an element cannot be read."""
-        if why.startswith("Element "):
-            return ExchangeError(why)
-        return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
+    def note_at(self, element: ET.Element, flaw: Flaw, where: str = "") -> None:
+        """Take note of an error in an element, and where in it, once for each flaw."""
+        self.note(flaw, element, f"{self.name_of(element)} {where}".strip())

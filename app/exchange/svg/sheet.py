@@ -9,7 +9,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import MAX_MAGNITUDE
+from ...document.model import MAX_MAGNITUDE, Axis, Guide
 from ...document.units import MILLIMETRES
 from ..drawing.frames import Frame
 from .lengths import Viewport, with_unit
@@ -42,6 +42,19 @@ class Sheet:
     viewport: Viewport
     pixel: float = 1.0
     frame: Frame | None = None
+
+    @property
+    def edges(self) -> tuple[Guide, ...]:
+        """The edges of what the file shows, as guides."""
+        if self.frame is None:
+            return ()
+        left, bottom, right, top = (
+            self.frame.left,
+            self.frame.bottom,
+            self.frame.left + self.frame.width,
+            self.frame.top,
+        )
+        return (Guide(Axis.X, left), Guide(Axis.X, right), Guide(Axis.Y, bottom), Guide(Axis.Y, top))
 
 
 def sheet_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) -> Sheet:
@@ -95,5 +108,5 @@ def _frame(box: Box) -> Frame | None:
     """Return what a file shows; None where a document cannot hold it."""
     x, y, width, height = (float(each) + 0.0 for each in box)
     bottom = -(y + height) + 0.0
-    is_sound = max(abs(each) for each in (x, bottom, width, height)) <= MAX_MAGNITUDE
+    is_sound = max(abs(each) for each in (x, x + width, y, bottom)) <= MAX_MAGNITUDE
     return Frame(x, bottom, width, height) if is_sound and min(width, height) > 0 else None

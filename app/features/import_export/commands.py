@@ -280,9 +280,9 @@ class ImportCommands:
         elif not central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
-        what = f"{counted_shapes(curves)}, {count_of(count, 'point')}"
         exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
-        self._session.say(f"{done}: {what}, {exact}. {rest}".rstrip())
+        what = f"{counted_shapes(curves)}, {count_of(count, 'point')}, {exact}" if count else "no curve"
+        self._session.say(f"{done}: {what}. {rest}".rstrip())
 
 
 @dataclass(frozen=True)

@@ -83,14 +83,17 @@ class ImportDrawingDialog(WorkDialog):
         self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(found.remarks))
         self.rest = Label(name="importRest", wordWrap=True)
-        self.into = into_box(verb)
+        # Without a curve nothing comes into another document.
+        self.into = into_box(verb if found.has_curves else Verb.OPEN)
+        self.into.setEnabled(found.has_curves)
         self.into.currentTextChanged.connect(self._show_rest)
         self._show_rest()
         self.foot = ImportFoot(self, "importDrawing", "Take the curves in", verb, self.into)
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
         self._lay_out()
-        self.picture.show_document(found.document)
+        if found.has_curves:
+            self.picture.show_document(found.document)
 
     def _lay_out(self) -> None:
         side = column_of(self.summary, margins=0, spacing=8)
@@ -138,6 +141,8 @@ class ImportDrawingDialog(WorkDialog):
 
 def _summary(found: Imported, taken: Imported) -> str:
     """Return what is taken of a drawing."""
+    if not taken.has_curves:
+        return "No curve."
     points = sum(len(curve.points) for curve in taken.document.curves)
     exact = f"at most {number(taken.deviation, 2)} from the file" if taken.deviation else "exact"
     some = counted_shapes(taken.document.curves)
