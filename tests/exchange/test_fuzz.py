@@ -15,6 +15,8 @@ from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.choreo import read_trajectories
 from app.exchange.formats.dxf import dxf_text
+from app.exchange.formats.godot import read_curves
+from app.exchange.formats.gpx import read_gpx
 from app.exchange.formats.pathplanner import read_path as read_robot_path
 from app.exchange.formats.pathweaver import read_path
 from app.exchange.formats.points import points_table
@@ -131,6 +133,21 @@ READERS = {
         [
             b'{"waypoints":[{"anchor":{"x":0,"y":0},"prevControl":null,"nextControl":{"x":1,"y":2}},{"anchor":{"x":3,'
             b'"y":0},"prevControl":{"x":2,"y":1},"nextControl":null}],"eventMarkers":[{}]}'
+        ],
+    ),
+    "godot": (
+        lambda data: read_curves(data).document,
+        [
+            b'[gd_scene]\n[sub_resource type="Curve2D" id="a"]\n_data = {\n"points": PackedVector2Array('
+            b'0, 0, 1, 2, 0, 0, -1, 3, 0, 0, 5, 1)\n}\n[node name="P"]\ncurve = SubResource("a")\n'
+        ],
+    ),
+    "gpx": (
+        lambda data: document_of_table(read_gpx(data)).document,
+        [
+            b'<gpx><trk><trkseg><trkpt lat="47.6" lon="-122.3"><time>2009-10-17T18:37:26Z</time>'
+            b'</trkpt><trkpt lat="47.7" lon="-122.2"><time>2009-10-17T18:37:31Z</time></trkpt></trkseg></trk>'
+            b"</gpx>"
         ],
     ),
     "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).data, SHAPES, STYLED]),

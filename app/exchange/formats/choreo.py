@@ -7,6 +7,7 @@ with the positions and velocities of both is the motion itself. A differential d
 from __future__ import annotations
 
 import math
+import re
 
 import msgspec
 import numpy as np
@@ -18,7 +19,7 @@ from ..table.table import Table, table_of
 from . import ContentKind, Format
 
 _TITLES = ("curve", "t", "x", "y", "vx", "vy")
-_MARKS = (b'"sampleType"', b'"omega"', b'"velocityX"', b'"vl"')
+_MARKS = re.compile(rb'"(?:sampleType|omega|velocityX|vl)"')
 
 
 class _Sample(msgspec.Struct, rename="camel"):
@@ -63,11 +64,6 @@ class _File(msgspec.Struct):
     paths: dict[str, _OldPath] = {}
 
 
-def recognises(data: bytes) -> bool:
-    """Whether a file is JSON with samples as Choreo names them."""
-    return is_object(data) and b'"samples"' in data and any(mark in data for mark in _MARKS)
-
-
 def read_trajectories(data: bytes) -> Table:
     """Return the samples of a trajectory, or of all in a project of 2024, as rows.
 
@@ -100,6 +96,6 @@ FORMATS = (
         kind=ContentKind.TABLE,
         plural="Choreo trajectories",
         read=read_trajectories,
-        recognises=recognises,
+        recognises=lambda data: is_object(data) and b'"samples"' in data and bool(_MARKS.search(data)),
     ),
 )

@@ -29,13 +29,6 @@ class _Path(msgspec.Struct, rename="camel"):
     waypoints: list[_Waypoint]
     rotation_targets: list[Any] = []
     event_markers: list[Any] = []
-    constraint_zones: list[Any] = []
-    point_towards_zones: list[Any] = []
-
-
-def recognises(data: bytes) -> bool:
-    """Whether a file is JSON with the handles of PathPlanner."""
-    return is_object(data) and b'"prevControl"' in data
 
 
 def read_path(data: bytes, _tolerance: float | None = None) -> Imported:
@@ -74,6 +67,6 @@ FORMATS = (
         kind=ContentKind.DRAWING,
         plural="PathPlanner paths",
         read=read_path,
-        recognises=recognises,
+        recognises=lambda data: is_object(data) and b'"prevControl"' in data,
     ),
 )

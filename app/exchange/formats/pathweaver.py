@@ -33,11 +33,6 @@ _LAYOUT = TextLayout(",", decimal_comma=False, header=True)
 _ROUNDING = 1e-14  # of the size
 
 
-def recognises(data: bytes) -> bool:
-    """Whether a table has PathWeaver's titles."""
-    return _HEAD.match(data) is not None
-
-
 def read_path(data: bytes) -> Table:
     """Return a path as the rows of a quintic Hermite curve, whose t counts its points.
 
@@ -88,8 +83,7 @@ def path_table(document: Document, options: Options = DEFAULT) -> Written:
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
     allowed = checked_tolerance(sources[:1], options.tolerance)
-    rows: list[str] = []
-    deviation = 0.0
+    rows, deviation = list[str](), 0.0
     for source in told(sources, part(options.report, 0.5, 1.0), "Writing"):
         if rows:
             remarks = (*remarks, f"“{source.name}” was left out: a file of PathWeaver has one path.")
@@ -104,8 +98,7 @@ def _rows_of(source: Source, allowed: float) -> tuple[list[str], float]:
     while count < MOST_WAYPOINTS:
         path = _Path(source.core, count)
         if path.deviation <= allowed:
-            is_exact = path.deviation <= _ROUNDING * source.size
-            return path.rows, 0.0 if is_exact else path.deviation
+            return path.rows, path.deviation if path.deviation > _ROUNDING * source.size else 0.0
         count *= 2
     raise ExchangeError(
         f"“{source.name}” takes more than {MOST_WAYPOINTS:,} waypoints. Make its corners smooth, or choose a "
@@ -133,18 +126,16 @@ class _Path:
             leaving[inside] = step * piece.evaluate(grid[inside], 1)
             arriving[inside] = step * piece.evaluate(grid[inside + 1], 1)
         # Where the curve turns back it goes on backwards.
-        turns = np.einsum("kd,kd->k", arriving[:-1], leaving[1:]) < 0
-        signs = np.cumprod([1.0, *np.where(turns, -1.0, 1.0)])
+        goes_on = np.einsum("kd,kd->k", arriving[:-1], leaving[1:]) >= 0
+        signs = np.cumprod([1.0, *np.where(goes_on, 1.0, -1.0)])
         tangents = np.append(signs[:, None] * leaving, signs[-1:] * arriving[-1:], axis=0)
-        words = ["true" if sign < 0 else "false" for sign in (*signs, signs[-1])]
         self.rows = [
-            ",".join([*map(cell_of_number, numbers), "true", word, ""])
-            for numbers, word in zip(np.hstack([points, tangents]).tolist(), words, strict=True)
+            ",".join([*map(cell_of_number, numbers), "true", "true" if sign < 0 else "false", ""])
+            for numbers, sign in zip(np.hstack([points, tangents]).tolist(), (*signs, signs[-1]), strict=True)
         ]
+        a, b = points[:-1], points[1:]
         start, end = signs[:, None] * tangents[:-1] / 5, signs[:, None] * tangents[1:] / 5
-        sides = (points[:-1], points[:-1] + start, points[:-1] + 2 * start)
-        others = (points[1:] - 2 * end, points[1:] - end, points[1:])
-        controls = np.stack([*sides, *others], axis=1)
+        controls = np.stack([a, a + start, a + 2 * start, b - 2 * end, b - end, b], axis=1)
         # Of polynomials of degree d the largest value is at most 1 / cos(π/8) of that at 4 d Chebyshev points
         # (Ehlich & Zeller, Math. Z. 86 (1964) 41-44).
         many = 4 * min(max(core.degree or 0, 5), 10)
@@ -166,6 +157,6 @@ FORMATS = (
         kind=ContentKind.TABLE,
         plural="PathWeaver paths",
         read=read_path,
-        recognises=recognises,
+        recognises=lambda data: _HEAD.match(data) is not None,
     ),
 )

@@ -57,7 +57,7 @@ _ESCAPED = re.compile("_x([0-9A-Fa-f]{2,5})_")
 _REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 
 
-def parsed(data: bytes) -> ET.Element:
+def parsed(data: bytes, most_elements: int = MAX_ELEMENTS) -> ET.Element:
     """Return the root of an XML file.
 
     What a DOCTYPE points to is not read; what it declares itself, as Illustrator and Sodipodi do, is.
@@ -66,15 +66,15 @@ def parsed(data: bytes) -> ET.Element:
     ------
     ExchangeError
         With the place, for what is not XML; for entities that are outside the file, that are parameters, or
-        that come to more than `MAX_NESTING` and `MAX_TEXT`; for more than `MAX_ELEMENTS` elements, and
-        elements deeper than `MAX_DEPTH`.
+        that come to more than `MAX_NESTING` and `MAX_TEXT`; for more than `most_elements`, and elements
+        deeper than `MAX_DEPTH`.
     """
     if not data.strip():
         raise ExchangeError("The file is empty.")
     try:
-        return _tree(data)
+        return _tree(data, most_elements)
     except _ExternalId as found:
-        return _tree(_without_external_id(data, *found.args), may_point_outside=False)
+        return _tree(_without_external_id(data, *found.args), most_elements, may_point_outside=False)
 
 
 def tag_of(element: ET.Element) -> str:
@@ -95,8 +95,9 @@ def speaks_to_us(element: ET.Element) -> bool:
     )
 
 
-def _tree(data: bytes, *, may_point_outside: bool = True) -> ET.Element:
-    parser = _Parser(_Declared(data), may_point_outside)
+def _tree(data: bytes, most_elements: int, *, may_point_outside: bool = True) -> ET.Element:
+    declared = _Declared(data)
+    parser = _Parser(_CountingBuilder(declared, most_elements), declared, may_point_outside)
     try:
         parser.feed(data)
         root: ET.Element = parser.close()
@@ -123,8 +124,8 @@ class _Parser(DefusedXMLParser):  # type: ignore[misc]  # that package has no ty
     word, for a DTD that it has not read might declare it.
     """
 
-    def __init__(self, declared: _Declared, may_point_outside: bool) -> None:
-        super().__init__(target=_CountingBuilder(declared), forbid_dtd=True)
+    def __init__(self, builder: _CountingBuilder, declared: _Declared, may_point_outside: bool) -> None:
+        super().__init__(target=builder, forbid_dtd=True)
         self._declared, self._may_point_outside = declared, may_point_outside
         self.parser.AttlistDeclHandler = declared.attribute
 
@@ -224,16 +225,16 @@ def _without_external_id(data: bytes, keyword: bytes, end: int) -> bytes:
 class _CountingBuilder(ET.TreeBuilder):
     """Builds the tree as long as it is neither large nor deep."""
 
-    def __init__(self, declared: _Declared) -> None:
+    def __init__(self, declared: _Declared, most_elements: int) -> None:
         super().__init__()
-        self._declared = declared
+        self._declared, self._most = declared, most_elements
         self._count = self._depth = 0
 
     def start(self, tag: str, attributes: dict[str, str], /) -> ET.Element:
         self._count += 1
         self._depth += 1
-        if self._count > MAX_ELEMENTS:
-            raise ExchangeError(f"The file has more than {MAX_ELEMENTS} elements.")
+        if self._count > self._most:
+            raise ExchangeError(f"The file has more than {self._most} elements.")
         if self._depth > MAX_DEPTH:
             raise ExchangeError(f"Element {self._count} is nested deeper than {MAX_DEPTH} levels.")
         self._declared.use_defaults(tag.rpartition("}")[2])

@@ -30,7 +30,6 @@ from .lines import first_lines, is_data, parts_of, plain_utf_8
 from .table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 
 _FORMULA = ("=", "@")
-_WORDS_OF_COMMENT = re.compile(r"[\s,;]+")
 
 
 def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
@@ -50,8 +49,7 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
     found = guess(titles, shown, _are_numbers(shown, len(titles), layout))
     cells = tuple(map(tuple, shown[:PREVIEW_ROWS]))
     numbers = tuple(head.numbers[layout.above :][:PREVIEW_ROWS])
-    has_titles = titles != numbered_titles(len(titles))
-    said = _said(head.lines, layout, [] if has_titles else comments)
+    said = _said(head.lines, layout, comments if titles == numbered_titles(len(titles)) else [])
     return Preview(layout, titles, cells, numbers, found, said)
 
 
@@ -126,7 +124,7 @@ def _said(lines: list[str], layout: TextLayout, comments: list[str]) -> str:
     above = [f"“{line.strip()[:40]}”" for line in lines[: layout.skipped][:3]]
     titles = f"Not read as numbers: {', '.join(above)}." if above else ""
     units = "The row below the titles holds units." if layout.units else ""
-    naming = [text for text in comments if {"x", "y"} & set(map(role_of, _WORDS_OF_COMMENT.split(text)))]
+    naming = [text for text in comments if {"x", "y"} & set(map(role_of, re.split(r"[\s,;]+", text)))]
     unused = f"“{naming[-1][:40]}” in a comment is not one title for each column." if naming else ""
     return " ".join(filter(None, (titles, units, unused)))
 

@@ -1,0 +1,86 @@
+"""Curves of Godot in: the `Curve2D` of text resources and scenes, with y turned up."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ..cubics_in import Imported, ImportedPath, Look, imported, lines
+from ..errors import ExchangeError, Flaw, Missed
+from . import ContentKind, Format
+
+_SECTION = re.compile(r"^\[(\w+)(.*)\]\s*$", re.MULTILINE)
+_POINTS = re.compile(r'"points"\s*:\s*P(?:acked|ool)Vector2Array\(([^)]+)\)')
+_USED = re.compile(r'^curve = SubResource\(\s*"?(.*?)"?\s*\)', re.MULTILINE)
+_PLACED = re.compile(r"^(?:position|rotation|scale|skew|transform) = ", re.MULTILINE)
+_NOT_APPLIED = Flaw("node", "with a position, rotation or scale of its own came without that")
+
+
+def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
+    """Return the curves of a resource or scene, named after the nodes that use them.
+
+    A curve whose last point is its first comes closed. A piece without handles is a straight line.
+
+    Raises
+    ------
+    ExchangeError
+        With the line of points that are no numbers, or not six for each point.
+    """
+    text = data.decode("utf-8", "replace")
+    sections = list(_SECTION.finditer(text))
+    if not sections or not sections[0][1].startswith("gd_"):
+        raise ExchangeError("This is no text resource of Godot. Save it as .tres or .tscn.")
+    found, names, missed = dict[str, FloatArray](), dict[str, str](), Missed()
+    for head, end in zip(sections, [*(each.start() for each in sections[1:]), len(text)], strict=True):
+        owner = sections[0] if head[1] == "resource" else head
+        body = text[head.end() : end]
+        if _attribute(owner, "type") == "Curve2D" and (points := _POINTS.search(body)):
+            line = text.count("\n", 0, head.end() + points.start()) + 1
+            found[_attribute(head, "id")] = _points(points[1], line)
+        if head[1] == "node" and (used := _USED.search(body)):
+            name = names.setdefault(used[1], _attribute(head, "name"))
+            if _PLACED.search(body):
+                missed.note(_NOT_APPLIED, head.start(), name)
+    paths = [
+        ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
+        for number, (key, points) in enumerate(found.items(), start=1)
+    ]
+    return imported(paths, missed)
+
+
+def _attribute(head: re.Match[str], name: str) -> str:
+    said = re.search(rf'\b{name}\s*=\s*(?:"(.*?)"|(\w+))', head[2])
+    return (said[1] or said[2]) if said else ""
+
+
+def _points(text: str, line: int) -> FloatArray:
+    """Return handles in, handles out and positions, (3, n, 2), with y up."""
+    try:
+        values = np.array(text.split(","), dtype=float).reshape(-1, 3, 2)
+    except ValueError:
+        raise ExchangeError(f"Line {line}: a curve has six numbers for each point.") from None
+    return values.swapaxes(0, 1) * (1.0, -1.0) + 0.0
+
+
+def _pieces(points: FloatArray) -> tuple[FloatArray, bool]:
+    """Return cubic pieces, and whether they are closed."""
+    into, out, at = points
+    pieces = np.stack([at[:-1], at[:-1] + out[:-1], at[1:] + into[1:], at[1:]], axis=1)
+    straight = (out[:-1] == 0).all(axis=1) & (into[1:] == 0).all(axis=1)
+    pieces[straight] = lines(at)[straight]
+    return pieces, len(at) > 2 and bool((at[0] == at[-1]).all())
+
+
+FORMATS = (
+    Format(
+        endings=(".tres", ".tscn"),
+        title="Godot curve",
+        place=78,
+        kind=ContentKind.DRAWING,
+        plural="Godot curves",
+        read=read_curves,
+    ),
+)

@@ -1,0 +1,123 @@
+"""Tracks and routes of GPX in, as tables: metres east and north of their middle, and seconds.
+
+The projection is the equirectangular one about the middle, on the sphere of the earth's mean radius.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ...document.words import count_of
+from ..errors import ExchangeError
+from ..naming import numbered
+from ..svg.xml_tree import parsed, tag_of
+from ..table.table import Table, table_of
+from . import ContentKind, Format
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+MOST_ELEMENTS = 1_000_000
+EARTH = 6_371_008.8
+"""Mean radius in metres (IUGG)."""
+
+
+def read_gpx(data: bytes) -> Table:
+    """Return the points of all segments of tracks and of routes; t are their times, where these increase.
+
+    Raises
+    ------
+    ExchangeError
+        With the number of a point without a latitude or longitude, and where there is no track.
+    """
+    root = parsed(data, MOST_ELEMENTS)
+    tracks = [(name, points) for name, points in _tracks(root) if len(points) > 1]
+    if not tracks:
+        raise ExchangeError("The GPX file has no track and no route.")
+    sizes = [len(points) for _name, points in tracks]
+    starts = np.cumsum([0, *sizes[:-1]])
+    words = np.repeat(numbered([name for name, _points in tracks]), sizes)
+    points = [point for _name, segment in tracks for point in segment]
+    x, y, said = _projected(np.array([_degrees(*each) for each in enumerate(points, start=1)]))
+    t = np.array(list(map(_seconds, points)))
+    latest = np.concatenate([np.maximum.accumulate(each) for each in np.split(t, starts[1:])])
+    kept = np.append(True, t[1:] > latest[:-1])
+    kept[starts] = True
+    lost = len(points) - int(kept.sum())
+    values = {"curve": np.full(len(x), np.nan), "t": t - t[0], "x": x, "y": y}
+    if np.isfinite(t).all() and 2 * lost < len(points) and np.add.reduceat(kept, starts, dtype=int).min() > 1:
+        said += f" t is in seconds since {datetime.fromtimestamp(t[0], UTC).isoformat()}."
+        said += f" {count_of(lost, 'point')} without a later time left out." if lost else ""
+    else:
+        del values["t"]
+        kept[:] = True
+        said += " Times are left out: they do not increase, or are not at every point."
+    rows = np.column_stack(list(values.values()))[kept]
+    return table_of(rows, tuple(values), words={0: words[kept].tolist()}, said=said)
+
+
+def _tracks(root: Element) -> Iterator[tuple[str, list[Element]]]:
+    """Yield the name and the points of each segment of a track, and of each route."""
+    for line in root:
+        tag, name = tag_of(line), " ".join(_text(line, "name").split())[:200]
+        if tag == "rte":
+            yield name or "Route", [each for each in line if tag_of(each) == "rtept"]
+        for segment in line if tag == "trk" else ():
+            if tag_of(segment) == "trkseg":
+                yield name or "Track", [each for each in segment if tag_of(each) == "trkpt"]
+
+
+def _text(element: Element, tag: str) -> str:
+    return next((each.text or "" for each in element if tag_of(each) == tag), "")
+
+
+def _degrees(number: int, point: Element) -> tuple[float, float]:
+    """Return longitude and latitude of a point."""
+    try:
+        longitude, latitude = (float(point.get(name, "")) for name in ("lon", "lat"))
+    except ValueError:
+        longitude = latitude = math.nan
+    if not (abs(latitude) <= 90 and abs(longitude) <= 360):
+        raise ExchangeError(f"Point {number} has no latitude and longitude in degrees.")
+    return longitude, latitude
+
+
+def _seconds(point: Element) -> float:
+    """Return the time of a point, in UTC where the zone is not said; NaN without one."""
+    try:
+        time = datetime.fromisoformat(_text(point, "time").strip())
+    except ValueError:
+        return math.nan
+    return (time if time.tzinfo else time.replace(tzinfo=UTC)).timestamp()
+
+
+def _projected(degrees: FloatArray) -> tuple[FloatArray, FloatArray, str]:
+    """Return metres east and north of the middle, and a sentence on the projection."""
+    # On one side of the date line.
+    longitude, latitude = (degrees - [360, 0] * np.round((degrees - degrees[0]) / 360)).T
+    east, north = (float(np.round((each.min() + each.max()) / 2, 6)) for each in (longitude, latitude))
+    across = np.cos(np.radians([north, *latitude]))
+    x = EARTH * across[0] * np.radians(longitude - east)
+    y = EARTH * np.radians(latitude - north)
+    off = 100 * float(np.abs(across[1:] / across[0] - 1).max())
+    said = f"Degrees became metres about latitude {north}, longitude {east} (equirectangular"
+    return x, y, f"{said}; lengths from west to east are off by up to {off:.2g} %)."
+
+
+FORMATS = (
+    Format(
+        endings=(".gpx",),
+        title="GPX track",
+        place=79,
+        kind=ContentKind.TABLE,
+        plural="GPX tracks",
+        read=read_gpx,
+    ),
+)
