@@ -95,7 +95,7 @@ def reports(tmp_path_factory):
 
 
 TAKEN_IN = {
-    "broken_transform.svg": "1 transform with an error not applied: Path 2 “rotate(1 2)”.",
+    "broken_transform.svg": "1 transform not applied: Path 2 “rotate(1 2)”.",
     "numbers_after_z.svg": "1 path drawn only up to an error in the data: Path 2 at character 11, “4 4”.",
     "odd_points.svg": "1 polygon drawn only up to an error in the data: Polygon 2 at the end.",
 }

@@ -113,6 +113,7 @@ SQUARE = (5, 7, 15, 17)
         "<rect x='5' y='7' width='10' height='10' style='x:6;y:8;width:-1px;height:10px 2px'/>",
         "<path d='M5 7H15V17' style='d:M0 0L1 1'/>",
         "<style>rect{x:0;width:10px;x:5px}</style><rect y='7' height='10'/>",
+        "<style type='text/less'>rect{x:9px}</style><rect x='5' y='7' width='10' height='10'/>",
         # As if nothing was declared.
         "<rect x='5' y='7' width='10' height='10' rx='3' style='rx:initial;'/>",
         "<rect x='5' y='7' width='10' height='10' style='rx:auto;ry:auto'/>",
@@ -155,6 +156,17 @@ def test_lengths_that_are_not_computed_are_told():
     assert found.remarks == ("2 shapes with lengths of unknown size left out: a and b.",)
 
 
+def test_places_that_are_not_computed_are_told():
+    line = '<path id="a" d="M0 0L2 2"/>'
+    found = read(
+        line + '<use id="b" href="#a" x="2vw" y="5"/><svg style="x:calc(1px)" y="7">' + line + "</svg>"
+    )
+    assert [box(curve) for curve in found.document.curves] == [(0, 0, 2, 2), (0, 5, 2, 7), (0, 7, 2, 9)]
+    assert found.remarks == (
+        "2 elements with lengths of unknown size, which count as not given: b x and Svg 4 x.",
+    )
+
+
 @each_row(
     ("style", "width"),
     [
@@ -177,3 +189,203 @@ def test_a_clip_by_css_is_the_box_that_it_draws():
     for size, said in ((9, ()), (8, ("1 clip path not applied: a.",))):
         found = read(clip.format(size) + "<g id='a' clip-path='url(#c)'><path d='M0 0L9 9'/></g>")
         assert found.remarks == said
+
+
+def placed(body, **more):
+    """The points of the curves, y down as in the file."""
+    return [[(each.x, -each.y) for each in curve.points] for curve in read(body, **more).document.curves]
+
+
+# From (20, 10) to (40, 10), turned by a right angle about the origin, about its start, and about (100, 50).
+LINE = '<path d="M20 10H40" {}/>'
+ABOUT_ORIGIN, ABOUT_START, ABOUT_MIDDLE = (
+    [(-10, 20), (-10, 40)],
+    [(20, 10), (20, 30)],
+    [(140, -30), (140, -10)],
+)
+
+
+@each_row(
+    ("attributes", "points"),
+    [
+        ('transform="rotate(90)"', ABOUT_ORIGIN),
+        ('transform="rotate(90)" transform-origin="20 10"', ABOUT_START),
+        ('transform="rotate(90)" transform-origin="20px 1e1px 5px"', ABOUT_START),
+        ('transform="rotate(90)" transform-origin="10% 10%"', ABOUT_START),
+        (
+            'transform="rotate(90)" transform-origin="1.25em 1ex" font-size="16" style="font-size:20px"',
+            [(25, 5), (25, 25)],
+        ),
+        ('transform="rotate(90)" transform-origin="center"', ABOUT_MIDDLE),
+        ('transform="rotate(90)" transform-origin="50%"', ABOUT_MIDDLE),
+        ('transform="rotate(90)" transform-origin="center 50px"', ABOUT_MIDDLE),
+        ('transform="rotate(90)" transform-origin="left top"', ABOUT_ORIGIN),
+        ('transform="rotate(90)" transform-origin="top left"', ABOUT_ORIGIN),
+        ('transform="rotate(90)" transform-origin="top"', [(90, -80), (90, -60)]),
+        ('transform="rotate(90)" transform-origin="bottom right"', [(290, -80), (290, -60)]),
+        ('transform="rotate(90)" transform-origin="10% top"', [(10, 0), (10, 20)]),
+        ('style="transform:rotate(90deg)"', ABOUT_ORIGIN),
+        ('style="transform:rotate(100grad)"', ABOUT_ORIGIN),
+        ('style="transform:rotate(0.25turn)"', ABOUT_ORIGIN),
+        ('style="transform:rotate(1.5707963267948966rad)"', ABOUT_ORIGIN),
+        ('style="transform:RotateZ(90deg);transform-origin:20px 10px"', ABOUT_START),
+        # Of the file and of a rule: the stronger one alone.
+        ('transform="scale(9)" style="transform:rotate(90deg)"', ABOUT_ORIGIN),
+        ('transform="scale(9)" style="transform:none"', [(20, 10), (40, 10)]),
+        ('transform="scale(9)" style="transform:initial"', [(20, 10), (40, 10)]),
+        ('transform="none"', [(20, 10), (40, 10)]),
+        ('transform-origin="50 50"', [(20, 10), (40, 10)]),
+        # CSS takes numbers for lengths and angles only where they are 0.
+        ('transform="scale(2)" style="transform:rotate(90)"', [(40, 20), (80, 20)]),
+        ('transform="rotate(90)" style="transform-origin:20 10"', ABOUT_ORIGIN),
+        ('transform="scale(2)" style="transform:rotate(0) translate(0,5px)"', [(20, 15), (40, 15)]),
+        ('style="transform:translate(10%,10%)"', [(40, 20), (60, 20)]),
+        (
+            'style="transform:translate3d(1cm,0,9px) translateZ(2px)"',
+            [(20 + 96 / 2.54, 10), (40 + 96 / 2.54, 10)],
+        ),
+        ('style="transform:scale(200%,.5)"', [(40, 5), (80, 5)]),
+        ('style="transform:scaleX(2) scaley(3)"', [(40, 30), (80, 30)]),
+        ('style="transform:skew(45deg,0)"', [(30, 10), (50, 10)]),
+        ('style="transform:matrix(1,0,0,1,5,6)"', [(25, 16), (45, 16)]),
+        # As optimisers write it: a sign or a point begins the next number.
+        ('transform="translate(10-5)scale(.5.25)"', [(20, -2.5), (30, -2.5)]),
+        ('transform="rotate(90-10-10)"', [(-30, 20), (-30, 40)]),
+        ('style="translate:10px;rotate:90deg;scale:2"', [(-10, 40), (-10, 80)]),
+        ('style="translate:10% 5px;transform:scale(2)"', [(60, 25), (100, 25)]),
+        ('style="translate:none;scale:none" transform="translate(1)"', [(21, 10), (41, 10)]),
+    ],
+)
+def test_transforms_and_what_they_are_about(attributes, points):
+    body = LINE.format(attributes)
+    assert np.array(placed(body)) == pytest.approx(np.array([points]))
+    assert read(body).remarks == ()
+
+
+@each_row(
+    ("attributes", "remark"),
+    [
+        ('style="transform:rotate3d(1,0,0,45deg)"', "a “rotate3d(1,0,0,45deg)”"),
+        ('style="transform:rotateX(45deg)"', "a “rotateX(45deg)”"),
+        ('style="transform:translate(calc(1px + 1em))"', "a at character 1"),
+        ('style="rotate:x 45deg"', "a “rotate(x 45deg)”"),
+        ('transform="translate(2vw)"', "a “translate(2vw)”"),
+        ('transform="scale(2)" transform-origin="calc(1px)"', "a about “calc(1px)”"),
+        ('transform="scale(2)" transform-origin="middle"', "a about “middle”"),
+        ('transform="rotate(1,2)"', "a “rotate(1,2)”"),
+        ('transform="scale(2,,,3) x"', "a at character 13"),
+    ],
+)
+def test_transforms_that_are_not_read_are_told(attributes, remark):
+    body = f'<path id="a" d="M1 2H3" {attributes}/>'
+    assert placed(body) == [[(1, 2), (3, 2)]]
+    assert read(body).remarks == (f"1 transform not applied: {remark}.",)
+
+
+def test_percentages_of_a_size_that_nobody_says_are_told():
+    found = read('<path id="a" d="M1 2H3" transform="scale(2)" transform-origin="center"/>', "")
+    assert found.remarks == ("1 transform not applied: a about “center”.",)
+
+
+def test_a_transform_is_about_a_place_in_the_nearest_view_box():
+    """That begins at the origin of its coordinates, whatever part of them it shows."""
+    turned = '<path d="M0 0H1" transform="rotate(90)" transform-origin="center"/>'
+    ((first, second),) = placed(turned, attributes='viewBox="-5 -5 20 10"')
+    assert np.array([first, second]) == pytest.approx(np.array([(15, -5), (15, -4)]))
+    inner = f'<svg x="10" y="10" width="40" height="40" viewBox="0 0 20 20">{turned}</svg>'
+    ((first, second),) = placed(inner)
+    assert np.array([first, second]) == pytest.approx(np.array([(50, 10), (50, 12)]))
+
+
+def test_a_use_is_turned_about_its_own_origin_before_it_is_shifted():
+    line = '<defs><path id="a" d="M0 0H1"/></defs>'
+    copy = '<use href="#a" x="3" transform="rotate(90)" transform-origin="5 0"/>'
+    ((first, second),) = placed(line + copy)
+    assert np.array([first, second]) == pytest.approx(np.array([(5, -2), (5, -1)]))
+
+
+def test_a_clip_that_css_turns_is_no_box():
+    clip = '<clipPath id="c"><rect width="9" height="9" style="{}"/></clipPath>'
+    body = '<g id="a" clip-path="url(#c)"><path d="M0 0L9 9"/></g>'
+    assert read(clip.format("") + body).remarks == ()
+    said = ("1 clip path not applied: a.",)
+    assert read(clip.format("transform:rotate(9deg)") + body).remarks == said
+
+
+BOXES = "<style>#a{{transform-box:{box};{style}}}</style>{body}"
+RECT_OF_20 = '<rect id="a" x="60" y="50" width="20" height="10" stroke="red" stroke-width="4" {}/>'
+GROUP = (
+    '<g id="a"><rect x="30" y="20" width="5" height="5" transform="scale(2)"/>'
+    '<path d="M80 50v10" visibility="hidden"/>'
+    '<path d="M0 0H999" display="none"/><g display="none"><path d="M0 0H999"/></g><g/></g>'
+)
+
+
+@each_row(
+    ("kind", "style", "body", "expected"),
+    [
+        # Of 20 by 10 at (60, 50), turned about its middle, about its corner, and about those of its stroke.
+        ("fill-box", "transform:rotate(90deg);transform-origin:center", RECT_OF_20, (65, 45, 75, 65)),
+        ("content-box", "transform:rotate(90deg);transform-origin:50% 50%", RECT_OF_20, (65, 45, 75, 65)),
+        ("fill-box", "transform:rotate(90deg)", RECT_OF_20, (50, 50, 60, 70)),
+        ("FILL-BOX", "transform:rotate(90deg);transform-origin:10px 1px", RECT_OF_20, (61, 41, 71, 61)),
+        ("stroke-box", "transform:rotate(90deg)", RECT_OF_20, (46, 50, 56, 70)),
+        ("border-box", "transform:rotate(90deg);transform-origin:left bottom", RECT_OF_20, (60, 64, 70, 84)),
+        ("fill-box", "transform:translate(100%,-50%)", RECT_OF_20, (80, 45, 100, 55)),
+        ("stroke-box", "translate:100% -50%", RECT_OF_20, (84, 43, 104, 53)),
+        ("view-box", "transform:translate(10%,10%)", RECT_OF_20, (80, 60, 100, 70)),
+        # The group is a box from (60, 40) to (80, 60): what is hidden counts, what is not displayed does not.
+        ("fill-box", "transform:rotate(90deg);transform-origin:center", GROUP, (70, 40, 80, 50)),
+        ("fill-box", "transform:scale(2);transform-origin:right", GROUP, (40, 30, 60, 50)),
+        (
+            "fill-box",
+            "transform:rotate(90deg);transform-origin:center",
+            '<defs><path id="p" d="M0 0H20V10"/></defs><use id="a" href="#p" x="60" y="50"/>',
+            (65, 45, 75, 65),
+        ),
+        (
+            "fill-box",
+            "transform:translate(100%)",
+            '<circle id="a" cx="20" cy="20" r="10"/>',
+            (30, 10, 50, 30),
+        ),
+        ("fill-box", "transform:translate(100%)", "<g id='a'><g/></g><path d='M1 1L2 2'/>", (1, 1, 2, 2)),
+    ],
+)
+def test_transforms_in_the_box_of_the_element_itself(kind, style, body, expected):
+    found = read(BOXES.format(box=kind, style=style, body=body.format("")))
+    curve = next(each for each in found.document.curves if each.visible)
+    assert box(curve) == pytest.approx(expected)
+    assert found.remarks == ()
+
+
+def test_an_attribute_is_no_transform_box():
+    body = RECT_OF_20.format('transform="rotate(90)" transform-box="fill-box" transform-origin="60 50"')
+    (curve,) = read(body).document.curves
+    assert box(curve) == pytest.approx((50, 50, 60, 70))
+
+
+def test_a_box_around_text_is_not_known():
+    style = "transform:scale(2);transform-origin:center"
+    body = '<g id="a"><path d="M1 1L2 2"/><text x="5" y="5">Tree</text></g>'
+    found = read(BOXES.format(box="fill-box", style=style, body=body))
+    assert [box(curve) for curve in found.document.curves] == [(1, 1, 2, 2)]
+    assert found.remarks == ("1 transform not applied: a in its fill-box.", "1 text left out: Tree.")
+
+
+def test_boxes_within_boxes_are_measured_once():
+    """Each group doubles what is in it, about its corner; measured anew for each, 20 are a million visits."""
+    style = "<style>g{transform-box:fill-box;transform:scale(2)}</style>"
+    for depth in (20, 190):
+        found = read(style + "<g>" * depth + '<path d="M3 5h1v1"/>' + "</g>" * depth)
+        (curve,) = found.document.curves
+        assert box(curve) == pytest.approx((3, 5, 3 + 2.0**20, 5 + 2.0**20))
+        # More than 20 are told, not followed.
+        assert [each[:26] for each in found.remarks] == ["170 transforms not applied"] * (depth > 20)
+
+
+def test_a_box_of_what_uses_itself():
+    style = "<style>g{transform-box:fill-box;transform:scale(2)}</style>"
+    found = read(style + '<g id="a"><path d="M3 5L4 6"/><use id="b" href="#a" x="9"/></g>')
+    assert [box(curve) for curve in found.document.curves] == [(3, 5, 5, 7)]
+    assert found.remarks == ("1 circular reference left out: b.",)

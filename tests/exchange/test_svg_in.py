@@ -341,7 +341,11 @@ def test_an_error_in_one_element_leaves_the_others(body, remark):
         ('<path d="M1 2L3 4" transform="scale(nan)"/>', P.format("M1 2L3 4"), "Path 2 “scale(nan)”"),
         ('<path d="M1 2L3 4" transform="fly(1)"/>', P.format("M1 2L3 4"), "Path 2 “fly(1)”"),
         ('<path d="M1 2L3 4" transform="scale(2) oops"/>', P.format("M1 2L3 4"), "Path 2 at character 9"),
-        ('<path d="M1 2L3 4" style="transform:rotate(1,2)"/>', P.format("M1 2L3 4"), "Path 2 “rotate(1,2)”"),
+        (
+            '<path d="M1 2L3 4" style="transform:rotate(1deg,2px)"/>',
+            P.format("M1 2L3 4"),
+            "Path 2 “rotate(1deg,2px)”",
+        ),
         ('<rect x="2" y="one" width="3" height="4"/>', P.format("M2 0H5V4H2Z"), "Rect 2 y “one”"),
         (
             '<rect rx="-1" ry="1" width="3" height="4"/>',

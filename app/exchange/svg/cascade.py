@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import cssselect2
 import tinycss2
-from tinycss2.ast import DimensionToken, FunctionBlock, IdentToken, NumberToken, PercentageToken, StringToken
+from tinycss2.ast import FunctionBlock, IdentToken, StringToken
 
 from ..errors import ExchangeError, Flaw, Missed
 from .lengths import with_unit
@@ -53,21 +53,30 @@ OWN = {
     "overflow": "",
     "stop-color": "#000000",
     "stop-opacity": "1",
-    "transform": "",
+    "transform-box": "view-box",
     "vector-effect": "none",
 }
 """Properties that do not, likewise."""
 
 _SIZES = ("width", "height", "r", "rx", "ry")
 _LENGTHS = ("x", "y", "cx", "cy", *_SIZES)
-_GEOMETRY = (*_LENGTHS, "d")
+_TRANSFORMS = ("transform", "transform-origin")
+_GEOMETRY = (*_LENGTHS, "d", *_TRANSFORMS)
+"""Properties that are put in place of attributes."""
+
+_MOVES = ("translate", "rotate", "scale")
+"""Properties that are transforms before that of `transform`, in this order."""
+
+_WITH_UNITS = re.compile("translate|rotate(?!3d)|skew")
+"""Transforms whose numbers are lengths and angles."""
 
 MAX_MATCHES = 5_000_000
 """Elements times selectors: each may have to be held against each."""
 
 _KNOWN = frozenset((*INHERITED, *OWN))
-_READ = frozenset((*_KNOWN, *_GEOMETRY))
-_INITIAL = ("initial", "unset", "revert", "revert-layer")
+_READ = frozenset((*_KNOWN, *_GEOMETRY, *_MOVES))
+_ATTRIBUTES = _KNOWN - {"transform-box"}
+_INITIAL = ("none", "initial", "unset", "revert", "revert-layer")
 _FONT_SIZE = re.compile(
     r"(?:^|\s)([-+]?[.\d][-+.\de]*(?:[a-z]+|%)|(?:xx?-|xxx-)?(?:small|large)|medium|smaller|larger)[\s/]",
     re.IGNORECASE,
@@ -96,7 +105,8 @@ class Cascade:
         self._matcher = cssselect2.Matcher()
         self._selectors = 0
         for element in root.iter():
-            if tag_of(element) == "style" and element.text:
+            kind = element.get("type", "").strip().lower()
+            if tag_of(element) == "style" and element.text and kind in ("", "text/css"):
                 self._add_sheet(element.text)
         # Only selectors need to know where an element stands.
         self._wrapped: dict[ET.Element, Any] = {}
@@ -106,16 +116,16 @@ class Cascade:
             wrapped = cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
             self._wrapped = {each.etree_element: each for each in wrapped}
         self._styles = {element: self._style_of(element) for element in root.iter()}
+        # A root that is as large as a page, or as a part of it, keeps the size that its file has.
+        for name in ("width", "height"):
+            if not with_unit(self._styles[root].get(name, "1"), 1.0):
+                del self._styles[root][name]
         for element, style in self._styles.items():
-            for name, value in style.items():
-                # A root that is as large as a page, or as a part of it, keeps the size that its file has.
-                if name in _GEOMETRY and (element is not root or with_unit(value, 1.0)):
-                    _put(element, name, value)
+            _put_geometry(element, style)
 
     def of(self, element: ET.Element) -> dict[str, str]:
         """Return the values of the known properties that an element declares."""
-        found = {name: value.strip() for name, value in element.attrib.items() if name in _KNOWN}
-        found.pop("transform", None)
+        found = {name: value.strip() for name, value in element.attrib.items() if name in _ATTRIBUTES}
         found |= self._styles[element]
         return {name: value for name, value in found.items() if value and name in _KNOWN}
 
@@ -164,43 +174,57 @@ def _declarations(text: str) -> list[_Declared]:
     return list(_named(tinycss2.parse_blocks_contents(text)))
 
 
-def _put(element: ET.Element, name: str, value: str) -> None:
-    """Set the attribute of an element that stands for a property of its geometry."""
-    if value.lower() in _INITIAL:
-        element.attrib.pop(name, None)
-    else:
-        element.set(name, value)
-
-
-def _of_geometry(name: str, tokens: Sequence[Any]) -> str | None:
-    """Return a value of `_GEOMETRY` as its attribute has it; None where CSS does not take it."""
-    match tokens:
-        case [IdentToken(lower_value="none")] if name == "d":
-            return ""
-        case [FunctionBlock(lower_name="path", arguments=[StringToken(value=data)])] if name == "d":
-            return str(data)
-        # Other than in attributes all numbers but 0 have a unit.
-        case [NumberToken(value=value)] if value != 0:
-            return None
-        case [DimensionToken(value=value) | PercentageToken(value=value)] if value < 0 and name in _SIZES:
-            return None
-        case [token] if name != "d":
-            return str(token.serialize())
-    return None
+def _put_geometry(element: ET.Element, style: Mapping[str, str]) -> None:
+    """Set the attributes of an element that stand for properties."""
+    for name in _GEOMETRY:
+        if name in style and style[name].lower() in _INITIAL:
+            element.attrib.pop(name, None)
+        elif name in style:
+            element.set(name, style[name])
+    moves = [f"{name}({style[name]})" for name in _MOVES if style.get(name, "none").lower() not in _INITIAL]
+    if moves:
+        element.set("transform", " ".join((*moves, element.get("transform", ""))))
 
 
 def _named(nodes: Iterable[Any]) -> Iterator[_Declared]:
     for node in nodes:
-        if node.type != "declaration":
-            continue
-        name, value = node.lower_name, tinycss2.serialize(node.value).strip()
-        if name in _GEOMETRY:
-            tokens = [each for each in node.value if each.type not in ("whitespace", "comment")]
-            if (valid := _of_geometry(name, tokens)) is None:
-                continue
-            value = valid
-        if name == "font" and (size := _FONT_SIZE.search(value)):
-            name, value = "font-size", size[1]
-        for each in _MARKERS if name == "marker" else (name,):
-            if each in _READ:
-                yield each, value, node.important
+        if node.type == "declaration":
+            for name, value in _values_of(node.lower_name, node.value):
+                yield name, value, node.important
+
+
+def _values_of(name: str, tokens: Sequence[Any]) -> Iterator[tuple[str, str]]:
+    """Yield the properties that a declaration sets, with their values; none where CSS does not take it."""
+    value = tinycss2.serialize(tokens).strip()
+    words = [each for each in tokens if each.type not in ("whitespace", "comment")]
+    if name == "marker":
+        yield from ((each, value) for each in _MARKERS)
+    elif name == "font" and (size := _FONT_SIZE.search(value)):
+        yield "font-size", size[1]
+    elif name == "d":
+        yield from ((name, data) for data in _path_data(words))
+    elif name in _LENGTHS:
+        is_negative = any(each.value < 0 for each in words if each.type in ("dimension", "percentage"))
+        if len(words) == 1 and not _lacks_units(words) and not (is_negative and name in _SIZES):
+            yield name, value
+    elif name in _READ and not (name in (*_TRANSFORMS, "translate") and _lacks_units(words)):
+        yield name, value
+
+
+def _path_data(words: Sequence[Any]) -> Iterator[str]:
+    """Yield the path data of a `d`; empty for none."""
+    match words:
+        case [IdentToken(lower_value="none")]:
+            yield ""
+        case [FunctionBlock(lower_name="path", arguments=[StringToken(value=data)])]:
+            yield data
+
+
+def _lacks_units(words: Iterable[Any]) -> bool:
+    """Whether there is a number for a length or an angle: other than in attributes, all but 0 have units."""
+    return any(
+        _lacks_units(each.arguments)
+        if each.type == "function" and _WITH_UNITS.match(each.lower_name)
+        else each.type == "number" and each.value != 0
+        for each in words
+    )

@@ -13,9 +13,11 @@ from ...document.model import MAX_MAGNITUDE
 from ...document.units import MILLIMETRES
 from ..errors import ExchangeError
 
-_NUMBER = r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
-_LENGTH = re.compile(rf"\s*({_NUMBER})\s*(px|in|cm|mm|pt|pc|q|em|ex|ch|rem|%)?\s*", re.IGNORECASE)
-_IN_FONTS = re.compile(rf"{_NUMBER}(?:em|ex|ch|rem)\b", re.IGNORECASE)
+NUMBER = r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
+"""Regular expression of a number."""
+
+_LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|in|cm|mm|pt|pc|q|em|ex|ch|rem|%)?\s*", re.IGNORECASE)
+_IN_FONTS = re.compile(rf"{NUMBER}(?:em|ex|ch|rem)\b", re.IGNORECASE)
 _PIXELS = {"": 1.0, "q": 96 / 101.6} | {
     unit: MILLIMETRES[unit] / MILLIMETRES["px"] for unit in ("px", "in", "cm", "mm", "pt", "pc")
 }

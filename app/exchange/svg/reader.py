@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
 from dataclasses import dataclass, field, replace
 
 import msgspec
@@ -21,6 +22,7 @@ from ...document.words import enumerated
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
 from ..cubics_in import SINGLE_POINT, Imported, ImportedPath, Look, imported
+from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Flaw, Missed
 from ..node_types import parted
 from ..rescaled import shifted
@@ -71,9 +73,14 @@ _UNEVEN = Flaw("stroke", "of uneven width came with the mean width")
 _NO_LENGTHS = Flaw("shape", "with lengths of unknown size left out")
 _UNUSABLE = Flaw("reference", "to elements outside the file left out")
 _CIRCULAR = Flaw("circular reference")
-_NO_TRANSFORM = Flaw("transform", "with an error not applied")
+_UNKNOWN = Flaw("element", "with lengths of unknown size, which count as not given")
 _INVALID = Flaw("element", "with invalid lengths, which count as not given")
 _BEYOND = Flaw("element", "beyond all numbers left out")
+_NO_TRANSFORM = Flaw("transform", _NOT_APPLIED)
+_MAX_MEASURING = 20
+"""Elements within each other whose transforms need to know what they hold."""
+
+_WITH_SIZE = ("text", "flowRoot", "image", "foreignObject")
 _NOTHING: Iterable[Drawn] = ()
 
 _MOTION = Flaw("animation", "not played")
@@ -195,8 +202,12 @@ class _Reader:
         self.sheet = sheet_of(root, font_size, is_nominal=self._ours.has_nominal_size)
         self._elements = elements = Elements.within(root, self._cascade.of)
         self._paints = Paints(elements)
-        self._visited = self._found = 0
+        self._found = 0
         self._shapes: list[ET.Element] = []
+        self._measuring = 0
+        # Shared with those that measure: how many elements were drawn, and how many measured; and boxes.
+        self._visits = [0, 0]
+        self._extents: dict[tuple[object, ...], FloatArray] = {}
 
     @property
     def is_own(self) -> bool:
@@ -217,18 +228,27 @@ class _Reader:
 
     def _drawn(self, element: ET.Element, state: State, depth: int) -> Iterator[Drawn]:
         """Yield the paths of an element and those in it."""
-        self._visited += 1
-        if self._visited > MAX_ELEMENTS:
+        self._visits[self._measuring > 0] += 1
+        if max(self._visits) > MAX_ELEMENTS:
             raise ExchangeError(f"The file draws more than {MAX_ELEMENTS} elements.")
-        tag = tag_of(element)
         if element.get("requiredExtensions") or self._ours.is_no_curve(element):
             return
         declared = self._cascade.of(element)
-        state = self._entered(element, declared, state)
-        first, found = len(self._shapes), _NOTHING
+        state = self._entered(element, declared, self._transformed(element, declared, state, depth))
         if not np.isfinite(state.matrix).all():
             self.missed.note_at(element, _BEYOND)
             return
+        yield from self._content(element, declared, state, depth)
+
+    def _content(
+        self, element: ET.Element, declared: Mapping[str, str], state: State, depth: int
+    ) -> Iterator[Drawn]:
+        """Yield the paths of an element and those in it, in its own state."""
+        tag, first, found = tag_of(element), len(self._shapes), _NOTHING
+        if self._measuring and not state.properties.is_displayed:
+            return
+        if self._measuring and tag in _WITH_SIZE:
+            raise UnknownLengthError
         if tag in _NOT_READ and state.properties.is_visible:
             self.missed.note_of(element, _NOT_READ[tag])
         elif tag in SHAPES:
@@ -242,22 +262,59 @@ class _Reader:
         if count and state.properties.is_visible:
             self._note_effects(element, declared, state, is_many=count > 1)
 
-    def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
-        if (size := declared.get("font-size")) and element is not self._root:
-            state = replace(state, viewport=state.viewport.with_font(size))
-        matrix, windows = state.matrix, state.windows
-        # A rule outweighs the attribute.
-        transform = declared.get("transform", "none")
-        transform = element.get("transform", "") if transform == "none" else transform
-        if transform.strip():
+    def _transformed(
+        self, element: ET.Element, declared: Mapping[str, str], state: State, depth: int
+    ) -> State:
+        """Return the state around an element as its transform changes it."""
+        text = element.get("transform", "").strip()
+        if text.lower() in ("", "none"):
+            return state
+        box, corner = self._viewport(element, declared, state), (0.0, 0.0)
+        kind = declared.get("transform-box", "").lower()
+        try:
+            if kind in _BOXES:
+                (x, y), (right, bottom) = self._extent(element, declared, state, depth, kind)
+                box, corner = box.sized(right - x, bottom - y), (x, y)
+            matrix = transform_of(text, box, element.get("transform-origin", ""), corner)
+        except ExchangeError as problem:
+            if self._measuring:
+                raise UnknownLengthError from None
+            self.missed.note_at(element, _NO_TRANSFORM, str(problem))
+            return state
+        return replace(state, matrix=combined(state.matrix, matrix))
+
+    def _extent(
+        self, element: ET.Element, declared: Mapping[str, str], state: State, depth: int, kind: str
+    ) -> FloatArray:
+        """Return the corners, (2, 2), of a box around an element, in its own units."""
+        key = (element, *state.around, _BOXES[kind])
+        if key not in self._extents:
+            probe = copy(self)
+            probe._measuring, probe._shapes, probe.missed = self._measuring + 1, [], self.missed.emptied()
+            inner = probe._entered(element, declared, replace(state, matrix=np.eye(2, 3), windows=()))
             try:
-                matrix = combined(matrix, transform_of(transform))
-            except ExchangeError as problem:
-                self.missed.note_at(element, _NO_TRANSFORM, str(problem))
+                if self._measuring == _MAX_MEASURING:
+                    raise UnknownLengthError
+                paths = [each.path for each in probe._content(element, declared, inner, depth)]
+            except UnknownLengthError:
+                raise ExchangeError(f"in its {kind}") from None
+            with np.errstate(all="ignore"):
+                corners = [_BOXES[kind](path) for path in paths] or [np.zeros((2, 2))]
+            self._extents[key] = np.array([np.min(corners, axis=(0, 1)), np.max(corners, axis=(0, 1))])
+        return self._extents[key]
+
+    def _viewport(self, element: ET.Element, declared: Mapping[str, str], state: State) -> Viewport:
+        """Return the viewport with the font of an element."""
+        size = declared.get("font-size", "")
+        return state.viewport if element is self._root else state.viewport.with_font(size)
+
+    def _entered(self, element: ET.Element, declared: Mapping[str, str], state: State) -> State:
+        state = replace(state, viewport=self._viewport(element, declared, state))
+        matrix, windows = state.matrix, state.windows
         if tag_of(element) in _WITH_LENGTHS and (invalid := invalid_lengths(element)):
             self.missed.note_at(element, _INVALID, enumerated(invalid))
         if tag_of(element) == "use":
-            x, y = (length_of(element, name, state.viewport) or 0.0 for name in ("x", "y"))
+            x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             matrix = combined(matrix, shifting(x, y))
         if (box := clip_box(self._elements, declared, state.viewport)) is not None:
             windows = (*windows, Window(box, matrix, element, _CLIPPED))
@@ -274,9 +331,9 @@ class _Reader:
     def _contained(self, element: ET.Element, tag: str, state: State, depth: int) -> Iterator[Drawn]:
         name, state = state.copied or name_of(element), replace(state, copied="")
         if tag == "g" or (depth > 0 and name):
-            state = replace(state, groups=(*state.groups, Group(self._visited, name)))
+            state = replace(state, groups=(*state.groups, Group(self._visits[0], name)))
         if tag == "svg" and depth > 0:
-            x, y = (length_of(element, name, state.viewport) or 0.0 for name in ("x", "y"))
+            x, y = (self._length(element, name, state) or 0.0 for name in ("x", "y"))
             state = self._in_view_box(element, element, state, (x, y))
         for child in element:
             if tag_of(child) not in _ONLY_WHEN_USED and speaks_to_us(child):
@@ -289,7 +346,7 @@ class _Reader:
     ) -> State:
         """Return the state in a view box, whose size another element may say."""
         width, height = (
-            length_of(sized, name, state.viewport) or length_of(element, name, state.viewport) or whole
+            self._length(sized, name, state) or self._length(element, name, state) or whole
             for name, whole in (("width", state.viewport.width), ("height", state.viewport.height))
         )
         box = box_of(element.get("viewBox", ""))
@@ -321,7 +378,9 @@ class _Reader:
         state = replace(state, is_used=True, copied=name)
         if tag_of(target) in ("symbol", "svg"):
             state = self._in_view_box(target, element, state, (0.0, 0.0))
-            entered = self._entered(target, self._cascade.of(target), state)
+            declared = self._cascade.of(target)
+            state = self._transformed(target, declared, state, depth + 1)
+            entered = self._entered(target, declared, state)
             yield from self._contained(target, "symbol", entered, depth + 1)
         else:
             yield from self._drawn(target, state, depth + 1)
@@ -393,6 +452,13 @@ class _Reader:
         visible = state.properties.is_visible
         return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
 
+    def _length(self, element: ET.Element, name: str, state: State) -> float | None:
+        try:
+            return length_of(element, name, state.viewport)
+        except UnknownLengthError:
+            self.missed.note_at(element, _UNKNOWN, name)
+            return None
+
     def _note_effects(
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
     ) -> None:
@@ -411,12 +477,36 @@ def _effects_on(declared: Mapping[str, str]) -> list[Flaw]:
     return [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
 
 
+def _fill_box(path: ImportedPath) -> FloatArray:
+    return extent_of(path.pieces)
+
+
+def _stroke_box(path: ImportedPath) -> FloatArray:
+    outline = Outline("", path.pieces, path.pieces[:0, 0], 0.0, path.closed, path.look.style)
+    return painted_extent(outline)
+
+
+_BOXES = {
+    "fill-box": _fill_box,
+    "content-box": _fill_box,
+    "stroke-box": _stroke_box,
+    "border-box": _stroke_box,
+}
+"""Returns the corners of the box of a path, for each `transform-box` but the view box."""
+
+
 class _Missing(Missed):
     """What is missed of the elements of one file."""
 
     def __init__(self, root: ET.Element) -> None:
         super().__init__()
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
+
+    def emptied(self) -> _Missing:
+        """Return another one of the same file, of which nothing is missed."""
+        other = copy(self)
+        other._names = {}
+        return other
 
     def name_of(self, element: ET.Element) -> str:
         """Return the name of an element, or else its tag and its number in the file, from 1."""

@@ -49,20 +49,23 @@ def outline_of(element: ET.Element, viewport: Viewport, tolerance: float | None)
     if tag not in LENGTHS:
         return read_points(element.get("points", ""), closed=tag == "polygon")
     lengths = [length_of(element, name, viewport) for name in LENGTHS[tag]]
-    for name, value in zip(LENGTHS[tag], lengths, strict=True):
-        text = element.get(name, "").strip()
-        if value is None and text not in ("", "auto") and _is_length(name, text):
-            raise UnknownLengthError
     return ReadPath(shape_of_lengths(tag, lengths, tolerance))
 
 
 def length_of(element: ET.Element, name: str, viewport: Viewport) -> float | None:
-    """Return a length that an attribute says, in user units; None without, and where nobody can know.
+    """Return a length that an attribute says, in user units; None without, and for one that is invalid.
 
-    An invalid one counts as not given.
+    Raises
+    ------
+    UnknownLengthError
+        For one that nobody can know.
     """
-    text = element.get(name, "")
-    return viewport.length(text, name) if _is_length(name, text) else None
+    text = element.get(name, "").strip()
+    if text.lower() in ("", "auto") or not _is_length(name, text):
+        return None
+    if (value := viewport.length(text, name)) is None:
+        raise UnknownLengthError
+    return value
 
 
 def invalid_lengths(element: ET.Element) -> list[str]:
