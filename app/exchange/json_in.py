@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 from typing import TypeVar
 
 import msgspec
@@ -26,7 +27,7 @@ def json_in(data: bytes, kind: type[Content]) -> Content:
     if len(data) > MOST_BYTES:
         raise ExchangeError(f"A JSON file may have {MOST_BYTES >> 20} MB; this one has more.")
     try:
-        return msgspec.json.decode(data, type=kind)
+        return msgspec.json.decode(data.removeprefix(codecs.BOM_UTF8), type=kind)
     except UnicodeDecodeError:
         raise ExchangeError("It is not UTF-8 text.") from None
     except msgspec.ValidationError as problem:

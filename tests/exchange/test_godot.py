@@ -108,15 +108,26 @@ def test_resources_of_both_versions_are_read(text, tmp_path):
 @each_row(
     ("old", "new", "sentence"),
     [
-        ("[gd_scene", "RSRC", "This is no text resource of Godot. Save it as .tres or .tscn."),
+        (
+            SCENE,
+            "RSRC\x00\x00",
+            "There is no Curve2D in it. Save the curve, or its scene, as text (.tres, .tscn).",
+        ),
         ("10, 20, 1", "10, 20", "Line 8: a curve has six numbers for each point."),
         ("10, 20, 1", "10, 20, one", "Line 8: a curve has six numbers for each point."),
-        ("10, 20, 1", "10, 20, 1e13", "“Track” has coordinates beyond −1e12 to 1e12."),
-        ("10, 20, 1", "10, 20, nan", "“Track” has coordinates beyond −1e12 to 1e12."),
-        ('"Curve2D"', '"Curve3D"', "There is no curve in the file."),
+        ("10, 20, 1", "10, 20, nan", "Line 8: a curve has six numbers for each point."),
+        ("10, 20, 1", "10, 20, 1e999", "Line 8: a curve has six numbers for each point."),
+        ('"Curve2D"', '"Curve3D"', "There is no Curve2D in it."),
+        ("(0, 0, 10, ", "(10, ", "Line 8: a curve has six numbers for each point."),
     ],
 )
 def test_what_is_no_curve_is_refused_with_its_place(old, new, sentence):
     with pytest.raises(ExchangeError) as refusal:
         curves_in(SCENE.replace(old, new))
     assert str(refusal.value).startswith(sentence)
+
+
+def test_a_curve_beyond_limits_is_told_and_the_others_come():
+    found = read_curves(SCENE.replace("10, 20, 1", "10, 20, 1e13").encode())
+    assert [each.name for each in found.document.curves] == ["Round"]
+    assert found.remarks[1] == "1 curve with coordinates beyond −1e12 to 1e12 left out: Track."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import zip_longest
 
 import numpy as np
 
@@ -31,12 +32,10 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
     """
     text = data.decode("utf-8", "replace")
     sections = list(_SECTION.finditer(text))
-    if not sections or not sections[0][1].startswith("gd_"):
-        raise ExchangeError("This is no text resource of Godot. Save it as .tres or .tscn.")
     found, names, missed = dict[str, FloatArray](), dict[str, str](), Missed()
-    for head, end in zip(sections, [*(each.start() for each in sections[1:]), len(text)], strict=True):
+    for head, following in zip_longest(sections, sections[1:]):
         owner = sections[0] if head[1] == "resource" else head
-        body = text[head.end() : end]
+        body = text[head.end() : following.start() if following else None]
         if _attribute(owner, "type") == "Curve2D" and (points := _POINTS.search(body)):
             line = text.count("\n", 0, head.end() + points.start()) + 1
             found[_attribute(head, "id")] = _points(points[1], line)
@@ -44,6 +43,10 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
             name = names.setdefault(used[1], _attribute(head, "name"))
             if _PLACED.search(body):
                 missed.note(_NOT_APPLIED, head.start(), name)
+    if not found:
+        raise ExchangeError(
+            "There is no Curve2D in it. Save the curve, or its scene, as text (.tres, .tscn)."
+        )
     paths = [
         ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
         for number, (key, points) in enumerate(found.items(), start=1)
@@ -59,7 +62,7 @@ def _attribute(head: re.Match[str], name: str) -> str:
 def _points(text: str, line: int) -> FloatArray:
     """Return handles in, handles out and positions, (3, n, 2), with y up."""
     try:
-        values = np.array(text.split(","), dtype=float).reshape(-1, 3, 2)
+        values = np.asarray_chkfinite(text.split(","), dtype=float).reshape(-1, 3, 2)
     except ValueError:
         raise ExchangeError(f"Line {line}: a curve has six numbers for each point.") from None
     return values.swapaxes(0, 1) * (1.0, -1.0) + 0.0

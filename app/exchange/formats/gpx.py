@@ -40,7 +40,7 @@ def read_gpx(data: bytes) -> Table:
     root = parsed(data, MOST_ELEMENTS)
     tracks = [(name, points) for name, points in _tracks(root) if len(points) > 1]
     if not tracks:
-        raise ExchangeError("The GPX file has no track and no route.")
+        raise ExchangeError("The GPX file has no track or route of two points.")
     sizes = [len(points) for _name, points in tracks]
     starts = np.cumsum([0, *sizes[:-1]])
     words = np.repeat(numbered([name for name, _points in tracks]), sizes)
@@ -58,7 +58,9 @@ def read_gpx(data: bytes) -> Table:
     else:
         del values["t"]
         kept[:] = True
-        said += " Times are left out: they do not increase, or are not at every point."
+        said += " Times that do not increase, or not at every point, are left out." * bool(
+            np.isfinite(t).any()
+        )
     rows = np.column_stack(list(values.values()))[kept]
     return table_of(rows, tuple(values), words={0: words[kept].tolist()}, said=said)
 
