@@ -11,7 +11,7 @@ from itertools import compress
 import msgspec
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import BoolArray, FloatArray
 
 from ..document.limits import EditError
 from ..document.model import (
@@ -41,6 +41,9 @@ SINGLE_POINT = Flaw("single point")
 
 _TOO_LARGE = Flaw("curve", f"with coordinates beyond −1e12 to 1e12 {LEFT_OUT}")
 _TOO_MANY = Flaw("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
+
+_ROUNDING = 2.0**-48
+"""Of the coordinates, for each piece: a bound of the rounding of ends that programs add up, step by step."""
 
 _OUTER = 3
 _MOST_NAMES = 24
@@ -185,8 +188,7 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], missed: Missed) -> Imp
         if flaw := _beyond_limits(path):
             missed.note(flaw, number, path.name)
             continue
-        # Without those that are no more than a point.
-        pieces = path.pieces[(path.pieces != path.pieces[:, :1]).any(axis=(1, 2))]
+        pieces = without_roundings(path.pieces, closed=path.closed)
         if len(pieces) == 0:
             missed.note(SINGLE_POINT, number, path.name)
             continue
@@ -202,6 +204,51 @@ def lines(points: FloatArray) -> FloatArray:
     start, end = points[:-1], points[1:]
     third = (end - start) / 3
     return np.stack([start, start + third, end - third, end], axis=1)
+
+
+def rounding_of(pieces: FloatArray) -> float:
+    """Return how far ends of pieces (k, 4, 2) may be apart that are meant to be one place."""
+    return _ROUNDING * len(pieces) * float(np.abs(pieces).max(initial=0.0))
+
+
+def without_roundings(pieces: FloatArray, *, closed: bool) -> FloatArray:
+    """Return pieces (k, 4, 2) without those that are as short as roundings; their neighbours meet exactly.
+
+    Loops, whose ends meet while their handles are longer than that, are pieces. Of a closed path the last
+    one ends where the first begins.
+    """
+    pieces = pieces[has_length(pieces)]
+    bound = rounding_of(pieces)
+    long = np.abs(pieces - pieces[:, :1]).max(axis=(1, 2)) > bound
+    kept = pieces if long.all() else _joined(pieces, bound)
+    if closed and len(kept) and np.abs(kept[-1, 3] - pieces[0, 0]).max() <= bound:
+        kept = kept.copy()
+        put_end(kept[-1], pieces[0, 0])
+    return kept
+
+
+def _joined(pieces: FloatArray, bound: float) -> FloatArray:
+    kept, at = list[FloatArray](), pieces[0, 0]
+    for piece in pieces:
+        # From where the last one ends: many that go the same way come to something.
+        if np.abs(piece - at).max() > bound:
+            kept.append(piece.copy())
+            put_end(kept[-1][::-1], at)
+            at = piece[3]
+    return np.array(kept).reshape(-1, 4, 2)
+
+
+def has_length(pieces: FloatArray) -> BoolArray:
+    """Return which of the pieces (k, 4, 2) are more than a point."""
+    return np.asarray((pieces != pieces[:, :1]).any(axis=(1, 2)))
+
+
+def put_end(piece: FloatArray, end: FloatArray) -> None:
+    """Move the end of a piece (4, 2), in place; a line stays one, and a handle of no length has none."""
+    first, second = piece[1:3] + (end - piece[3]) * np.array([[1 / 3], [2 / 3]])
+    piece[1] = piece[0] if (piece[1] == piece[0]).all() else first
+    piece[2] = end if (piece[2] == piece[3]).all() else second
+    piece[3] = end
 
 
 def _through(path: PointsAlone) -> Curve:

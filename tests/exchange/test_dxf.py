@@ -138,6 +138,24 @@ def test_a_uniform_spline_of_another_program():
         assert any(point.corner for point in curve.points) == (degree == 1)
 
 
+def test_corners_a_rounding_apart_are_one():
+    """They made “pieces of too different lengths”, and the file was refused."""
+    doubled = [(0, 0), (1e-16, 0), (3, 0), (3, 1e-16), (3, 1e-15), (3, 4), (1e-15, 1e-15)]
+
+    def draw(space):
+        space.add_lwpolyline(doubled, close=True)
+        space.add_lwpolyline([(100, 0), (100, 7), (100, 7 + 1e-14), (105, 9)])
+        space.add_polyline2d([(0, 0), (0, 1e13)])
+
+    result = read_dxf(file_with(draw))
+    triangle, line = result.document.curves
+    assert [point.position for point in triangle.points] == [(0, 0), (3, 0), (3, 4)]
+    assert triangle.closed
+    assert [point.position for point in line.points] == [(100, 0), (100, 7), (105, 9)]
+    # One beyond limits leaves the others, too.
+    assert result.remarks == ("1 curve with coordinates beyond −1e12 to 1e12 left out: Polyline 3.",)
+
+
 def test_lines_polylines_and_arcs():
     def draw(space):
         space.add_line((0, 0), (3, 4), dxfattribs={"layer": "L", "color": 1})

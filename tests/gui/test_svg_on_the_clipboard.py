@@ -162,7 +162,7 @@ def test_a_large_drawing_is_read_in_a_process_of_its_own(three, monkeypatch):
     limited = child.limited
     monkeypatch.setattr(child, "limited", lambda *given, **named: asked.append(1) or limited(*given, **named))
     # Large, though of few points: many of them take long to draw.
-    numbers = ((place % 97 + 1e-15, place % 89) for place in range(400))
+    numbers = ((place % 97 + 0.125, place % 89) for place in range(400))
     data = "M0 0" + "".join(f"{f'L{x:.15f} {y}':>{SMALL // 390}}" for x, y in numbers)
     three.paste_text(f'<svg xmlns="{SVG}"><path d="{data}"/></svg>')
     three.key(Qt.Key.Key_V, CTRL)

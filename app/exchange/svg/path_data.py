@@ -20,7 +20,7 @@ from svgelements import SVGLexicalParser
 from curvecore.arrays import FloatArray
 
 from ..arcs import arc_between
-from ..cubics_in import lines
+from ..cubics_in import has_length, lines, put_end, rounding_of
 from ..errors import ExchangeError
 
 _GAP = r"[ \t\r\n\f]*"
@@ -267,13 +267,8 @@ class _Pen:
 
     def closed(self, **_: bool) -> None:
         if self._is_open:
-            current = self.subpaths[-1]
-            if not self._is_at_start(current):
-                self._corners.append(self._start)
-            elif self._corners:
-                self._corners[-1] = self._start
-            elif current.pieces:
-                current.pieces[-1][-1, 3] = self._start
+            if self.current_point != self._start:
+                self._go_home()
             self._current.closed = True
             self._go(self._start)
             self._is_open = False
@@ -282,17 +277,20 @@ class _Pen:
         if self._is_open:
             # A curve that ends exactly where it begins is meant to be closed; Z is only about line ends.
             current = self._current
-            pieces = sum(map(len, current.pieces))
-            current.closed = pieces > 1 and bool((current.end == current.start).all())
+            controls, gap = current.controls, np.abs(current.end - current.start).max()
+            current.closed = len(controls) > 1 and bool(gap <= rounding_of(controls))
         self._is_open = False
 
-    def _is_at_start(self, current: Subpath) -> bool:
-        """Whether the pen is where the subpath begins, but for roundings: steps of few digits add up."""
-        gap = max(abs(here - there) for here, there in zip(self.current_point, self._start, strict=True))
-        if not gap:
-            return True
-        places = np.concatenate([current.controls.reshape(-1, 2), np.reshape(self._corners, (-1, 2))])
-        return gap <= _ROUNDING * float(np.ptp(places, axis=0).max(initial=0.0))
+    def _go_home(self) -> None:
+        """Go to where the subpath begins; from nearby, for steps of few digits add up, without a line."""
+        current = self._current
+        controls, gap = current.controls, np.abs(current.end - current.start).max()
+        if gap > _ROUNDING * float(np.ptp(controls.reshape(-1, 2), axis=0).max()):
+            self._corners.append(self._start)
+            return
+        last = int(np.flatnonzero(has_length(controls))[-1])
+        put_end(controls[last], current.start)
+        current.pieces = [controls[: last + 1]]
 
     @property
     def _current(self) -> Subpath:

@@ -21,7 +21,7 @@ from ...document.style import Style
 from ...document.words import enumerated
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
-from ..cubics_in import SINGLE_POINT, Imported, ImportedPath, Look, imported
+from ..cubics_in import SINGLE_POINT, Imported, ImportedPath, Look, imported, without_roundings
 from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Flaw, Missed
 from ..node_types import parted
@@ -422,7 +422,7 @@ class _Reader:
             path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index + 1})",
                 look,
-                moved(subpath.controls, state.matrix),
+                moved(without_roundings(subpath.controls, closed=subpath.closed), state.matrix),
                 subpath.closed,
                 subpath.deviation * stretch,
                 letters[index],

@@ -43,6 +43,8 @@ _ALIKE = 0.01
 CORNER, TIED, EVEN = "csz"
 """Letters by which programs say what a point is meant to be: free, smooth, or symmetric as well."""
 
+_SHORTEST = 2.0**-48
+
 _FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
 
 
@@ -83,6 +85,9 @@ class Joints:
         self._letters = np.array([*(letters[1:] + letters[:1])[:count]] if letters else [""] * count)
         after = np.roll(leaving, -1, axis=0)
         self._smoothen(arriving, after, lengths, closed)
+        if min(self.steps) < _SHORTEST * sum(self.steps):
+            # At the speeds of smooth joints the shortest piece would be no part of t.
+            self.smooth, self.steps, self.moved = [False] * count, lengths.copy(), 0.0
         self.tied = self._tied(arriving, after, tolerance / SMOOTH)
         if not closed:
             self.tied[-1] = False
