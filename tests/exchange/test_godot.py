@@ -111,7 +111,7 @@ def test_resources_of_both_versions_are_read(text, tmp_path):
         (
             SCENE,
             "RSRC\x00\x00",
-            "There is no Curve2D in it. Save the curve, or its scene, as text (.tres, .tscn).",
+            "There is no Curve2D in it. Save it, or its scene, as text (.tres, .tscn).",
         ),
         ("10, 20, 1", "10, 20", "Line 8: a curve has six numbers for each point."),
         ("10, 20, 1", "10, 20, one", "Line 8: a curve has six numbers for each point."),

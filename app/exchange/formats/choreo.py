@@ -74,17 +74,14 @@ def read_trajectories(data: bytes) -> Table:
     """
     content = json_in(data, _File)
     own = content.trajectory.samples if content.trajectory else content.samples
-    paths = {content.name or "Trajectory": own} | {
-        name: each.trajectory or [] for name, each in content.paths.items()
-    }
+    paths = {content.name or "Trajectory": own}
+    paths |= {name: each.trajectory or [] for name, each in content.paths.items()}
     found = [samples for samples in paths.values() if samples]
     if not found:
         raise ExchangeError("It holds no trajectory. Generate one in Choreo, and import its .traj file.")
     names = [" ".join(name.split())[:200] for name, samples in paths.items() if samples]
     words = [name for name, samples in zip(numbered(names), found, strict=True) for _sample in samples]
-    rows = [
-        (np.nan, *sample.row(number)) for samples in found for number, sample in enumerate(samples, start=1)
-    ]
+    rows = [(np.nan, *each.row(k)) for samples in found for k, each in enumerate(samples, start=1)]
     return table_of(np.array(rows), _TITLES, words={0: words})
 
 

@@ -44,9 +44,7 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
             if _PLACED.search(body):
                 missed.note(_NOT_APPLIED, head.start(), name)
     if not found:
-        raise ExchangeError(
-            "There is no Curve2D in it. Save the curve, or its scene, as text (.tres, .tscn)."
-        )
+        raise ExchangeError("There is no Curve2D in it. Save it, or its scene, as text (.tres, .tscn).")
     paths = [
         ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
         for number, (key, points) in enumerate(found.items(), start=1)

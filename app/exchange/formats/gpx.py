@@ -58,9 +58,7 @@ def read_gpx(data: bytes) -> Table:
     else:
         del values["t"]
         kept[:] = True
-        said += " Times that do not increase, or not at every point, are left out." * bool(
-            np.isfinite(t).any()
-        )
+        said += " Times are left out, for not all increase." * bool(np.isfinite(t).any())
     rows = np.column_stack(list(values.values()))[kept]
     return table_of(rows, tuple(values), words={0: words[kept].tolist()}, said=said)
 
