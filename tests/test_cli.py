@@ -308,6 +308,7 @@ def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
     assert json.loads(output.out) == {
         "output": str(tmp_path / "a.curve.json"),
         "deviation": 0.0,
+        "deviation_is_bound": True,
         "remarks": ["1 text left out: t."],
     }
 
@@ -840,6 +841,18 @@ def test_convert_puts_points_into_a_dxf(capsys, tmp_path):
     assert not drawing.audit().errors
     assert main(["convert", str(EXAMPLES / "robot_move.curve.json"), str(out), "--cubic"]) == 0
     assert [spline.dxf.degree for spline in ezdxf.readfile(out).modelspace()] == [3]
+
+
+def test_convert_says_whether_its_deviation_is_a_bound(capsys, tmp_path):
+    source, out = tmp_path / "a.csv", str(tmp_path / "a.svg")
+    source.write_text("x,y\n0,0\n1,2\n2,-1\n3,1\n4,0\n5,2\n", encoding="utf-8")
+    for family, word in (("lagrange", ""), ("floater_hormann", "about ")):
+        assert main(["convert", str(source), out, "--family", family]) == 0
+        said = capsys.readouterr().out.strip()
+        assert re.search(rf"largest deviation from the true curves {word}[\d.e-]+$", said)
+        assert f"true curves: {word}" in Path(out).read_text(encoding="utf-8")
+        assert main(["convert", str(source), out, "--family", family, "--json"]) == 0
+        assert json.loads(capsys.readouterr().out)["deviation_is_bound"] is (not word)
 
 
 def test_convert_writes_a_formula_with_as_many_digits_as_it_needs(capsys, tmp_path):

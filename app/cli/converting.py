@@ -15,6 +15,7 @@ from msgspec.structs import replace
 
 from .. import exchange
 from ..document.limits import EditError
+from ..document.words import rounded_up
 from ..exchange.errors import ExchangeError
 from ..exchange.files import ImportOptions, begin_import, export, import_file
 from ..exchange.formats import FORMATS, ContentKind, ending_in, format_of
@@ -52,9 +53,10 @@ class _Conversion:
 
 @dataclass(frozen=True)
 class _Converted:
-    """Result of a conversion: the largest deviation from the true curves, and remarks."""
+    """Result of a conversion: the largest deviation from the true curves, if that is a bound, and remarks."""
 
     deviation: float
+    is_bound: bool
     remarks: list[str]
 
 
@@ -74,11 +76,16 @@ def convert(options: argparse.Namespace) -> int:
 
 
 def _facts(done: _Converted) -> dict[str, Any]:
-    return {"deviation": done.deviation, "remarks": done.remarks}
+    return {
+        "deviation": done.deviation,
+        "deviation_is_bound": done.is_bound,
+        "remarks": done.remarks,
+    }
 
 
 def _result(target: str, done: _Converted) -> str:
-    return f"{one_line(target)}: largest deviation from the true curves {done.deviation:g}"
+    deviation = exchange.parts.stated(done.deviation, done.is_bound)
+    return f"{one_line(target)}: largest deviation from the true curves {deviation}"
 
 
 def _convert_many(options: argparse.Namespace) -> int:
@@ -262,7 +269,8 @@ def _converted(
     fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
     off = max((fit.deviation for fit in fits), default=0.0)
     return _Converted(
-        exchange.parts.rounded_up(source.deviation + off + written.deviation),
+        rounded_up(source.deviation + off + written.deviation, 3),
+        written.is_bound and not fits,
         [*source.remarks, *_on_groups(source, options.only), *fitted, *written.remarks],
     )
 

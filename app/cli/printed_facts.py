@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import math
 import sys
-from decimal import ROUND_UP, Context
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import asdict
 
 from ..document.style import NO_PAINT, Style
+from ..document.words import rounded_up
 from ..view_model.basis.basis_findings import digits_in_words
 from .refusals import one_line
 
 if TYPE_CHECKING:
     from ..exchange.facts import CurveFacts, Growth
 
-# A bound that was rounded to the nearest would not be one.
 _EDGES = ("left", "bottom", "right", "top")
 """Of the box of a curve."""
-
-_ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 
 def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
@@ -109,7 +106,7 @@ def _length_text(value: float, bound: float) -> str:
     texts = (f"{value:.{digits}g}" for digits in range(9, 18))
     text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
     error = bound + abs(float(text) - value)
-    return f"about {text} (error at most {_ONE_DIGIT_UP.create_decimal_from_float(error):g})"
+    return f"about {text} (error at most {rounded_up(error, 1):g})"
 
 
 def _points_text(facts: CurveFacts) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
+from decimal import ROUND_UP, Context
 from enum import StrEnum
 from typing import Self
 
@@ -36,6 +37,19 @@ class NamedEnum(StrEnum):
 def number(value: float, digits: int = 4, mark: str = ".") -> str:
     """Return a number with at most so many significant digits, a true minus sign and a short exponent."""
     return polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
+
+
+def rounded_up(value: float, digits: int) -> float:
+    """Return a value of at least 0 with so many digits, never less than it is: a bound stays one."""
+    return float(Context(prec=digits, rounding=ROUND_UP).create_decimal_from_float(value))
+
+
+def distance_words(value: float, other: str, *, is_bound: bool = True) -> str:
+    """Say how far something is from another thing: at most where that is certain, else about."""
+    if not value:
+        return "exact"
+    text = f"at most {number(rounded_up(value, 2), 2)}" if is_bound else f"about {number(value, 2)}"
+    return f"{text} from {other}"
 
 
 def with_decimals(value: float, decimals: int) -> str:

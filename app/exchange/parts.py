@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from decimal import ROUND_UP, Context
 from functools import cached_property
 from math import isnan
 from typing import NamedTuple
@@ -26,6 +25,7 @@ from curvecore.scaling import LARGEST
 
 from .. import __version__
 from ..document.model import Curve, Document
+from ..document.words import rounded_up
 from ..tasks.progress import Report, silent
 from ..view_model.curve.curve_view import ParametricCurve
 from ..view_model.curve.refusals import in_words
@@ -43,6 +43,13 @@ _SAMPLES_AT_ONCE = 500
 """Samples at which a copy is evaluated at once: one polynomial takes an array of these by all its points."""
 
 
+class Deviation(NamedTuple):
+    """A largest distance, and whether it is nowhere more: else it was measured at many parameters."""
+
+    deviation: float
+    is_bound: bool = True
+
+
 class Polynomials(NamedTuple):
     """Pieces that are polynomials through known data.
 
@@ -51,12 +58,13 @@ class Polynomials(NamedTuple):
     pieces
         Those of the curve as curves of a family that all writers know, or cubic Hermite curves that follow
         them.
-    deviation
-        Largest distance of these from the curve.
+    deviation, is_bound
+        Largest distance of these from the curve, and whether it is nowhere more.
     """
 
     pieces: tuple[ParametricCurve, ...]
     deviation: float
+    is_bound: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,9 +90,9 @@ class Source:
         if exact:
             worst = max(_deviation(*both) for both in zip(exact, self.core.pieces, strict=True))
             if worst <= tolerance:
-                return Polynomials(exact, worst)
+                return Polynomials(exact, worst, is_bound=not worst)
         paths = [cubics_of(piece, tolerance) for piece in self.core.pieces]
-        return Polynomials(tuple(map(_spline_of, paths)), max(path.deviation for path in paths))
+        return Polynomials(tuple(map(_spline_of, paths)), *worst_of(paths))
 
     @cached_property
     def formulas(self) -> Polynomials:
@@ -115,18 +123,26 @@ class Beziers:
         (k, degree + 1, 2).
     parameters
         Of the ends of the pieces, (k + 1,).
-    deviation
-        Largest distance from the curve; zero where the pieces are the curve itself but for rounding.
+    deviation, is_bound
+        Largest distance from the curve, zero where the pieces are the curve itself but for rounding; and
+        whether it is nowhere more.
     """
 
     control_points: FloatArray
     parameters: FloatArray
     deviation: float
+    is_bound: bool = True
 
     @property
     def degree(self) -> int:
         """The degree of every piece."""
         return int(self.control_points.shape[1]) - 1
+
+
+def worst_of(parts: Iterable[Beziers | Deviation]) -> Deviation:
+    """Return the largest of deviations; it is a bound if all of them are."""
+    deviations, bounds = zip(*((each.deviation, each.is_bound) for each in parts), strict=True)
+    return Deviation(max(deviations), all(bounds))
 
 
 def sources_of(document: Document, report: Report = silent) -> tuple[list[Source], tuple[str, ...]]:
@@ -161,15 +177,15 @@ def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:
     return tolerance
 
 
-def rounded_up(deviation: float) -> float:
-    """Return a deviation with three digits, never less than it is: a bound stays one."""
-    return float(Context(prec=3, rounding=ROUND_UP).create_decimal_from_float(deviation))
+def stated(deviation: float, is_bound: bool) -> str:
+    """Return a deviation as it is stated in files: with three digits, and "about" unless it is a bound."""
+    return f"{'' if is_bound or not deviation else 'about '}{rounded_up(deviation, 3):g}"
 
 
-def accuracy(deviation: float) -> str:
+def accuracy(deviation: float, is_bound: bool) -> str:
     """Return the sentence that says how far a file is from the true curves."""
     return (
-        f"Curvebench {__version__}. Largest deviation from the true curves: {rounded_up(deviation):g}, "
+        f"Curvebench {__version__}. Largest deviation from the true curves: {stated(deviation, is_bound)}, "
         "in the unit of the document."
     )
 
@@ -206,7 +222,7 @@ def samples_of(piece: ParametricCurve) -> FloatArray:
 
 
 def measured(piece: ParametricCurve, copy: Callable[[FloatArray], FloatArray]) -> float:
-    """Return the largest distance of `copy`, a function of t, from a piece at many parameters."""
+    """Return the largest distance of `copy`, a function of t, from a piece at many parameters: no bound."""
     t = samples_of(piece)
     starts = range(_SAMPLES_AT_ONCE, len(t), _SAMPLES_AT_ONCE)
     with np.errstate(all="ignore"):
@@ -229,7 +245,8 @@ def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
         result = Beziers(bezier_segments(piece), piece.breaks, 0.0)
     elif (controls := _controls_of(piece)) is not None:
         ends = piece.breaks
-        result = Beziers(controls, ends, measured(piece, lambda t: bezier_values(controls, ends, t)))
+        rounding = measured(piece, lambda t: bezier_values(controls, ends, t))
+        result = Beziers(controls, ends, rounding, is_bound=False)
     else:
         result = cubics_of(piece, tolerance)
     if not (np.abs(result.control_points) < LARGEST).all():
@@ -283,7 +300,7 @@ def cubics_of(piece: ParametricCurve, tolerance: float) -> Beziers:
         path = cubic_path(piece, tolerance)
     except CurveError as problem:
         raise ExchangeError(f"The curve cannot be written: {in_words(str(problem))}.") from problem
-    return Beziers(path.control_points, path.parameters, float(path.deviation))
+    return Beziers(path.control_points, path.parameters, float(path.deviation), path.is_bound)
 
 
 def bezier_values(controls: FloatArray, parameters: FloatArray, t: FloatArray) -> FloatArray:

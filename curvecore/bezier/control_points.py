@@ -7,6 +7,8 @@ References
 .. [2] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001,
    chapter IV, (6): the error h**4 max |c''''| / 384 of cubic Hermite
    interpolation.
+.. [3] H. Ehlich and K. Zeller, "Schwankung von Polynomen zwischen Gitterpunkten", Mathematische Zeitschrift
+   86 (1964) 41-44: max |p| <= max |p| at N Chebyshev points over cos(pi m / 2 N) for degree m < N.
 """
 
 from __future__ import annotations
@@ -27,8 +29,10 @@ from curvecore.vectors import vector_lengths
 MAX_PIECES = 1 << 12
 """`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""
 
-_SAMPLES = np.arange(1, 12) / 12.0  # where a cubic piece is compared with the curve
+_SAMPLES = np.arange(1, 12) / 12.0  # where a cubic piece is compared with what is no polynomial
 _MARGIN = 1.25  # on the measured deviation, for what lies between the samples
+_HIGHEST_PROVED = 30  # degree up to which so many samples are taken that their margin is proved
+_ROUNDING = 1e-12  # of the coordinates: differences below this are those of rounding, which has no degree
 _ROUNDS = 24
 
 
@@ -42,10 +46,12 @@ class CubicPath(NamedTuple):
     parameters : ndarray, shape (k + 1,)
         The curve's parameters at the ends of the pieces.
     deviation : float
-        Upper bound of the distance between the pieces and the curve at equal
-        parameters: 0 for cubic pieces; proved for other polynomial pieces;
-        else measured at 11 parameters a piece and enlarged by a
-        quarter. Larger than the tolerance where `MAX_PIECES` did not suffice.
+        Distance between the pieces and the curve at equal parameters, at most or about: 0 for cubic pieces.
+        Larger than the tolerance where `MAX_PIECES` did not suffice.
+    is_bound : bool
+        Whether it is proved that the distance is nowhere larger, but for rounding: for polynomials up to
+        degree 30, and all pieces that have Bezier control points. Else it was measured at 11 parameters a
+        piece and enlarged by a quarter, or is no more than rounding.
 
     See Also
     --------
@@ -62,6 +68,7 @@ class CubicPath(NamedTuple):
     control_points: FloatArray
     parameters: FloatArray
     deviation: float
+    is_bound: bool = True
 
 
 def bezier_segments(curve: ParametricCurve) -> FloatArray:
@@ -152,8 +159,8 @@ def cubic_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
     limit = tolerance_value(tolerance)
     if len(curve.pieces) > 1:
         paths = [cubic_path(piece, limit) for piece in curve.pieces]
-        points, parameters, deviations = zip(*paths, strict=True)
-        return CubicPath(np.concatenate(points), end_to_end(parameters), max(deviations))
+        points, parameters, deviations, bounds = zip(*paths, strict=True)
+        return CubicPath(np.concatenate(points), end_to_end(parameters), max(deviations), all(bounds))
     controls = drawable_pieces(curve)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         if controls is None:
@@ -210,9 +217,11 @@ def _measured_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
     # Two pieces a segment: fewer could step over an oscillation.
     joints = all_joints(curve)
     parameters = spread(joints, np.full(len(joints) - 1, 2))
+    is_bound = curve.degree is not None and curve.degree <= _HIGHEST_PROVED
+    samples, margin = chebyshev_samples(max(curve.degree or 0, 3)) if is_bound else (_SAMPLES, _MARGIN)
     for _ in range(_ROUNDS):
         pieces = _pieces(curve, parameters)
-        deviation = _MARGIN * _measured_deviation(curve, parameters, pieces)
+        deviation = margin * _measured_deviation(curve, parameters, pieces, samples)
         count = np.clip(np.ceil((deviation / tolerance) ** 0.25), 1, 16).astype(np.intp)
         if count.max() == 1 or count.sum() > MAX_PIECES:
             break
@@ -220,12 +229,22 @@ def _measured_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
         if finer.size == parameters.size:
             break
         parameters = finer
-    return CubicPath(pieces, parameters, float(deviation.max()))
+    worst = float(deviation.max())
+    return CubicPath(pieces, parameters, worst, is_bound and worst > _ROUNDING * float(np.abs(pieces).max()))
 
 
-def _measured_deviation(curve: ParametricCurve, parameters: FloatArray, pieces: FloatArray) -> FloatArray:
-    t = parameters[:-1, None] + np.diff(parameters)[:, None] * _SAMPLES
+def chebyshev_samples(degree: int) -> tuple[FloatArray, float]:
+    """Return s in (0, 1), and how much larger polynomials of this degree can be between them [3]_."""
+    count = math.ceil(2.4 * degree) + 2
+    samples = 0.5 - 0.5 * np.cos((np.arange(count) + 0.5) * (np.pi / count))
+    return samples, 1.0 / math.cos(degree * math.pi / (2.0 * count))
+
+
+def _measured_deviation(
+    curve: ParametricCurve, parameters: FloatArray, pieces: FloatArray, samples: FloatArray
+) -> FloatArray:
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * samples
     exact = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
-    approximate = weights(_SAMPLES, 3) @ pieces
+    approximate = weights(samples, 3) @ pieces
     worst: FloatArray = vector_lengths(approximate - np.clip(exact, -LIMIT, LIMIT)).max(axis=1)
     return worst

@@ -6,15 +6,18 @@ import pytest
 
 from curvecore import (
     CurveError,
+    FloaterHormannCurve,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
     SepticHermiteCurve,
     bezier_segments,
     chebyshev,
+    chord_length,
     cubic_path,
     uniform,
 )
+from curvecore.bezier.control_points import chebyshev_samples
 from tests.core.made_curves import de_casteljau
 
 T = np.array([0.0, 0.25, 1.0, 1.5])
@@ -115,6 +118,30 @@ def test_cubic_path_keeps_the_tolerance(rng, tolerance):
         size = np.linalg.norm(ahead, axis=1) * np.linalg.norm(behind, axis=1)
         # Control points carry an error of u |p|, handles may be as short as 1e-3 |p|.
         assert (np.abs(cross) <= 1e-9 * size + 1e-15 * np.abs(controls).max() * np.sqrt(size)).all()
+
+
+@pytest.mark.parametrize("degree", [3, 5, 12, 30])
+def test_between_the_samples_a_polynomial_is_no_larger_than_said(rng, degree):
+    """For random ones and those that swing most between their zeros (Ehlich and Zeller 1964)."""
+    samples, margin = chebyshev_samples(degree)
+    series = np.vstack([np.eye(degree + 1)[-1], rng.standard_normal((200, degree + 1))])
+    chebyshev_series = np.polynomial.chebyshev.chebval
+    dense = np.abs(chebyshev_series(np.linspace(-1.0, 1.0, 20_001), series.T)).max(axis=1)
+    sampled = np.abs(chebyshev_series(2.0 * samples - 1.0, series.T)).max(axis=1)
+    assert (dense <= margin * sampled * (1.0 + 1e-12)).all()
+    assert margin < 1.3
+
+
+def test_what_is_said_to_be_a_bound_is_one(rng):
+    points = np.vstack([rng.standard_normal((11, 2)), [[5.0, 5.0], [5.0, 5.0 + 1e-6]]])
+    for curve in (LagrangeCurve(points, chord_length(points)), *curves(rng)):
+        path = cubic_path(curve, 1e-5)
+        assert path.is_bound
+        assert deviation(curve, path) <= path.deviation * (1.0 + 1e-9) + 1e-14
+    assert not cubic_path(FloaterHormannCurve(points, uniform(13)), 1e-3).is_bound
+    # Cubics that are the curve itself but for rounding.
+    assert not cubic_path(LagrangeCurve(points[:4], uniform(4)), 1e-3).is_bound
+    assert not cubic_path(LagrangeCurve(rng.standard_normal((40, 2)), chebyshev(40)), 1e-3).is_bound
 
 
 def test_pieces_grow_like_the_fourth_root(rng):

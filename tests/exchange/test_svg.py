@@ -52,7 +52,7 @@ def upright(pieces):
 
 def stated(text):
     """The deviation in the comment, which is also in the metadata, and the tolerance."""
-    pattern = r"Largest deviation from the true curves: (\S+) \(tolerance ([^,)]+)"
+    pattern = r"Largest deviation from the true curves: (?:about )?(\S+) \(tolerance ([^,)]+)"
     comment, metadata = re.findall(pattern, text)
     assert comment == metadata
     return tuple(map(float, comment))

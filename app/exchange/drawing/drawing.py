@@ -115,6 +115,11 @@ class Drawing(msgspec.Struct, frozen=True):
         """Largest distance of any outline from its true curve."""
         return max(each.deviation for each in (*self.outlines, *(each for _, each in self.hidden)))
 
+    @property
+    def is_bound(self) -> bool:
+        """Whether no outline is anywhere farther away."""
+        return all(each.is_bound for each in (*self.outlines, *(each for _, each in self.hidden)))
+
     def fitted(self, width: float, height: float) -> Drawing:
         """Return the drawing moved and scaled to the frame (0, 0, width, height), centred in it.
 
@@ -273,6 +278,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
         curve.visible,
         curve.locked,
         letters_of(curve, path.control_points),
+        path.is_bound,
     )
 
 

@@ -190,7 +190,7 @@ def png_file(document: Document, options: Options) -> Written:
     size = _size(drawing, options)
     with application():
         data = _png(_image(drawing, size, options, style))
-        return Written(data, drawing.deviation, drawing.left_out, size)
+        return Written(data, drawing.deviation, drawing.left_out, drawing.is_bound, size)
 
 
 def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> QImage:
@@ -232,7 +232,7 @@ def pdf_file(document: Document, options: Options) -> Written:
     style = options.vector_style
     drawing = _drawing(document, options, style)
     with application():
-        return Written(_page(drawing, options, style), drawing.deviation, drawing.left_out)
+        return Written(_page(drawing, options, style), drawing.deviation, drawing.left_out, drawing.is_bound)
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:

@@ -27,8 +27,9 @@ class Outline(msgspec.Struct, frozen=True):
         (k, 4, 2); a piece begins where the one before it ends.
     points
         The points that the curve goes through, or control points beside it, (n, 2).
-    deviation
-        Largest distance from the true curve; zero where the curve is a chain of cubics itself.
+    deviation, is_bound
+        Largest distance from the true curve, zero where the curve is a chain of cubics itself; and whether it
+        is nowhere more.
     closed
         Whether the last piece ends where the first begins, and goes on there.
     style
@@ -50,6 +51,7 @@ class Outline(msgspec.Struct, frozen=True):
     visible: bool = True
     locked: bool = False
     letters: str = ""
+    is_bound: bool = True
 
     @property
     def colour(self) -> str:

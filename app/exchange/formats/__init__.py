@@ -18,7 +18,7 @@ from pathlib import Path
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ...document.words import enumerated, number
+from ...document.words import distance_words, enumerated
 from ..errors import ExchangeError
 
 if TYPE_CHECKING:
@@ -39,6 +39,8 @@ class Written:
         Of the file.
     deviation
         Largest distance of what the file holds from the true curves, in the document's unit.
+    is_bound
+        Whether it is nowhere more, or has been measured at many parameters.
     remarks
         One sentence for every curve that was left out.
     pixels
@@ -48,6 +50,7 @@ class Written:
     content: str | bytes
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
+    is_bound: bool = True
     pixels: tuple[int, int] | None = None
 
     @property
@@ -66,7 +69,7 @@ class Written:
         if self.pixels is not None:
             # Pixels are not exact, whatever they were painted from.
             return f"{self.pixels[0]} × {self.pixels[1]} pixels"
-        return f"at most {number(self.deviation, 2)} from the true curve" if self.deviation else "exact"
+        return distance_words(self.deviation, "the true curve", is_bound=self.is_bound)
 
 
 class ContentKind(Enum):

@@ -59,7 +59,10 @@ def python_code(document: Document, options: Options = DEFAULT) -> Written:
         for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
     ]
     return Written(
-        "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n", deviation, remarks
+        "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n",
+        deviation,
+        remarks,
+        is_bound=False,
     )
 
 
@@ -81,7 +84,8 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
     deviation = max(each for _, each in made)
     imports = "import numpy as np\nfrom scipy import interpolate"
     body = [f"# {_title(source)}\n{code}" for source, (code, _) in zip(sources, made, strict=True)]
-    return Written("\n\n".join([_head(deviation, remarks, imports), *body]) + "\n", deviation, remarks)
+    text = "\n\n".join([_head(deviation, remarks, imports), *body]) + "\n"
+    return Written(text, deviation, remarks, is_bound=False)
 
 
 def names_of(sources: list[Source]) -> list[str]:
@@ -97,7 +101,8 @@ def names_of(sources: list[Source]) -> list[str]:
 
 
 def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
-    lines = [accuracy(deviation), *map(one_line, remarks)]
+    # That of rounding, which depends on the t.
+    lines = [accuracy(deviation, is_bound=False), *map(one_line, remarks)]
     return "\n".join([*(f"# {line}" for line in lines), "", imports])
 
 

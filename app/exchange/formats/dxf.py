@@ -27,6 +27,7 @@ from ..parts import (
     cubics_of,
     one_line,
     sources_of,
+    worst_of,
 )
 from ..units import dxf_code
 from . import ContentKind, Format, Written
@@ -64,22 +65,23 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.2))
     allowed = checked_tolerance(sources, options.tolerance)
     drawing: Drawing = ezdxf.new("R2010", units=dxf_code(options.unit))
-    deviation = 0.0
+    parts = list[Beziers]()
     names = Names(drawing.layers)
     for source in told(sources, part(options.report, 0.2, 0.6), "Writing"):
         layer = _layer(drawing, source, names)
-        deviation = max(
-            deviation, _add_spline(drawing, source, _pieces(source, allowed, options[CUBIC]), layer)
-        )
+        pieces = _pieces(source, allowed, options[CUBIC])
+        _add_spline(drawing, source, pieces, layer)
+        parts += pieces
         for x, y in source.core.points[: len(source.curve.points)].tolist() if options.points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
-    comments = [accuracy(deviation), *map(one_line, remarks)]
+    deviation, is_bound = worst_of(parts)
+    comments = [accuracy(deviation, is_bound), *map(one_line, remarks)]
     drawing.header.custom_vars.append("Accuracy", comments[0])
     stream = _ToldStream(options.report)
     drawing.write(stream)
     # 999 is the group of comments; they stand before everything else.
     head = "".join(f"999\n{comment}\n" for comment in comments)
-    return Written(head + stream.getvalue(), deviation, remarks)
+    return Written(head + stream.getvalue(), deviation, remarks, is_bound)
 
 
 class _ToldStream(io.StringIO):
@@ -106,7 +108,7 @@ def _is_high(piece: ParametricCurve) -> bool:
     return piece.degree is None or piece.degree > 3
 
 
-def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: str) -> float:
+def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: str) -> None:
     degree = parts[0].degree
     points = [parts[0].control_points[0, :1]]
     points += [part.control_points[:, 1:].reshape(-1, 2) for part in parts]
@@ -118,7 +120,6 @@ def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: s
     spline = drawing.modelspace().add_spline(degree=degree, dxfattribs=attributes)
     spline.control_points = [(x, y, 0.0) for x, y in np.concatenate(points).tolist()]
     spline.knots = [float(knot) for knot in knots]
-    return max(part.deviation for part in parts)
 
 
 def _layer(drawing: Drawing, source: Source, names: Names) -> str:

@@ -21,7 +21,7 @@ from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import drawing_of
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, Options
-from ..parts import beziers_of, checked_tolerance, measured, sources_of
+from ..parts import beziers_of, checked_tolerance, measured, sources_of, worst_of
 from ..svg.tree import path_data
 from . import Format, Written
 
@@ -48,7 +48,8 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Writte
         for each in told(pieces, part(options.report, 0.6, 1.0), "Writing")
         for controls in each.control_points
     ]
-    return Written("\n".join(lines) + "\n", max(each.deviation for each in pieces), remarks)
+    deviation, is_bound = worst_of(pieces)
+    return Written("\n".join(lines) + "\n", deviation, remarks, is_bound)
 
 
 def _desmos_line(controls: FloatArray) -> str:
@@ -87,7 +88,7 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> Written:
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     shapes = told(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
     paths = [path_data(each, has_lines=False) for each in shapes]
-    return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out)
+    return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out, drawing.is_bound)
 
 
 def coefficients_json(document: Document, options: Options = DEFAULT) -> Written:
@@ -95,7 +96,7 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> Written
 
     On a segment from start to end, s = (t - start) / (end - start), and x = Σ x_k s^k. The coefficients
     are computed exactly and rounded once; ``deviation`` says how far the polynomial with these
-    coefficients, evaluated by Horner's scheme in double precision, is from the curve.
+    coefficients, evaluated by Horner's scheme in double precision, is from the curve, about: it is rounding.
 
     Raises
     ------
@@ -116,12 +117,13 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> Written
         "made_by": f"Curvebench {__version__}",
         "basis": "powers of s = (t - start) / (end - start), lowest first",
         "deviation": worst,
+        "deviation_is_bound": False,
         "remarks": remarks,
         "curves": curves,
     }
     if not np.isfinite(worst):
         raise ExchangeError("The coefficients are beyond all numbers; export code instead.")
-    return Written(json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, remarks)
+    return Written(json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, remarks, is_bound=False)
 
 
 def _segment(ends: FloatArray, index: int, rows: FloatArray) -> dict[str, Any]:

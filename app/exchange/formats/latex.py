@@ -9,6 +9,8 @@ import numpy as np
 
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
+from curvecore.bezier.control_points import chebyshev_samples
+from curvecore.vectors import vector_lengths
 
 from ...document.model import Document
 from ...document.style import FillRule, LineCap, LineJoin, Style
@@ -16,12 +18,22 @@ from ...document.units import MILLIMETRES, known_unit
 from ...tasks.progress import part, told
 from ...view_model.curve.curve_view import ParametricCurve
 from ...view_model.curve.refusals import in_words
-from ..drawing.drawing import drawing_of
+from ..drawing.drawing import Drawing, drawing_of
 from ..drawing.frames import Frame
 from ..drawing.outlines import Outline
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options, Whole
-from ..parts import Source, accuracy, bezier_values, beziers_of, measured, one_line, sources_of
+from ..parts import (
+    Deviation,
+    Source,
+    accuracy,
+    bezier_values,
+    beziers_of,
+    measured,
+    one_line,
+    sources_of,
+    worst_of,
+)
 from ..units import size_in_words
 from . import Format, Written
 
@@ -42,6 +54,9 @@ _LEAST_SIDE, _LARGEST_SIDE = 0.01, 500.0
 """Of a TikZ picture at true size: TeX's largest length is 575 cm, and it counts in 5e-6 cm."""
 
 _PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
+_ROUNDINGS = 50 * 2.0**-53
+"""Of two values of Lagrange curves, for each unit of Σ |B| |p|; see `LagrangeCurve`."""
+
 _LINES_OF_ARRAY = 42
 _GAP_OF_ROWS = 4 / 12  # of a line: [4pt]
 _POINTS_OF_LINE = 2  # what the text of an article is wide enough for
@@ -68,13 +83,13 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> Written:
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     digits = options[DIGITS]
-    deviation = max(
-        _rounded_deviation(piece, digits) + source.formulas.deviation
-        for source in told(sources, part(options.report, 0.3, 0.6), "Comparing")
-        for piece in source.formulas.pieces
-    )
+    deviation, is_bound = 0.0, True
+    for source in told(sources, part(options.report, 0.3, 0.6), "Comparing"):
+        rounding, is_certain = worst_of(_rounding(piece, digits) for piece in source.formulas.pieces)
+        deviation = max(deviation, rounding + source.formulas.deviation)
+        is_bound &= is_certain and source.formulas.is_bound
     parts = [_formula(each, digits) for each in told(sources, part(options.report, 0.6, 1.0), "Writing")]
-    return _file(parts, deviation, remarks, "amsmath")
+    return _file(parts, deviation, is_bound, remarks, "amsmath")
 
 
 def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
@@ -102,7 +117,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
-    return _picture(lines, deviation, drawing.left_out, "tikz")
+    return _picture(lines, deviation, drawing, "tikz")
 
 
 def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
@@ -124,7 +139,7 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
         marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in points)
         lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
     lines.append("  \\end{axis}")
-    return _picture(lines, drawing.deviation, drawing.left_out, "pgfplots")
+    return _picture(lines, drawing.deviation, drawing, "pgfplots")
 
 
 # Formulas
@@ -213,8 +228,8 @@ def _rounded(values: FloatArray, digits: int) -> FloatArray:
     return np.array([float(f"{value:.{digits}g}") for value in values.ravel().tolist()]).reshape(values.shape)
 
 
-def _rounded_deviation(piece: ParametricCurve, digits: int) -> float:
-    """Return how far the curve of the rounded numbers is from the true one."""
+def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
+    """Return how far the curve of the rounded numbers is from the true one at the same t."""
     t = _rounded(piece.parameters, digits)
     if not (np.diff(t) > 0).all():
         enough = (each for each in range(digits, 17) if (np.diff(_rounded(piece.parameters, each)) > 0).all())
@@ -228,23 +243,43 @@ def _rounded_deviation(piece: ParametricCurve, digits: int) -> float:
             rounded = piece.with_data(_rounded(piece.jets, digits), t)
         except CurveError as problem:
             raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
-        return measured(piece, rounded.evaluate)
+        is_same = np.array_equal(rounded.jets, piece.jets) and np.array_equal(t, piece.parameters)
+        return Deviation(0.0 if is_same else _largest_difference(piece, rounded))
     pieces = beziers_of(piece, 1.0)
     controls, ends = _rounded(pieces.control_points, digits), _rounded(pieces.parameters, digits)
-    return measured(piece, lambda at: bezier_values(controls, ends, at))
+    if np.array_equal(ends, pieces.parameters):
+        # Two pieces are nowhere farther apart than their control points.
+        away = float(vector_lengths(controls - pieces.control_points).max())
+        return Deviation(away + pieces.deviation, pieces.is_bound)
+    return Deviation(measured(piece, lambda at: bezier_values(controls, ends, at)), is_bound=False)
+
+
+def _largest_difference(piece: ParametricCurve, other: ParametricCurve) -> float:
+    """Return a bound of the distance of two polynomials of one degree on the domains of both."""
+    start, end = min(piece.domain[0], other.domain[0]), max(piece.domain[1], other.domain[1])
+    samples, margin = chebyshev_samples(len(piece.points) - 1)
+    t = start + (end - start) * samples
+    with np.errstate(all="ignore"):
+        away = vector_lengths(other.evaluate(t) - piece.evaluate(t)).max()
+        rounding = (np.abs(piece.basis(t)[:, :, 0]) @ vector_lengths(piece.points)).max()
+    bound = margin * float(away + _ROUNDINGS * rounding)
+    return bound if math.isfinite(bound) else math.inf
 
 
 # Pictures
 
 
-def _picture(lines: list[str], deviation: float, remarks: tuple[str, ...], package: str) -> Written:
-    return _file(["\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"], deviation, remarks, package)
+def _picture(lines: list[str], deviation: float, drawing: Drawing, package: str) -> Written:
+    whole = ["\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"]
+    return _file(whole, deviation, drawing.is_bound, drawing.left_out, package)
 
 
-def _file(lines: list[str], deviation: float, remarks: tuple[str, ...], package: str) -> Written:
+def _file(
+    lines: list[str], deviation: float, is_bound: bool, remarks: tuple[str, ...], package: str
+) -> Written:
     """Return lines below comments: how accurate they are, the package they need, what was left out."""
-    head = [accuracy(deviation), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
-    return Written("\n".join([*(f"% {line}" for line in head), *lines]) + "\n", deviation, remarks)
+    head = [accuracy(deviation, is_bound), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
+    return Written("\n".join([*(f"% {line}" for line in head), *lines]) + "\n", deviation, remarks, is_bound)
 
 
 def _path(

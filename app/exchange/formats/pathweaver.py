@@ -12,6 +12,8 @@ import re
 
 import numpy as np
 
+from curvecore.bezier.control_points import chebyshev_samples
+
 from ...document.model import Document
 from ...families import QUINTIC_HERMITE
 from ...tasks.progress import part, told
@@ -31,6 +33,7 @@ _TITLES = "X,Y,Tangent X,Tangent Y,Fixed Theta,Reversed,Name"
 _HEAD = re.compile(rb"(?i)(\xef\xbb\xbf)?\s*x\s*,\s*y\s*,\s*tangent x\s*,\s*tangent y\b")
 _LAYOUT = TextLayout(",", decimal_comma=False, header=True)
 _ROUNDING = 1e-14  # of the size
+_MOST_SAMPLED = 30  # degree up to which the deviation is a bound
 
 
 def read_path(data: bytes) -> Table:
@@ -83,13 +86,14 @@ def path_table(document: Document, options: Options = DEFAULT) -> Written:
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
     allowed = checked_tolerance(sources[:1], options.tolerance)
-    rows, deviation = list[str](), 0.0
+    rows, deviation, is_bound = list[str](), 0.0, True
     for source in told(sources, part(options.report, 0.5, 1.0), "Writing"):
         if rows:
             remarks = (*remarks, f"“{source.name}” was left out: a file of PathWeaver has one path.")
         else:
             rows, deviation = _rows_of(source, allowed)
-    return Written("\n".join([_TITLES, *rows]) + "\n", deviation, remarks)
+            is_bound = not deviation or (source.core.degree or math.inf) <= _MOST_SAMPLED
+    return Written("\n".join([_TITLES, *rows]) + "\n", deviation, remarks, is_bound)
 
 
 def _rows_of(source: Source, allowed: float) -> tuple[list[str], float]:
@@ -136,14 +140,11 @@ class _Path:
         a, b = points[:-1], points[1:]
         start, end = signs[:, None] * tangents[:-1] / 5, signs[:, None] * tangents[1:] / 5
         controls = np.stack([a, a + start, a + 2 * start, b - 2 * end, b - end, b], axis=1)
-        # Of polynomials of degree d the largest value is at most 1 / cos(π/8) of that at 4 d Chebyshev points
-        # (Ehlich & Zeller, Math. Z. 86 (1964) 41-44).
-        many = 4 * min(max(core.degree or 0, 5), 10)
-        nodes = (1 - np.cos(np.pi * (np.arange(many) + 0.5) / many)) / 2
+        nodes, margin = chebyshev_samples(min(max(core.degree or 0, 5), _MOST_SAMPLED))
         ends = np.union1d(grid, core.breaks)
         t = (ends[:-1, None] + np.diff(ends)[:, None] * nodes).ravel()
         away = np.hypot(*(bezier_values(controls, grid, t) - core.evaluate(t)).T)
-        self.deviation = float(away.max()) / math.cos(math.pi / 8)
+        self.deviation = float(away.max()) * margin
 
 
 FORMATS = (

@@ -99,7 +99,7 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
         for rows, missed in _samples_of(source.core, options, allowed, _LENGTH in chosen, away):
             deviation = max(deviation, missed)
             lines += [lead + separator.join(map(cell_of_number, row)) for row in rows[:, chosen].tolist()]
-    return Written("\n".join(lines) + "\n", deviation, remarks)
+    return Written("\n".join(lines) + "\n", deviation, remarks, is_bound=False)
 
 
 def _samples_of(

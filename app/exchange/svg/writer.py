@@ -17,7 +17,7 @@ from ..drawing.outlines import Outline
 from ..drawing.styles import PictureStyle
 from ..formats import Written
 from ..options import DEFAULT, Options
-from ..parts import rounded_up
+from ..parts import stated
 from ..rescaled import in_unit, shifted
 from ..units import css_length
 from .numbers import escaped, number
@@ -53,7 +53,8 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
         by = (-float(number(drawing.frame.left)), -float(number(drawing.frame.top)))
         drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
     curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
-    return Written(_text(drawing, curves, style, options), drawing.deviation, drawing.left_out)
+    text = _text(drawing, curves, style, options)
+    return Written(text, drawing.deviation, drawing.left_out, drawing.is_bound)
 
 
 def picture_of(
@@ -121,7 +122,7 @@ def accuracy_of(drawing: Drawing) -> str:
     """Return a sentence with the largest deviation of the drawing from the true curves."""
     missed = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
     return (
-        f"{MARK}: {rounded_up(drawing.deviation):g} "
+        f"{MARK}: {stated(drawing.deviation, drawing.is_bound)} "
         f"(tolerance {drawing.tolerance:g}{missed}), in the unit of the document."
     )
 

@@ -82,7 +82,7 @@ class SimplifyCommands:
         if self._session.change(what, lambda _: made.document):
             points = f"{count_of(made.before, 'point')} became {made.after}"
             within = f"{number(made.deviation, 2)} {self._session.document.unit}".rstrip()
-            self._session.say(f"{points}; nothing moved by more than {within}.")
+            self._session.say(f"{points}; nothing moved by more than about {within}.")
 
 
 def _with_views(

@@ -17,7 +17,7 @@ from ...document.edits import EditError
 from ...document.model import Document
 from ...document.shapes import counted_shapes
 from ...document.style import Style
-from ...document.words import count_of, listed, number
+from ...document.words import count_of, distance_words, listed
 from ...exchange import table
 from ...exchange.formats import ContentKind, file_filters
 from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
@@ -280,7 +280,7 @@ class ImportCommands:
         elif not central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
-        exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
+        exact = distance_words(deviation, "the file")
         what = f"{counted_shapes(curves)}, {count_of(count, 'point')}, {exact}" if count else "no curve"
         self._session.say(f"{done}: {what}. {rest}".rstrip())
 

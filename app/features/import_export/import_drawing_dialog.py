@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTree
 
 from ...document.model import Curve, Document
 from ...document.shapes import counted_shapes, shapes
-from ...document.words import count_of, number
+from ...document.words import count_of, distance_words
 from ...exchange.cubics_in import Imported
 from ...exchange.drawing.image import png_preview
 from ...exchange.drawing.styles import DARK, LIGHT
@@ -144,7 +144,7 @@ def _summary(found: Imported, taken: Imported) -> str:
     if not taken.has_curves:
         return "No curve."
     points = sum(len(curve.points) for curve in taken.document.curves)
-    exact = f"at most {number(taken.deviation, 2)} from the file" if taken.deviation else "exact"
+    exact = distance_words(taken.deviation, "the file")
     some = counted_shapes(taken.document.curves)
     if taken is not found:
         some = f"{some.split()[0]} of {counted_shapes(found.document.curves)}"

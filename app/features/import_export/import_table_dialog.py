@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from ...appearance.theme import theme_of
 from ...document.expression import ExpressionError, parse_number
-from ...document.words import count_of, number
+from ...document.words import count_of, distance_words, number
 from ...exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
 from ...exchange.table.curves import Missing
 from ...exchange.table.layout import TextLayout
@@ -332,5 +332,5 @@ def _summary(prepared: PreparedTable) -> str:
     result = f"{prepared.rows:,} rows → {count_of(prepared.points, 'point')}"
     result += f" in {count} curves" if count > 1 else ""
     if prepared.tolerance:
-        result += f", at most {number(prepared.deviation, 2)} from the rows"
+        result += f", {distance_words(prepared.deviation, 'the rows')}"
     return result

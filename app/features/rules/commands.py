@@ -264,7 +264,7 @@ def _outlook(session: Session, family: Family) -> Opened:
         return Opened(f"{text}Keeping the Shape", tip, found.refusal)
     within = number(found.within, 1)
     follow = f"Follow the curve, which does not consist of polynomials, with {family.a_curve}"
-    return Opened(f"{text}Within {within}", f"{follow}: it changes by {within} at most")
+    return Opened(f"{text}Within {within}", f"{follow}: it changes by about {within} at most")
 
 
 def _alpha_step(position: int) -> str:

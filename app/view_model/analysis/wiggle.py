@@ -156,7 +156,7 @@ def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ..
 def _swing_words(segment: tuple[int, int, int], swing: float, chord: float) -> str:
     between = f"Between points {segment[1]} and {segment[2]}"
     if swing <= _CALM * chord:
-        return f"{between} the curve is calm: it leaves their straight line by {short(swing)} at most."
+        return f"{between} the curve is calm: it leaves their straight line by about {short(swing)} at most."
     times = f", {short(swing / chord)} times their distance" if chord > 0 else ""
     return f"{between} the curve swings out by {short(swing)}{times}."
 
