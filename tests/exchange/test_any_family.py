@@ -177,6 +177,16 @@ def test_a_drawing_that_is_read_back_is_the_curve_within_both_deviations(
     assert to_line(line[::20], points) <= done.deviation + read.deviation + 1e-5
 
 
+def test_a_path_for_robots_is_the_curve_within_its_deviation(document, written):
+    path, done = written(".pathweaver.csv")
+    again = view_of(import_file(path).document.curves[0]).curve
+    count = again.domain[1]
+    t = np.union1d(np.linspace(0.0, count, 3001), np.arange(0.5, min(count, 2000)))
+    away = np.hypot(*(again.evaluate(t) - truth_of(document, 1.0 + 2.5 * t / count)).T)
+    # Where the deviation is rounding alone it is called exact.
+    assert away.max() <= done.deviation + 1e-12
+
+
 def test_rows_of_samples_are_the_curve_and_its_derivatives(document, written):
     path, done = written(".csv", own={"samples": 200})
     titles, *rows = (line.split(",") for line in path.read_text().splitlines())

@@ -105,8 +105,8 @@ def _rows_of(source: Source, allowed: float) -> tuple[list[str], float]:
             return path.rows, path.deviation if path.deviation > _ROUNDING * source.size else 0.0
         count *= 2
     raise ExchangeError(
-        f"“{source.name}” takes more than {MOST_WAYPOINTS:,} waypoints. Make its corners smooth, or choose a "
-        "larger tolerance."
+        f"“{source.name}” takes more than {MOST_WAYPOINTS:,} waypoints. Choose a larger tolerance, or make "
+        "it smoother: such a path has no corners."
     )
 
 
