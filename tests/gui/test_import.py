@@ -206,6 +206,21 @@ def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path
         assert [point.position for point in editor.curve.points] == [(0, 1), (2, 3)]
 
 
+@pytest.mark.usefixtures("drawings_read_here")
+def test_a_file_is_taken_for_what_it_holds(editor, tmp_path):
+    """PathWeaver's paths end as those of PathPlanner, and these may end as any JSON."""
+    rows = "X,Y,Tangent X,Tangent Y\n1,2,2,0\n4,3.5,1.5,1.5\n"
+    press(opened(editor, write(tmp_path / "left.path", rows)), "importTable")
+    editor.settle()
+    assert editor.status == "Imported left.path: 1 curve, 2 points, exact."
+    assert [point.velocity for point in editor.curve.points] == [(2, 0), (1.5, 1.5)]
+    first, second = '{"anchor":{"x":0,"y":0},"nextControl":{"x":1,"y":2}}', '{"anchor":{"x":3,"y":0},'
+    path = write(tmp_path / "far.json", f'{{"waypoints":[{first},{second}"prevControl":{{"x":2,"y":1}}}}]}}')
+    press(opened(editor, path, "importDrawingDialog"), "importDrawing")
+    editor.settle()
+    assert [point.velocity for point in editor.curve.points] == [(3, 6), (3, -3)]
+
+
 def test_as_a_new_document(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.txt", "0 0\n1 1\n2 4\n"))
     choose(dialog.into, "A new document")
