@@ -15,6 +15,7 @@ from curvecore.families.hermite import HermiteCurve
 from curvecore.families.records import Interpolant, JointDerivatives, Slopes
 from curvecore.families.setting import FamilySetting, SettingValue
 from curvecore.families.spline_system import SplineEnds, refined_bends, spline_derivatives, velocity_moves
+from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
 from curvecore.scaling import made_finite
 from curvecore.vectors import vector_lengths
 
@@ -25,6 +26,23 @@ class _Data(NamedTuple):
     points: FloatArray
     velocities: FloatArray
     bends: FloatArray
+
+
+class _Lines(TaylorPieces):
+    """c'' of a spline on its segments, by its values at both ends and by where these are.
+
+    An expansion would be less accurate where c'' is 0 between them: here a rounding of the length cancels.
+    """
+
+    __slots__ = ()
+
+    @staticmethod
+    def _values(numbers: FloatArray, t: FloatArray) -> FloatArray:
+        first, last, start, end = numbers
+        h = end - start
+        values: FloatArray = (end - t) / h * first
+        values += (t - start) / h * last
+        return values
 
 
 class CubicSplineCurve(ParametricCurve):
@@ -76,8 +94,8 @@ class CubicSplineCurve(ParametricCurve):
     [0.0]
     """
 
-    __slots__ = ("_bends", "_hermite", "_units")
-    _caches = ("_bends", "_hermite", "_units")
+    __slots__ = ("_bends", "_hermite", "_lines", "_units")
+    _caches = ("_bends", "_hermite", "_lines", "_units")
 
     name = "cubic_spline"
     title = "cubic spline"
@@ -99,6 +117,7 @@ class CubicSplineCurve(ParametricCurve):
 
     _hermite: HermiteCurve | None  # the same curve
     _bends: FloatArray | None  # c'' at the joints
+    _lines: dict[int, TaylorPieces] | None  # c'' and c''' on the segments
     _units: _Data | None  # of all basis functions
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> None:
@@ -128,14 +147,31 @@ class CubicSplineCurve(ParametricCurve):
         return curve
 
     def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
-        """Evaluate by the points and velocities what is as accurate by these."""
-        return self._pieces._evaluate_at_once(t, order) if type(order) is int and order < 2 else None
+        """Evaluate by the points and velocities what is as accurate by these, else by c''."""
+        if type(order) is int and order >= 2:
+            return self._evaluate_lines(t, order)
+        return self._pieces._evaluate_at_once(t, order)
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         if order < 2 and bool((self._outside(t) == 0).all()):
             return self._pieces._evaluate(t, order)
+        if order >= 2 and (found := self._evaluate_lines(t, order)) is not None:
+            return found
         jets = self._pieces.jets
         return self._summed(t, order, _Data(jets[:, 0], jets[:, 1], self._second))
+
+    def _evaluate_lines(self, t: FloatArray, order: int) -> FloatArray | None:
+        """Return c'' or c''' at unchecked t inside the domain, where there are enough of them."""
+        if not t.size or not self._pieces._are_worth_expansions(t):
+            return None
+        if self._lines is None:
+            self._lines = {}
+            joints, bends = self._parameters, self._second
+            slopes = taylor_pieces(joints[:-1], joints[1:], bends[:-1, None], bends[1:, None], 1)
+            if slopes is not None:
+                numbers = np.stack(np.broadcast_arrays(bends[:-1].T, bends[1:].T, joints[:-1], joints[1:]))
+                self._lines = {2: _Lines(slopes.intervals, numbers, slopes.domain), 3: slopes}
+        return self._lines[order].evaluate(t) if order in self._lines else None
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         if self._units is None:
@@ -266,5 +302,5 @@ class CubicSplineCurve(ParametricCurve):
                 "the derivative there exceeds the largest number",
                 (index,),
             )
-        self._bends = None
+        self._bends = self._lines = None
         self._hermite = HermiteCurve(self.points, velocities, self._parameters)

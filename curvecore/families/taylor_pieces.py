@@ -101,10 +101,22 @@ class TaylorPieces(NamedTuple):
             with np.errstate(under="ignore"):
                 return values(t)
 
+    @staticmethod
+    def _values(numbers: FloatArray, t: FloatArray) -> FloatArray:
+        """Return polynomials at parameters, (dim, m), by Horner's rule; the numbers are overwritten."""
+        value: FloatArray = numbers[0]
+        last = len(numbers) - 1
+        if last:
+            x = t - numbers[last]
+            for k in range(1, last):
+                value *= x
+                value += numbers[k]
+        return value
+
     def _few_values(self, t: FloatArray) -> FloatArray | None:
         if not t.item(t.argmin()) >= self.domain[0]:
             return None
-        return _polynomials(self.numbers.take(self.intervals.ends.searchsorted(t, "right"), 2), t).T
+        return self._values(self.numbers.take(self.intervals.ends.searchsorted(t, "right"), 2), t).T
 
     def _many_values(self, t: FloatArray) -> FloatArray | None:
         ascend = np.count_nonzero(t[1:] >= t[:-1]) == t.size - 1
@@ -112,11 +124,11 @@ class TaylorPieces(NamedTuple):
         if not (least >= self.domain[0] and most <= self.domain[1]):
             return None
         if t.size <= _CHUNK:
-            return _polynomials(self._gathered(t, ascend), t).T
+            return self._values(self._gathered(t, ascend), t).T
         result = np.empty((self.numbers.shape[1], t.size))
         for first in range(0, t.size, _CHUNK):
             some = slice(first, first + _CHUNK)
-            result[:, some] = _polynomials(self._gathered(t[some], ascend), t[some])
+            result[:, some] = self._values(self._gathered(t[some], ascend), t[some])
         return result.T
 
     def _gathered(self, t: FloatArray, ascend: bool) -> FloatArray:
@@ -131,18 +143,6 @@ class TaylorPieces(NamedTuple):
                 counts[1:] -= counts[:-1].copy()
                 return numbers.repeat(counts, 2)
         return self.numbers.take(self.intervals.find(t), 2)
-
-
-def _polynomials(numbers: FloatArray, t: FloatArray) -> FloatArray:
-    """Return polynomials at parameters, (dim, m), by Horner's rule; the numbers are overwritten."""
-    value: FloatArray = numbers[0]
-    last = len(numbers) - 1
-    if last:
-        x = t - numbers[last]
-        for k in range(1, last):
-            value *= x
-            value += numbers[k]
-    return value
 
 
 def taylor_pieces(

@@ -14,6 +14,7 @@ import pytest
 import targets
 
 from curvecore import (
+    CubicSplineCurve,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
@@ -219,6 +220,21 @@ def test_cubic_of_a_thousand_joints(compare, cubic, rng, ascend, order):
     ratio = 1.0 / compare(lambda: curve.evaluate(t, order), lambda: peer(t, order), 200)
     kind = "ascending" if ascend else "arbitrary"
     what = f"cubic, 1000 joints, derivative {order} at 10,000 {kind} t, over SciPy's"
+    assert targets.at_most(what, ratio, 1 if ascend else 0.5, "times")
+
+
+@pytest.mark.parametrize("order", [2, 3])
+@pytest.mark.parametrize("ascend", [True, False], ids=["ascending", "arbitrary"])
+def test_spline_of_a_thousand_joints(compare, cubic, rng, ascend, order):
+    """Up to the first derivative it is a cubic as above."""
+    curve, _, t = cubic(1000, 10_000)
+    if not ascend:
+        rng.shuffle(t)
+    spline = CubicSplineCurve(curve.points, curve.parameters)
+    peer = interpolate.CubicSpline(curve.parameters, curve.points, bc_type="natural")
+    ratio = 1.0 / compare(lambda: spline.evaluate(t, order), lambda: peer(t, order), 200)
+    kind = "ascending" if ascend else "arbitrary"
+    what = f"spline, 1000 joints, derivative {order} at 10,000 {kind} t, over SciPy's"
     assert targets.at_most(what, ratio, 1 if ascend else 0.5, "times")
 
 

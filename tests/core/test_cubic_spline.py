@@ -145,6 +145,25 @@ def test_scipy_agrees(rng, n, ends):
 
 
 @each_row("ends", ENDS)
+@each_row("order", [2, 3, 4])
+def test_many_parameters_at_once_change_nothing(rng, order, ends):
+    """A few at a time are summed from the data; c''' is then rounded once more for each end."""
+    t = np.cumsum(rng.random(301) ** 3 + 1e-3)
+    curve = CubicSplineCurve(rng.standard_normal((301, 2)), t, ends=ends)
+    at = rng.permutation(np.concatenate([rng.uniform(t[0], t[-1], 5000), t, np.nextafter(t[1:], t[0])]))
+    together = curve.evaluate(at, order)
+    parts = np.concatenate([curve.evaluate(each, order) for each in np.array_split(at, 50)])
+    bends = np.abs(curve.evaluate(t, 2))
+    segment = np.searchsorted(t[1:-1], at, side="right")
+    sizes = (bends[segment] + bends[segment + 1]) / np.diff(t)[segment, None]
+    assert (np.abs(together - parts) <= (order == 3) * 4.0 * U * sizes).all()
+    some = [*at[:3].tolist(), t[-1]]
+    assert (curve.evaluate(some * 2000, order) == curve.evaluate(np.array(some * 2000), order)).all()
+    beyond = np.append(at, t[-1] + 1.0)
+    assert (curve.evaluate(beyond, order)[:-1] == parts).all()
+
+
+@each_row("ends", ENDS)
 def test_it_is_the_hermite_curve_with_its_velocities(rng, ends):
     t = np.sort(rng.random(12))
     curve = CubicSplineCurve(rng.standard_normal((12, 3)), t, ends=ends)
