@@ -31,7 +31,8 @@ class _Data(NamedTuple):
 class _Lines(TaylorPieces):
     """c'' of a spline on its segments, by its values at both ends and by where these are.
 
-    An expansion would be less accurate where c'' is 0 between them: here a rounding of the length cancels.
+    An expansion would be less accurate where c'' is 0 between them: in this sum, the rounding of the length
+    is a factor of both terms.
     """
 
     __slots__ = ()
@@ -170,7 +171,7 @@ class CubicSplineCurve(ParametricCurve):
             slopes = taylor_pieces(joints[:-1], joints[1:], bends[:-1, None], bends[1:, None], 1)
             if slopes is not None:
                 numbers = np.stack(np.broadcast_arrays(bends[:-1].T, bends[1:].T, joints[:-1], joints[1:]))
-                self._lines = {2: _Lines(slopes.intervals, numbers, slopes.domain), 3: slopes}
+                self._lines = {2: _Lines.of(slopes.intervals, numbers, slopes.domain), 3: slopes}
         return self._lines[order].evaluate(t) if order in self._lines else None
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:

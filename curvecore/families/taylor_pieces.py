@@ -8,7 +8,7 @@ coefficients.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 import numpy as np
 
@@ -22,8 +22,9 @@ _CHUNK = 12_288  # parameters at a time, so that the working arrays stay in the 
 _SHORT = 2.0**-50  # segments shorter, or data smaller, by powers of these could leave the range
 _SMALL = 2.0**-500
 _FEW = 300  # parameters, of which it does not pay to ask whether they ascend
-_RUN = 4  # ascending parameters a piece, from which on it is the ends that are sought among them
-_INTERVALS = 2  # a piece, by which it is found
+_ENDS = 250  # ends that are sought among ascending parameters, rather than the piece of each parameter,
+_RUN = 11  # and parameters for every further end: to seek one takes as long as to find so many pieces
+_INTERVALS = 4  # a piece, by which it is found
 
 
 class PieceIntervals(NamedTuple):
@@ -78,19 +79,24 @@ class TaylorPieces(NamedTuple):
     numbers : ndarray, shape (K + 1, dim, k)
         Coefficients, the highest power first; then, unless there is but one, what is subtracted from t, for
         each coordinate again: arithmetic of NumPy's is the fastest of arrays of one shape.
+    rows : ndarray, shape (K + 1, k, dim)
+        The same numbers, of which those of all coordinates are gathered at once, in half the time.
     domain : tuple of float
         The beginning of the first and the end of the last piece.
     """
 
     intervals: PieceIntervals
     numbers: FloatArray
+    rows: FloatArray
     domain: tuple[float, float]
 
-    def evaluate(self, t: FloatArray) -> FloatArray | None:
-        """Return the values at parameters, (m, dim), m > 0; None where some are not inside the domain.
+    @classmethod
+    def of(cls, intervals: PieceIntervals, numbers: FloatArray, domain: tuple[float, float]) -> Self:
+        """Return the pieces with these numbers."""
+        return cls(intervals, numbers, np.ascontiguousarray(numbers.swapaxes(1, 2)), domain)
 
-        In memory one coordinate follows the other.
-        """
+    def evaluate(self, t: FloatArray) -> FloatArray | None:
+        """Return the values at parameters, (m, dim), m > 0; None where some are not inside the domain."""
         values = self._few_values if t.size <= _FEW else self._many_values
         try:
             return values(t)
@@ -103,11 +109,12 @@ class TaylorPieces(NamedTuple):
 
     @staticmethod
     def _values(numbers: FloatArray, t: FloatArray) -> FloatArray:
-        """Return polynomials at parameters, (dim, m), by Horner's rule; the numbers are overwritten."""
+        """Return polynomials by Horner's rule, shaped as ``numbers[0]``; the numbers are overwritten."""
         value: FloatArray = numbers[0]
         last = len(numbers) - 1
         if last:
-            x = t - numbers[last]
+            x = numbers[last]
+            np.subtract(t, x, x)
             for k in range(1, last):
                 value *= x
                 value += numbers[k]
@@ -124,25 +131,28 @@ class TaylorPieces(NamedTuple):
         if not (least >= self.domain[0] and most <= self.domain[1]):
             return None
         if t.size <= _CHUNK:
-            return self._values(self._gathered(t, ascend), t).T
-        result = np.empty((self.numbers.shape[1], t.size))
+            return self._values_inside(t, ascend)
+        result = np.empty((self.numbers.shape[1], t.size)).T
         for first in range(0, t.size, _CHUNK):
             some = slice(first, first + _CHUNK)
-            result[:, some] = self._values(self._gathered(t[some], ascend), t[some])
-        return result.T
+            result[some] = self._values_inside(t[some], ascend)
+        return result
 
-    def _gathered(self, t: FloatArray, ascend: bool) -> FloatArray:
-        """Return the numbers of the pieces that hold parameters, (K + 1, dim, m)."""
+    def _values_inside(self, t: FloatArray, ascend: bool) -> FloatArray:
+        """Return the values at parameters inside the domain, (m, dim)."""
         if ascend:
             ends, numbers = self.intervals.ends, self.numbers
-            if t.size < _RUN * len(ends):
+            most = _ENDS + t.size // _RUN
+            if len(ends) > most:
                 first, last = (int(ends.searchsorted(end, "right")) for end in (t.item(0), t.item(-1)))
                 ends, numbers = ends[first : last + 1], numbers[:, :, first : last + 1]
-            if t.size >= _RUN * len(ends):
+            if len(ends) <= most:
                 counts = t.searchsorted(ends)
                 counts[1:] -= counts[:-1].copy()
-                return numbers.repeat(counts, 2)
-        return self.numbers.take(self.intervals.find(t), 2)
+                return self._values(numbers.repeat(counts, 2), t).T
+        rows = self.rows.take(self.intervals.find(t), 1)
+        # Of the shape of the numbers, again: a single column would make loops of the length dim.
+        return self._values(rows, np.concatenate([t[:, None]] * rows.shape[2], axis=1))
 
 
 def taylor_pieces(
@@ -187,7 +197,7 @@ def taylor_pieces(
     numbers[:powers] = coefficients[::-1].swapaxes(2, 3)
     numbers[powers:] = origins.T
     domain = float(starts[0]), float(ends[-1])
-    return TaylorPieces(intervals, numbers.reshape(len(numbers), dim, origins.size), domain)
+    return TaylorPieces.of(intervals, numbers.reshape(len(numbers), dim, origins.size), domain)
 
 
 def _in_range(h: FloatArray, data: FloatArray) -> bool:
