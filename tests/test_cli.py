@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PIL import Image
@@ -18,7 +19,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from app import __version__
 from app.cli import main
 from app.cli.windows import open_windows
-from app.document.model import Document, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.document.style import Style
 from app.families import FAMILIES
 from app.storage.files import load, save
@@ -203,7 +204,60 @@ def test_info_of_a_sketch_just_begun(tmp_path, capsys):
     assert text.startswith("two lines  [31m\n")
     assert "warning          A curve needs at least two points." in text
     assert main(["info", "--json", str(path)]) == 0
-    assert json.loads(capsys.readouterr().out)["curves"][0]["length"] is None
+    (begun, _) = json.loads(capsys.readouterr().out)["curves"]
+    assert begun["length"] is begun["lebesgue_constant"] is None
+    assert set(begun["missing"].values()) == {"A curve needs at least two points."}
+
+
+MANUAL = Parametrization(ParametrizationKind.MANUAL)
+
+
+def test_info_of_many_points_has_the_length_and_the_constant_or_says_why_not(tmp_path, capsys):
+    """Both were left out above 500 points, without a word."""
+    angle = 3.0 - 3.0 * np.cos(np.linspace(0.0, np.pi, 600))
+    rule = Parametrization(ParametrizationKind.CHEBYSHEV)
+    calm = replace(make_curve(np.column_stack([np.cos(angle), np.sin(angle)])), parametrization=rule)
+    wild = replace(make_curve([(1.0, (-1.0) ** i) for i in range(41)]), parametrization=MANUAL)
+    at = [i * 1e-12 for i in range(40)] + [1e12]
+    wild = replace(wild, points=tuple(replace(p, t=t) for p, t in zip(wild.points, at, strict=True)))
+    save(path := tmp_path / "many.curve.json", Document((calm, wild)))
+    assert main(["info", "--json", str(path)]) == 0
+    calm, wild = json.loads(capsys.readouterr().out)["curves"]
+    # An arc of radius 1; of n Chebyshev points of the second kind Λ is (2/π)(ln(n-1) + γ + ln(8/π)) nearly.
+    assert abs(calm["length"]["about"] - 6.0) <= calm["length"]["error"] + 1e-13
+    bound = 2.0 / np.pi * (np.log(599) + np.euler_gamma + np.log(8.0 / np.pi))
+    assert calm["lebesgue_constant"]["points"] == pytest.approx(bound, abs=1e-3)
+    assert calm["missing"] == {}
+    # The products of 39 factors (t - t_j) / (t_i - t_j) reach some (10²⁴)³⁹.
+    assert wild["length"] is None
+    assert wild["lebesgue_constant"] == {"data": None, "points": None}
+    assert wild["missing"] == dict.fromkeys(("length", "lebesgue_constant"), "beyond all numbers")
+    assert main(["info", str(path)]) == 0
+    rows = capsys.readouterr().out.splitlines()
+    assert [row.split("  ")[-1].strip() for row in rows if "length   " in row or "Λ (" in row][2:] == [
+        "beyond all numbers"
+    ] * 2
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "text"),
+    [
+        (1e6, 1e6 + 1, "1000000 to 1000001"),
+        (1e6, 1e6 + 1 / 3, "1000000 to 1000000.333"),
+        (-1.0, 1e-9, "-1 to 1e-09"),
+        (0.1, 0.1 + 2.0**-56, "0.10000000000000001 to 0.10000000000000002"),
+        (1e9 + 0.25, 1e9 + 0.5, "1000000000.25 to 1000000000.5"),
+    ],
+)
+def test_info_tells_the_ends_of_the_domain_apart(tmp_path, capsys, start, end, text):
+    """It said "domain 1e+06 to 1e+06"."""
+    rule = Parametrization(ParametrizationKind.UNIFORM, start=start, end=end)
+    curve = replace(make_curve([(1e6, 0.0), (1e6 + 1.0, 1.0)]), parametrization=rule)
+    save(path := tmp_path / "far.curve.json", Document((curve,)))
+    assert main(["info", str(path)]) == 0
+    said = capsys.readouterr().out
+    assert f"domain           {text}\n" in said
+    assert "x 1000000 to 1000001, y 0 to 1" in said
 
 
 @pytest.mark.usefixtures("drawings_read_here")

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import asdict
 
+from curvecore.scaling import LARGEST
+
 from ..document.style import NO_PAINT, Style
-from ..document.words import rounded_up
+from ..document.words import digits_of_range, rounded_up
 from ..view_model.basis.basis_findings import digits_in_words
 from .refusals import one_line
 
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
 _EDGES = ("left", "bottom", "right", "top")
 """Of the box of a curve."""
+
+_BEYOND = "beyond all numbers"
 
 
 def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
@@ -42,6 +45,7 @@ def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
         "style": asdict(facts.style),
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
+        "missing": _missing(facts),
         "lebesgue_constant": _finite_only(facts.lebesgue_constant),
         "length": length,
         "box": box,
@@ -64,9 +68,8 @@ def facts_as_text(facts: CurveFacts, unit: str) -> str:
         rows.append(("derivatives", f"differences, {digits_in_words(facts.difference_digits)}"))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:
-        rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
-    if facts.length is not None:
-        rows.append(("length", _length_text(*facts.length)))
+        rows.append(("domain", _range_text(*facts.domain)))
+        rows.append(("length", _length_text(*facts.length) if facts.length else _BEYOND))
     if facts.lebesgue_constant is not None:
         rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
@@ -85,17 +88,34 @@ def _edges_text(low: float, high: float) -> str:
     """Return two edges of a box; what is no more than rounding beside the larger of them is 0."""
     noise = sys.float_info.epsilon * max(abs(low), abs(high))
     low, high = (0.0 if abs(edge) <= noise else edge for edge in (low, high))
-    return f"{low:.6g} to {high:.6g}"
+    return _range_text(low, high) if high - low > 4.0 * noise else f"{low:.6g} to {high:.6g}"
+
+
+def _range_text(low: float, high: float) -> str:
+    """Return two numbers with as many digits as tell them apart."""
+    digits = digits_of_range(low, high)
+    return f"{low:.{digits}g} to {high:.{digits}g}"
+
+
+def _missing(facts: CurveFacts) -> dict[str, str]:
+    """Return why a length or a constant is not known, by their names."""
+    if facts.domain is None:
+        return dict.fromkeys(("length", "lebesgue_constant"), facts.warnings[0])
+    growth = facts.lebesgue_constant
+    is_missing = {"length": not facts.length, "lebesgue_constant": growth and max(growth) >= LARGEST}
+    return {name: _BEYOND for name, missing in is_missing.items() if missing}
 
 
 def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:
     """Return the constants by name; null stands for one beyond all floats."""
     if growth is None:
         return None
-    return {name: value if math.isfinite(value) else None for name, value in growth._asdict().items()}
+    return {name: value if value < LARGEST else None for name, value in growth._asdict().items()}
 
 
 def _growth_text(growth: Growth) -> str:
+    if growth.points >= LARGEST:
+        return _BEYOND
     if growth.data == growth.points:
         return f"{growth.points:.3g}"
     return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"

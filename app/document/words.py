@@ -44,6 +44,16 @@ def rounded_up(value: float, digits: int) -> float:
     return float(Context(prec=digits, rounding=ROUND_UP).create_decimal_from_float(value))
 
 
+def digits_of_range(low: float, high: float, least: int = 6) -> int:
+    """Return how many significant digits tell two numbers and their distance, `least` of them at least."""
+    enough = (
+        digits
+        for digits in range(least, 17)
+        if abs(float(f"{high:.{digits}g}") - float(f"{low:.{digits}g}") - (high - low)) <= 0.01 * (high - low)
+    )
+    return next(enough, 17)
+
+
 def distance_words(value: float, other: str, *, is_bound: bool = True) -> str:
     """Say how far something is from another thing: at most where that is certain, else about."""
     if not value:

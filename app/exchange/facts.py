@@ -30,8 +30,6 @@ LENGTH_TOLERANCE = 1e-9
 AMPLIFICATION_WORTH_A_WORD = 100.0
 """Lebesgue constant from which the growth of errors is mentioned."""
 
-_MOST_POINTS_EXAMINED = 500
-
 _POINTS_AT_ONCE = 2000
 """Points of the curves that are worked on together: some megabytes."""
 
@@ -84,10 +82,9 @@ class CurveFacts:
     domain
         First and last parameter.
     length
-        Arc length over the domain, with a bound of its error. None too where it is beyond all floats, and
-        for Lagrange curves of so many points that it would take long.
+        Arc length over the domain, with a bound of its error. None too where it is beyond all floats.
     lebesgue_constant
-        How errors grow; None too for Lagrange curves of so many points that it would take minutes.
+        How errors grow; at `LARGEST` or beyond, beyond all floats.
     box
         Left, bottom, right and top edge of the curve.
     warnings
@@ -174,20 +171,19 @@ def _shape_of(curve: Curve) -> _Shape | str:
 def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> Iterator[CurveFacts]:
     """Yield the facts about curves; what takes many calls is computed of all of them together."""
     good = {index: shape for index, shape in enumerate(shapes) if not isinstance(shape, str)}
-    quick = {index: shape for index, shape in good.items() if not _is_slow(shape.core)}
     found = bounding_boxes([each.core for each in good.values()], [each.pieces for each in good.values()])
     boxes = dict(zip(good, found, strict=True))
-    totals = lengths_of([each.pieces for each in quick.values()], LENGTH_TOLERANCE)
-    lengths = dict(zip(quick, totals, strict=True))
-    growths = dict(zip(quick, _growths([each.view for each in quick.values()]), strict=True))
+    totals = lengths_of([each.pieces for each in good.values()], LENGTH_TOLERANCE)
+    lengths = dict(zip(good, totals, strict=True))
+    growths = dict(zip(good, _growths([each.view for each in good.values()]), strict=True))
     for index, (curve, shape) in enumerate(zip(curves, shapes, strict=True)):
         if isinstance(shape, str):
             yield replace(_facts_of_points(curve), warnings=(shape,))
         else:
-            yield _facts_with_curve(shape, boxes[index], lengths.get(index), growths.get(index))
+            yield _facts_with_curve(shape, boxes[index], lengths[index], growths[index])
 
 
-def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth: Growth | None) -> CurveFacts:
+def _facts_with_curve(shape: _Shape, around: Box, length: Length, growth: Growth) -> CurveFacts:
     curve, core = shape.curve, shape.core
     box, warnings = _edges(curve, around)
     return replace(
@@ -197,7 +193,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth:
         difference_digits=core.pieces[0].difference_digits,
         pieces=len(core.breaks) - 1,
         domain=core.domain,
-        length=length if length is not None and length.value < LARGEST else None,
+        length=length if length.value < LARGEST else None,
         lebesgue_constant=growth,
         box=box,
         warnings=(*warnings, *_amplification(growth)),
@@ -242,14 +238,9 @@ def _growths(views: Sequence[CurveView]) -> list[Growth]:
     ]
 
 
-def _is_slow(core: ParametricCurve) -> bool:
-    """Whether each of the many evaluations that a fact takes is itself a long sum."""
-    return not core.is_local and len(core.points) > _MOST_POINTS_EXAMINED
-
-
-def _amplification(growth: Growth | None) -> tuple[str, ...]:
+def _amplification(growth: Growth) -> tuple[str, ...]:
     """Return a warning if small errors in the points grow along the curve."""
-    if growth is None or growth.points < AMPLIFICATION_WORTH_A_WORD:
+    if growth.points < AMPLIFICATION_WORTH_A_WORD:
         return ()
     times = f"up to {growth.points:.2g}-fold" if growth.points < LARGEST else "beyond all bounds"
     return (f"Errors in the points grow {times} along the curve (Lebesgue constant).",)

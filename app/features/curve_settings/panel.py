@@ -15,7 +15,7 @@ from ...document import edits
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.model import Document
 from ...document.selection import NONE_CHOSEN
-from ...document.words import count_of, number
+from ...document.words import count_of, digits_of_range, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
 from ...view_model.curve.curve_view import CurveView, ParametricCurve
@@ -24,7 +24,7 @@ from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import choice_box
 from ...widgets.field_edit import FieldEdit, NumberEdit
 from ...widgets.field_form import FieldForm
-from ...widgets.number_text import decimal_mark, telling_digits
+from ...widgets.number_text import decimal_mark
 from ...widgets.tool_buttons import ICON, tool_button
 from .setting_fields import SettingFields, step_of
 
@@ -132,7 +132,7 @@ class CurveSettings(FieldForm):
         interval = edits.interval(curve)
         self.name_edit.show_text(curve.name)
         for edit, value in zip((self.start_edit, self.end_edit), interval, strict=True):
-            edit.show_number(value, _digits_of(interval))
+            edit.show_number(value, digits_of_range(*interval))
         self.settings.render_view(view)
         for each, box in self.rule_boxes.items():
             rule = getattr(curve, each.rule_field)
@@ -202,16 +202,10 @@ def _facts(view: CurveView) -> str:
     if view.is_current and view.curve is not None:
         facts += [*_kind_facts(view.curve), *_shape_facts(view)]
         domain = view.curve.domain
-        start, end = (number(t, _digits_of(domain), decimal_mark()) for t in domain)
+        start, end = (number(t, digits_of_range(*domain), decimal_mark()) for t in domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
-
-
-def _digits_of(interval: tuple[float, float]) -> int:
-    """Return how many digits tell both ends apart, six at least."""
-    start, end = interval
-    return min(max(telling_digits(end - start, max(abs(start), abs(end))), 6), 15)
 
 
 def _kind_facts(curve: ParametricCurve) -> list[str]:
