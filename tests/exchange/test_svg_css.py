@@ -156,6 +156,16 @@ def test_lengths_that_are_not_computed_are_told():
     assert found.remarks == ("2 shapes with lengths of unknown size left out: a and b.",)
 
 
+@each_row("width", ["2vw", "calc(1px + 1em)", "var(--w)", "2%"])
+def test_a_stroke_of_unknown_width_is_told(width):
+    """It was lost without a word."""
+    line = f'<path id="a" d="M0 0L2 2" stroke="red" style="stroke-width:{width}" transform="scale(3)"/>'
+    found = read(line, "")
+    (curve,) = found.document.curves
+    assert curve.style.width == pytest.approx(3)
+    assert found.remarks == ("1 stroke of unknown width came with a width of 1: a.",)
+
+
 def test_places_that_are_not_computed_are_told():
     line = '<path id="a" d="M0 0L2 2"/>'
     found = read(

@@ -23,6 +23,7 @@ _LENGTHS = ("stroke-width", "stroke-dasharray", "stroke-dashoffset")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _COVERED = Flaw("paint order", "not applied")
 _TRANSPARENT = Flaw("shape", "came with the opacity on fill and stroke separately")
+_UNKNOWN_WIDTH = Flaw("stroke", "of unknown width came with a width of 1")
 _MARKED = Flaw("shape", "came without markers")
 _Kind = TypeVar("_Kind", bound=Enum)
 
@@ -94,10 +95,13 @@ def style_of(
     values = properties.values
     current = values["color"]
     stroke, fill = (paints.paint(values[name], current) for name in ("stroke", "fill"))
-    width = _length(values, "stroke-width", viewport) * scale
+    user_width = _length(values, "stroke-width", viewport)
+    width = (1.0 if user_width is None else user_width) * scale
     if not 0 < width <= MAX_MAGNITUDE:
         stroke = Paint("none")
     flaws = [each.flaw for each in (fill, stroke) if each.flaw is not None]
+    if user_width is None and stroke.colour != "none":
+        flaws.append(_UNKNOWN_WIDTH)
     if any(values[name].lower() != "none" for name in _MARKERS):
         flaws.append(_MARKED)
     is_both = "none" not in (fill.colour, stroke.colour)
@@ -121,7 +125,7 @@ def _with_stroke(
 ) -> Style:
     values = properties.values
     dash = tuple(each * scale / width for each in _dashes(values["stroke-dasharray"], viewport))
-    offset = _length(values, "stroke-dashoffset", viewport) * scale / width if dash else 0.0
+    offset = (_length(values, "stroke-dashoffset", viewport) or 0.0) * scale / width if dash else 0.0
     if max((abs(each) for each in (*dash, offset)), default=0.0) > MAX_MAGNITUDE:
         dash, offset = (), 0.0
     return replace(
@@ -141,9 +145,9 @@ def _has_fill_above(text: str) -> bool:
     return next((word for word in text.lower().split() if word in _PAINTS), "fill") == "stroke"
 
 
-def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float:
+def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float | None:
     try:
-        return viewport.length(values[name]) or 0.0
+        return viewport.length(values[name])
     except ExchangeError:
         # As CSS has it: what is no length does not stand there.
         return float(INHERITED[name])
