@@ -399,3 +399,20 @@ def test_a_box_of_what_uses_itself():
     found = read(style + '<g id="a"><path d="M3 5L4 6"/><use id="b" href="#a" x="9"/></g>')
     assert [box(curve) for curve in found.document.curves] == [(3, 5, 5, 7)]
     assert found.remarks == ("1 circular reference left out: b.",)
+
+
+@each_row(
+    "attributes",
+    [
+        'transform="rotate({commas})"',
+        'transform="rotate(1{blanks}a)"',
+        'stroke-dasharray="{digits}"',
+        'style="font:1{letters}"',
+        'font-size="1{blanks}x"',
+    ],
+)
+def test_long_values_are_read_in_one_pass(attributes):
+    """Each of these took 4 s or more for a tenth of its length, and quadratically more."""
+    many = 200_000
+    long = {"commas": "," * many, "blanks": " " * many, "digits": "1" * many, "letters": "e" * many}
+    assert placed(f'<path d="M1 2H3" {attributes.format(**long)}/>') == [[(1, 2), (3, 2)]]

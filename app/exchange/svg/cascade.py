@@ -18,7 +18,7 @@ import tinycss2
 from tinycss2.ast import FunctionBlock, IdentToken, StringToken
 
 from ..errors import ExchangeError, Flaw, Missed
-from .lengths import with_unit
+from .lengths import NUMBER, with_unit
 from .xml_tree import tag_of
 
 INHERITED = {
@@ -78,7 +78,7 @@ _READ = frozenset((*_KNOWN, *_GEOMETRY, *_MOVES))
 _ATTRIBUTES = _KNOWN - {"transform-box"}
 _INITIAL = ("none", "initial", "unset", "revert", "revert-layer")
 _FONT_SIZE = re.compile(
-    r"(?:^|\s)([-+]?[.\d][-+.\de]*(?:[a-z]+|%)|(?:xx?-|xxx-)?(?:small|large)|medium|smaller|larger)[\s/]",
+    rf"(?:^|\s)({NUMBER}(?:[a-z]+|%)|(?:xx?-|xxx-)?(?:small|large)|medium|smaller|larger)[\s/]",
     re.IGNORECASE,
 )
 """The size that a `font` says: no other part of it has a unit."""

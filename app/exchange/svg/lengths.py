@@ -16,8 +16,8 @@ from ..errors import ExchangeError
 NUMBER = r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 """Regular expression of a number."""
 
-_LENGTH = re.compile(rf"\s*({NUMBER})\s*(px|in|cm|mm|pt|pc|q|em|ex|ch|rem|%)?\s*", re.IGNORECASE)
-_IN_FONTS = re.compile(rf"{NUMBER}(?:em|ex|ch|rem)\b", re.IGNORECASE)
+_LENGTH = re.compile(rf"({NUMBER})\s*(px|in|cm|mm|pt|pc|q|em|ex|ch|rem|%)?", re.IGNORECASE)
+_IN_FONTS = re.compile(rf"(?<![\w.]){NUMBER}(?:em|ex|ch|rem)\b", re.IGNORECASE)
 _PIXELS = {"": 1.0, "q": 96 / 101.6} | {
     unit: MILLIMETRES[unit] / MILLIMETRES["px"] for unit in ("px", "in", "cm", "mm", "pt", "pc")
 }
@@ -101,7 +101,7 @@ def length(text: str, of: float | None = None, em: float | None = None, rem: flo
     """
     if text.strip().lower().endswith(_UNKNOWN):
         return None
-    match = _LENGTH.fullmatch(text)
+    match = _LENGTH.fullmatch(text.strip())
     if match is None or not math.isfinite(float(match[1])):
         raise ExchangeError(f"“{text[:20]}” is not a length.")
     value, unit = float(match[1]), (match[2] or "").lower()
@@ -124,7 +124,7 @@ def with_unit(text: str, em: float) -> tuple[float, str] | None:
     em
         The font size of the root: lengths in units of its font are pixels.
     """
-    match = _LENGTH.fullmatch(text)
+    match = _LENGTH.fullmatch(text.strip())
     if match is None or (match[2] or "").lower() == "%":
         return None
     value, unit = float(match[1]), (match[2] or "px").lower()

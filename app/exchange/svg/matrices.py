@@ -19,7 +19,7 @@ from .lengths import NUMBER, Viewport
 
 _REST = re.compile(r"[ \t\r\n,]*\Z")
 _CALL = re.compile(r"[\s,]*([A-Za-z]+(?:3[dD])?)\s*\(([^()]*)\)")
-_ARGUMENT = re.compile(rf"[\s,]*({NUMBER})(%|[a-z]*)", re.IGNORECASE)
+_ARGUMENT = re.compile(rf"({NUMBER})(%|[a-z]*)", re.IGNORECASE)
 _DEGREES = {"": 1.0, "deg": 1.0, "grad": 0.9, "rad": 180 / pi, "turn": 360.0}
 _KEYWORDS = {"left": "0", "top": "0", "center": "50%", "right": "100%", "bottom": "100%"}
 _NO_BOX = Viewport()
