@@ -29,7 +29,7 @@ class _Data(NamedTuple):
 
 
 class _Lines(TaylorPieces):
-    """c'' of a spline on its segments, by its values at both ends and by where these are.
+    """c'' of a spline on its segments: its values at the end and the start of each; then the start, the end.
 
     An expansion would be less accurate where c'' is 0 between them: in this sum, the rounding of the length
     is a factor of both terms.
@@ -39,10 +39,12 @@ class _Lines(TaylorPieces):
 
     @staticmethod
     def _values(numbers: FloatArray, t: FloatArray) -> FloatArray:
-        first, last, start, end = numbers
-        h = end - start
-        values: FloatArray = (end - t) / h * first
-        values += (t - start) / h * last
+        bends, joints = numbers[:2], numbers[2:]
+        h = joints[1] - joints[0]
+        joints -= t
+        joints /= h
+        joints *= bends
+        values: FloatArray = joints[1] - joints[0]
         return values
 
 
@@ -170,7 +172,7 @@ class CubicSplineCurve(ParametricCurve):
             joints, bends = self._parameters, self._second
             slopes = taylor_pieces(joints[:-1], joints[1:], bends[:-1, None], bends[1:, None], 1)
             if slopes is not None:
-                numbers = np.stack(np.broadcast_arrays(bends[:-1].T, bends[1:].T, joints[:-1], joints[1:]))
+                numbers = np.stack(np.broadcast_arrays(bends[1:].T, bends[:-1].T, joints[:-1], joints[1:]))
                 self._lines = {2: _Lines.of(slopes.intervals, numbers, slopes.domain), 3: slopes}
         return self._lines[order].evaluate(t) if order in self._lines else None
 
