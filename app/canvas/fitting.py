@@ -14,6 +14,7 @@ from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
 from ..view_model.curve.curve_view import CurveView
+from ..view_model.geometry.stroked import around_dot
 
 if TYPE_CHECKING:
     from .scene import CanvasScene
@@ -173,13 +174,20 @@ class Framing:
             self._camera.pan(dx, dy)
 
 
+def _extent(view: CurveView) -> FloatArray:
+    """Return the boxes of the points and of the curve, (2, 2, 2), or twice that of the dot that it is."""
+    extent = view.extent
+    is_dot = (extent == extent[0, 0]).all()
+    return np.stack([around_dot(extent[0, 0], view.source.style)] * 2) if is_dot else extent
+
+
 def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     """Return the boxes to show, (k, 2, 2), and of each how large what it shows counts, (k,).
 
     They are those of the curves, and at most three times as large as their points.
     One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
     """
-    extents = np.array([view.extent for view in views if len(view.points)]).reshape(-1, 2, 2, 2)
+    extents = np.array([_extent(view) for view in views if len(view.points)]).reshape(-1, 2, 2, 2)
     points, curves = extents[:, 0], extents[:, 1]
     size = np.ptp(points, axis=1).max(axis=1)
     low = np.maximum(curves[:, 0], points[:, 0] - size[:, None])

@@ -17,7 +17,7 @@ from ..plotting.drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
 from ..plotting.pixel_map import PixelMap
 from ..plotting.rings import ring_within
 from ..plotting.wide_line import RoundLine
-from ..qt.strokes import FILL_RULES, overhang_of, pen_of, with_opacity
+from ..qt.strokes import FILL_RULES, dot_at, overhang_of, pen_of, with_opacity
 from ..view_model.curve.curve_view import CurveView
 from .looks import line_of, line_width
 
@@ -42,6 +42,11 @@ class _Part(NamedTuple):
 
     points: FloatArray
     is_closed: bool
+
+    @property
+    def is_dot(self) -> bool:
+        """Whether it is of no length."""
+        return bool((self.points[0] == self.points[-1]).all() and (self.points == self.points[0]).all())
 
 
 def paint_shape(
@@ -71,7 +76,8 @@ def paint_shape(
         painter.fillPath(area, with_opacity(fill_colour(style.fill, theme), style.fill_opacity))
     if (width := line_width(style, shown, usual)) > 0:
         pen = _pen(style, curve_colour(style.stroke, theme), min(width, _WIDEST))
-        _stroke(painter, parts, style, pen, shown, line)
+        _stroke(painter, [part for part in parts if not part.is_dot], style, pen, shown, line)
+        _paint_dots(painter, [part for part in parts if part.is_dot], style, pen, shown)
 
 
 def _area(parts: Sequence[_Part], shown: PixelMap) -> QPainterPath:
@@ -83,6 +89,14 @@ def _area(parts: Sequence[_Part], shown: PixelMap) -> QPainterPath:
             area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
             area.closeSubpath()
     return area
+
+
+def _paint_dots(painter: QPainter, parts: Sequence[_Part], style: Style, pen: QPen, shown: PixelMap) -> None:
+    reach = MARGIN + pen.widthF()
+    for part in parts:
+        x, y = shown.points(part.points[:1])[0].tolist()
+        if -reach <= x <= shown.width + reach and -reach <= y <= shown.height + reach:
+            painter.fillPath(dot_at(x, y, style, pen.widthF()), pen.color())
 
 
 def _stroke(

@@ -94,6 +94,11 @@ class Style(Value, frozen=True):
         return self.fill != NO_PAINT
 
     @property
+    def has_caps(self) -> bool:
+        """Whether the ends of a line are seen: one of no length is a dot then."""
+        return self.has_stroke and self.cap is not LineCap.BUTT
+
+    @property
     def dashes_and_gaps(self) -> tuple[float, ...]:
         """The dashes as they are drawn, an even number: of an odd one, dashes and gaps change their roles."""
         return self.dash if len(self.dash) % 2 == 0 else self.dash * 2

@@ -148,6 +148,8 @@ class ImportedPath:
         Largest distance from what the file describes.
     letters
         Of what kind its points are meant to be; see ``node_types``.
+    has_dots
+        Whether it is a dot where it has no length.
     """
 
     name: str
@@ -156,6 +158,7 @@ class ImportedPath:
     closed: bool
     deviation: float = 0.0
     letters: str = ""
+    has_dots: bool = False
 
 
 @dataclass(frozen=True)
@@ -189,6 +192,9 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], missed: Missed) -> Imp
             missed.note(flaw, number, path.name)
             continue
         pieces = without_roundings(path.pieces, closed=path.closed)
+        if len(pieces) == 0 and path.has_dots:
+            curves.append(_dot(path))
+            continue
         if len(pieces) == 0:
             missed.note(SINGLE_POINT, number, path.name)
             continue
@@ -249,6 +255,13 @@ def put_end(piece: FloatArray, end: FloatArray) -> None:
     piece[1] = piece[0] if (piece[1] == piece[0]).all() else first
     piece[2] = end if (piece[2] == piece[3]).all() else second
     piece[3] = end
+
+
+def _dot(path: ImportedPath) -> Curve:
+    """Return a curve of no length, with both of its points at one place: its caps are seen."""
+    x, y = path.pieces[0, 0].tolist()
+    points = tuple(Point(x, y, t, (0.0, 0.0)) for t in (0.0, 1.0))
+    return _made(replace(path, closed=False), Parametrization(ParametrizationKind.MANUAL), points)
 
 
 def _through(path: PointsAlone) -> Curve:

@@ -20,6 +20,7 @@ from ..tasks.progress import Report, silent
 from ..view_model.basis.growth import growth_of_data, growths_of_points
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..view_model.geometry.arc_lengths import lengths_of
+from ..view_model.geometry.stroked import around_dot
 from .drawing.drawing import refuse_wild, too_much
 from .drawing.frames import frame_around
 from .errors import ExchangeError
@@ -223,7 +224,9 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
     corners = np.array([box.minimum, box.maximum])
     try:
         refuse_wild(curve, corners)
-        frame_around([corners])
+        # A curve of no length is drawn as a dot, where it is.
+        is_dot = (corners[0] == corners[1]).all()
+        frame_around([around_dot(corners[0], curve.style) if is_dot else corners])
     except ExchangeError as problem:
         return None, (str(problem),)
     left, bottom, right, top = corners.ravel().tolist()

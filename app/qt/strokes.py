@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QPen
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainterPath, QPen
 
 from ..document.style import LEAST_DASH, FillRule, LineCap, LineJoin, Style
 
@@ -37,6 +37,16 @@ def pen_of(style: Style, colour: QColor, width: float, *, is_dashed: bool) -> QP
         pen.setDashPattern([max(length, LEAST_DASH) for length in style.dashes_and_gaps])
         pen.setDashOffset(style.dash_offset)
     return pen
+
+
+def dot_at(x: float, y: float, style: Style, width: float) -> QPainterPath:
+    """Return what is seen of a line of no length, by its caps: Qt's pens leave it out."""
+    dot, half = QPainterPath(), width / 2
+    if style.cap is LineCap.ROUND:
+        dot.addEllipse(QPointF(x, y), half, half)
+    elif style.cap is LineCap.SQUARE:
+        dot.addRect(x - half, y - half, width, width)
+    return dot
 
 
 def overhang_of(pen: QPen) -> float:

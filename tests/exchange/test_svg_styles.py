@@ -213,7 +213,7 @@ MISSED = [
     ('<image href="file:///etc/passwd" width="2" height="2"/>', "1 picture left out."),
     ('<use href="other.svg#a"/>', "1 reference to elements outside the file left out."),
     ('<path d="M0 0h9" fill="none"/>', "1 shape without stroke and fill left out."),
-    ('<path d="M2 2h0" stroke="red" stroke-linecap="round"/>', "1 single point left out."),
+    ('<path id="a" d="M2 2h9" transform="scale(0)" stroke="red"/>', "1 single point left out: a."),
     ('<pattern id="p"/><rect width="2" height="2" fill="url(#p) lime"/>', "1 pattern came as one colour."),
     ('<rect width="2" height="2" fill="url(#q)" stroke="red"/>', "1 missing paint left out."),
     (CLIP.format("text"), "1 clip path not applied."),

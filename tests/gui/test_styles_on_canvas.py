@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtGui import QImage
 
 from app.appearance.theme import LIGHT
-from app.document.model import Document, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange import png_file
 from app.exchange.drawing.drawing import drawing_of
@@ -105,3 +105,36 @@ def assert_canvas_and_picture_agree(editor, document, picture, name):
     assert not far.any(), (name, plane[far], ours[far], theirs[far])
     assert is_compared.sum() > 500, name
     assert (ours[is_compared] != LIGHT.paper.getRgb()).any(axis=1).sum() > 10, name
+
+
+@pytest.mark.parametrize("active", [0, 1], ids=["resting", "edited"])
+def test_a_line_of_no_length_is_a_dot_as_large_as_its_caps(editor, active):
+    """Qt leaves it out. Alone in a document, it fills the view like another drawing."""
+    editor.window.context.store.change(grid=False)
+    for cap in LineCap:
+        style = Style(stroke="#d55e00", width=3.0, cap=cap)
+        dot = make_curve([(6, 2), (6, 2)], name="Dot", family=HERMITE)
+        still = tuple(replace(each, t=float(t), velocity=(0.0, 0.0)) for t, each in enumerate(dot.points))
+        manual = Parametrization(ParametrizationKind.MANUAL)
+        dot = replace(dot, points=still, parametrization=manual, style=style)
+        line = make_curve([(0, 0), (0, 4)], name="Line", family=HERMITE)
+        editor.session.commit(Document((line, dot)), "Begin", active=active)
+        editor.fit()
+        editor.select([])
+        editor.wait_for_rest()
+        image = editor.window.canvas.viewport().grab().toImage()
+        grid = np.meshgrid(np.arange(4.2, 6.9, 0.13), np.arange(0.1, 3.9, 0.13))
+        plane = np.stack(grid, axis=-1).reshape(-1, 2)
+        # The points of the edited curve lie in the middle.
+        plane = plane[abs(plane - (6, 2)).max(axis=1) > 0.5]
+        away = abs(plane - (6, 2)) / 1.5
+        size = {"round": np.hypot(*away.T), "square": away.max(axis=1), "butt": np.full(len(away), np.inf)}
+        pixels = [editor.window.canvas.to_pixel(*place) for place in plane.tolist()]
+        painted = np.array([image.pixelColor(pixel).name() == "#d55e00" for pixel in pixels])
+        is_sure = abs(size[cap.value] - 1) > 0.05
+        assert (painted == (size[cap.value] < 1))[is_sure].all(), cap
+        editor.session.commit(Document((dot,)), "Alone", active=0)
+        editor.fit()
+        box = editor.window.canvas.camera.pixel_map.box
+        side = max(box[2] - box[0], box[3] - box[1])
+        assert side < 10 if cap is LineCap.BUTT else 3 < side < 10

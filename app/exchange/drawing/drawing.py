@@ -19,6 +19,7 @@ from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.curve.refusals import in_words
 from ...view_model.fitting.cubics import RELATIVE_TOLERANCE
+from ...view_model.geometry.stroked import around_dot
 from ..errors import ExchangeError
 from ..node_types import letters_of
 from .frames import LARGEST, Frame, frame_around, frame_with
@@ -248,7 +249,8 @@ def _samples(curve: Curve, core: ParametricCurve) -> FloatArray:
     parameters = np.union1d(np.linspace(*core.domain, _SAMPLES), core.parameters)
     samples = core.evaluate(parameters)
     refuse_wild(curve, samples)
-    return samples
+    # A line of no length is as large as the dot that its caps make of it.
+    return samples if (samples != samples[0]).any() else around_dot(samples[0], curve.style)
 
 
 def refuse_wild(curve: Curve, samples: FloatArray) -> None:

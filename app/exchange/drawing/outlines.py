@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.style import PLAIN_STYLE, Style
 from ...view_model.geometry.extents import extent_of, turns_within
-from ...view_model.geometry.stroked import half_width, line_of, stroke_box
+from ...view_model.geometry.stroked import around_dot, half_width, line_of, stroke_box
 
 
 class Outline(msgspec.Struct, frozen=True):
@@ -58,13 +58,19 @@ class Outline(msgspec.Struct, frozen=True):
         """The paint that the curve is known by, "#rrggbb", or empty for the ink of the picture."""
         return self.style.colour
 
+    @property
+    def is_dot(self) -> bool:
+        """Whether it is of no length."""
+        return bool((self.control_points == self.control_points[0, 0]).all())
+
 
 def painted_extent(outline: Outline) -> FloatArray:
     """Return the corners, (2, 2), of the box of a curve with its stroke: with its caps, joins and miters."""
-    controls, line = outline.control_points, None
-    if half_width(outline.style) > 0.0:
-        line = line_of(controls, turns_within(controls), is_closed=outline.closed)
-    return extent_of(controls) if line is None else stroke_box(line, outline.style)
+    controls = outline.control_points
+    if half_width(outline.style) == 0.0:
+        return extent_of(controls)
+    line = line_of(controls, turns_within(controls), is_closed=outline.closed)
+    return around_dot(controls[0, 0], outline.style) if line is None else stroke_box(line, outline.style)
 
 
 def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 from curvecore.arrays import FloatArray
 
 from ...document.style import Style
-from ...qt.strokes import FILL_RULES, pen_of, with_opacity
+from ...qt.strokes import FILL_RULES, dot_at, pen_of, with_opacity
 from ...tasks.progress import Report, silent, told
 from .drawing import POINT_RADIUS, Annotation, Drawing
 from .outlines import Outline, length_within
@@ -59,6 +59,10 @@ class Painting:
             self._painter.fillPath(path, self._colour(style))
         if pen is not None:
             self._painter.strokePath(path, pen)
+            for outline in shape:
+                if outline.is_dot:
+                    (x, y), width = outline.control_points[0, 0].tolist(), pen.widthF()
+                    self._painter.fillPath(dot_at(x, self._height - y, style, width), pen.color())
 
     def _path(self, shape: Iterable[Outline]) -> QPainterPath:
         path = QPainterPath()

@@ -20,7 +20,7 @@ from svgelements import SVGLexicalParser
 from curvecore.arrays import FloatArray
 
 from ..arcs import arc_between
-from ..cubics_in import has_length, lines, put_end, rounding_of
+from ..cubics_in import has_length, lines, put_end, rounding_of, without_roundings
 from ..errors import ExchangeError
 
 _GAP = r"[ \t\r\n\f]*"
@@ -66,6 +66,17 @@ class Subpath:
     def has_length(self) -> bool:
         """Whether it is more than a point."""
         return bool((self.controls != self.start).any())
+
+    @property
+    def is_line(self) -> bool:
+        """Whether it is a line, be it one of no length: more than an M alone."""
+        return self.closed or bool(self.pieces)
+
+    @property
+    def cleaned(self) -> FloatArray:
+        """All pieces that are no roundings, (k, 4, 2); one of no length where there are none."""
+        kept = without_roundings(self.controls, closed=self.closed)
+        return kept if len(kept) else np.tile(self.start, (1, 4, 1))
 
     @property
     def controls(self) -> FloatArray:

@@ -76,10 +76,10 @@ class Properties:
         return self.is_displayed and self.values["visibility"].lower() not in ("hidden", "collapse")
 
     @property
-    def shows_points(self) -> bool:
+    def has_caps(self) -> bool:
         """Whether a line of no length is seen, by its caps."""
         has_caps = self.values["stroke-linecap"].lower() in ("round", "square")
-        return self.is_visible and has_caps and self.values["stroke"].lower() != "none"
+        return has_caps and self.values["stroke"].lower() != "none"
 
 
 def style_of(

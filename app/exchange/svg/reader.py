@@ -21,7 +21,7 @@ from ...document.style import Style
 from ...document.words import enumerated
 from ...view_model.geometry.extents import extent_of
 from ...view_model.geometry.stroked import half_width
-from ..cubics_in import SINGLE_POINT, Imported, ImportedPath, Look, imported, without_roundings
+from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Flaw, Missed
 from ..node_types import parted
@@ -401,10 +401,8 @@ class _Reader:
             return
         if error:
             self.missed.note_at(element, Flaw(tag, "drawn only up to an error in the data"), error)
-        drawn = [each for each in subpaths if each.has_length]
-        # A point without a round or square cap is not seen.
-        if len(drawn) < len(subpaths) and state.properties.shows_points:
-            self.missed.note_of(element, SINGLE_POINT)
+        has_dots = state.properties.has_caps
+        drawn = [each for each in subpaths if each.has_length or (has_dots and each.is_line)]
         if not drawn:
             return
         self._shapes.append(element)
@@ -422,17 +420,18 @@ class _Reader:
             path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index + 1})",
                 look,
-                moved(without_roundings(subpath.controls, closed=subpath.closed), state.matrix),
+                moved(subpath.cleaned, state.matrix),
                 subpath.closed,
                 subpath.deviation * stretch,
                 letters[index],
+                look.style.has_caps,
             )
             yield Drawn(path, len(self._shapes), state.groups)
 
     def _note_windows(self, state: State, drawn: Iterable[Subpath], style: Style) -> None:
         """Tell which of the boxes that a shape is shown in cut some of it off."""
         if state.windows:
-            extent = extent_of(np.concatenate([moved(each.controls, state.matrix) for each in drawn]))
+            extent = extent_of(np.concatenate([moved(each.cleaned, state.matrix) for each in drawn]))
             reach = half_width(style)
             for window in state.windows:
                 if not window.holds(extent, reach):

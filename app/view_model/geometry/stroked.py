@@ -50,6 +50,12 @@ def half_width(style: Style) -> float:
     return (style.width or 0.0) / 2.0 if style.has_stroke else 0.0
 
 
+def around_dot(place: FloatArray, style: Style) -> FloatArray:
+    """Return the corners, (2, 2), of the box around what is seen of a line of no length, by its caps."""
+    reach = half_width(style) if style.has_caps else 0.0
+    return np.stack([place - reach, place + reach])
+
+
 def line_of(controls: FloatArray, turns: tuple[FloatArray, FloatArray], *, is_closed: bool) -> Line | None:
     """Return the line of Bézier pieces (k, m, 2), which turns at these x and y; None of a single place."""
     leaving, is_long = _directions(controls)
