@@ -19,6 +19,7 @@ from curvecore.analysis.continuity import Joint as Joint
 from curvecore.analysis.continuity import joint_report as joint_report
 from curvecore.analysis.curvature import CurvatureExtrema as CurvatureExtrema
 from curvecore.analysis.curvature import curvature as curvature
+from curvecore.analysis.curvature import curvature_error as curvature_error
 from curvecore.analysis.curvature import curvature_extrema as curvature_extrema
 from curvecore.analysis.curvature import curvature_of as curvature_of
 from curvecore.analysis.curvature import inflections as inflections

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from decimal import ROUND_UP, Context
 from enum import StrEnum
 from typing import Self
@@ -60,6 +60,13 @@ def distance_words(value: float, other: str, *, is_bound: bool = True) -> str:
         return "exact"
     text = f"at most {number(rounded_up(value, 2), 2)}" if is_bound else f"about {number(value, 2)}"
     return f"{text} from {other}"
+
+
+def uncertain(value: float, error: float, shown: Callable[[float], str] = number) -> str:
+    """Return a number, with its error where that shows in four digits; "uncertain" where it may be none."""
+    if not error > 5e-5 * abs(value):
+        return shown(value)
+    return f"{shown(value)} ± {shown(rounded_up(error, 1))}" if error < abs(value) else "uncertain"
 
 
 def with_decimals(value: float, decimals: int) -> str:

@@ -17,7 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_values, require_plane
+from curvecore.analysis.sensitivity import sums_of_data
+from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_row, parameter_values, require_plane
 from curvecore.bezier.bernstein_algebra import (
     derivative,
     end_signs,
@@ -31,6 +32,7 @@ from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LARGEST, UNIT_ROUNDOFF
 from curvecore.vectors import cross, vector_lengths
 
+_ROUNDINGS = 25.0 * UNIT_ROUNDOFF  # of derivatives, for each unit of the sizes of their terms
 _KINK = 1e-6  # curvatures at a joint that differ by less, relatively, are one extremum and not a jump
 
 
@@ -118,14 +120,13 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
 
     See Also
     --------
+    curvature_error : What rounding may make of it.
     curvature_of : From derivatives that are there already.
     curvature_extrema, inflections : Where it is special.
 
     Notes
     -----
-    |c' x c''| / |c'|**3. Its relative error is about
-    3 |dc'| / |c'| + (|c'| |dc''| + |c''| |dc'|) / |c' x c''| for errors dc',
-    dc'' of the derivatives, which are those of `ParametricCurve.evaluate`. Many
+    |c' x c''| / |c'|**3. Many
     parameters of one `LagrangeCurve` take a short cut: derivatives at the t_i
     and interpolation of these, with errors up to the Lebesgue function
     times larger, and only where that is below 1e5.
@@ -143,6 +144,49 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     velocity, acceleration = curve.derivatives_at(at.values, (1, 2))
     result = curvature_of(velocity, acceleration)
     return at.shaped(result)
+
+
+@np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore")
+def curvature_error(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
+    """Return how far rounding may put `curvature` off, in units of 1 / length.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of dim 2 or more.
+    t : float or array_like, shape (m,)
+        Finite; a scalar counts as m = 1.
+
+    Returns
+    -------
+    ndarray, shape (m,)
+        A bound for the data as they are stored; infinity where rounding may bring the curve to rest, as at a
+        cusp.
+
+    See Also
+    --------
+    curvature : The value.
+
+    Notes
+    -----
+    The derivatives are off by 25 u sum |B_ir^(order)(t)| |d_ir| at most, and by what is lost where they are
+    differences; |grad| of the curvature is at most 1 / |c'|**2 by c'' and 2 |c''| / |c'|**3 by c'.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, curvature_error
+    >>> curve = LagrangeCurve([[-1, 1], [0, 0], [1, 1]], [-1, 0, 1])
+    >>> bool(curvature_error(curve, 0)[0] < 1e-13)
+    True
+    """
+    at, sizes = parameter_row(t), vector_lengths(curve.jets)
+    velocity, acceleration = map(vector_lengths, curve.derivatives_at(at, (1, 2)))
+    shares = (_ROUNDINGS + 10.0**-digits for digits in curve.difference_digits or (np.inf, np.inf))
+    pairs = zip(shares, (1, 2), strict=False)
+    off_velocity, off_acceleration = (share * sums_of_data(curve, at, sizes, order) for share, order in pairs)
+    slowest = velocity - off_velocity
+    off_turn = off_acceleration + 2.0 * (acceleration + off_acceleration) * off_velocity / slowest
+    return np.where(slowest > 0.0, off_turn / slowest**2, np.inf)
 
 
 def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArray:

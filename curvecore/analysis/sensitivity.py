@@ -288,19 +288,20 @@ def _ball(
         checked = error_sizes(error, rows, name)
         if r < width:
             sizes[:, r] = checked
-    ball = np.zeros(len(t)) if cardinal is not None and not sizes.any() else _sum_of_data(curve, t, sizes)
+    ball = np.zeros(len(t)) if cardinal is not None and not sizes.any() else sums_of_data(curve, t, sizes)
     if cardinal is not None:
         ball += cardinal.sums(t, error_sizes(errors[0], cardinal.count, names[0]))
     return ball
 
 
-def _sum_of_data(curve: ParametricCurve, t: FloatArray, sizes: FloatArray) -> FloatArray:
+def sums_of_data(curve: ParametricCurve, t: FloatArray, sizes: FloatArray, order: int = 0) -> FloatArray:
+    """Return the sums of |B_ir^(order)(t)| times sizes (n, R), (m,)."""
     if curve.is_local and len(curve.pieces) == 1:
-        local = curve.local_basis(t)
+        local = curve.local_basis(t, order)
         both = np.stack((sizes[local.segment], sizes[local.segment + 1]), axis=1)
         result: FloatArray = (np.abs(local.values) * both).sum(axis=(1, 2))
         return result
-    basis = np.abs(curve.basis(t))
+    basis = np.abs(curve.basis(t, order))
     return basis.reshape(len(basis), -1) @ sizes.ravel()
 
 

@@ -9,13 +9,17 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    SepticHermiteCurve,
     arc_length,
     bounding_box,
     chebyshev,
+    chord_length,
     curvature,
+    curvature_error,
     curvature_extrema,
     curvature_of,
     inflections,
+    natural_spline_velocities,
     speed,
     uniform,
 )
@@ -317,3 +321,69 @@ def test_unusable_arguments():
             function(line)
     with pytest.raises(CurveError, match="every value must be finite"):
         speed(line, np.nan)
+
+
+def exact_curvature(exact, curve, t):
+    """From derivatives in fractions; the root of |c'|² is the last step."""
+    nodes, sums = [exact.rational(x) for x in curve.parameters], []
+    for order in (1, 2):
+        if curve.jets.shape[1] == 1:
+            weights, values = (
+                exact.lagrange_weights(nodes),
+                exact.lagrange_terms(exact.rational(t), nodes, order),
+            )
+            pairs = [(w * v, row[0]) for w, v, row in zip(weights, values, curve.jets, strict=True)]
+        else:
+            segment, values = exact.hermite_terms(exact.rational(t), nodes, curve.jets.shape[1], order)
+            ends = zip(values, curve.jets[segment : segment + 2], strict=True)
+            pairs = [pair for value, jet in ends for pair in zip(value, jet, strict=True)]
+        sums.append([sum(b * exact.rational(d[axis]) for b, d in pairs) for axis in (0, 1)])
+    (x1, y1), (x2, y2) = sums
+    turn, square = x1 * y2 - y1 * x2, x1 * x1 + y1 * y1
+    unit = exact.enclosed([turn, square])
+    return float((unit[0] / (unit[1] * unit[1].sqrt())).mid())
+
+
+def test_the_curvature_between_near_points_is_told_with_its_error(exact):
+    """Between points 1e-9 apart 1.5 was told, where it is -1.5: no rounding was mentioned."""
+    for gap in (1e-3, 1e-6, 1e-9, 1e-12):
+        points = np.array([[0.0, 0.0], [1.0, 1.0], [1.0 + gap, 1.0], [2.0, 0.0]])
+        t = chord_length(points)
+        curve = HermiteCurve(points, natural_spline_velocities(points, t), t)
+        between = t[1] + (t[2] - t[1]) * np.array([0.0, 0.3, 0.9])
+        where = np.concatenate((between, [0.3, 0.7, t[2]]))
+        told, error = curvature(curve, where), curvature_error(curve, where)
+        true = np.array([exact_curvature(exact, curve, x) for x in where])
+        assert (np.abs(told - true) <= error).all()
+        assert (error[3:] < 1e-12).all()
+        assert (error[:3] > np.abs(told[:3])).all() == (gap < 1e-6)
+
+
+@pytest.mark.parametrize(
+    "family",
+    [LagrangeCurve, HermiteCurve, QuinticHermiteCurve, SepticHermiteCurve],
+    ids=lambda kind: kind.name,
+)
+def test_the_error_of_a_curvature_is_a_bound(rng, exact, family):
+    for trial in range(12):
+        n = int(rng.integers(2, 7))
+        t = np.cumsum(10.0 ** -rng.uniform(0.0, 12.0 if trial % 2 else 2.0, n))
+        jets = rng.standard_normal((n, family.derivatives + 1, 2)) + 10.0 ** rng.integers(0, 7)
+        curve = family(*jets.swapaxes(0, 1), t)
+        where = rng.uniform(t[0], t[-1], 4)
+        error, told = curvature_error(curve, where), curvature(curve, where)
+        for x, value, bound in zip(where, told, error, strict=True):
+            assert abs(value - exact_curvature(exact, curve, x)) <= bound
+
+
+def test_beside_a_cusp_the_error_of_the_curvature_grows_and_at_it_there_is_no_bound(exact):
+    # Control points (0, 0), (1, 1), (0, 1), (1, 0): c'(1/2) = 0.
+    cusp = HermiteCurve([[0, 0], [1, 0]], [[3, 3], [3, -3]], [0, 1])
+    where = 0.5 + np.array([1e-3, 1e-5, 1e-8, 1e-12])
+    told, error = curvature(cusp, where), curvature_error(cusp, where)
+    true = np.array([exact_curvature(exact, cusp, t) for t in where])
+    assert (np.abs(told - true) <= error).all()
+    assert (error[:2] < 1e-4 * told[:2]).all()
+    assert (error[2:] > told[2:]).all()
+    assert np.isnan(curvature(cusp, 0.5))
+    assert np.isinf(curvature_error(cusp, 0.5)).all()

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 
 from app.document.edits import set_position
-from app.document.model import ParametrizationKind
-from app.families import LAGRANGE
+from app.document.model import Parametrization, ParametrizationKind, make_curve
+from app.families import HERMITE, LAGRANGE
 from app.features.plots.commands import PlotCommands
 from app.features.plots.value_scale import ValueScale
 from app.settings.preferences import Preferences
@@ -200,6 +201,20 @@ def test_the_scrub_line_is_dragged_in_either_panel(editor):
         QWidget, "plotValues"
     ).text().startswith("t 0.69")
     assert "Λ(t)" in values(editor)
+
+
+def test_a_curvature_that_rounding_hides_is_not_told(editor):
+    """Between points 1e-9 apart the curvature was told as 1.5, and is −1.5."""
+    editor.trigger("plotCurvature")
+    chords = Parametrization(ParametrizationKind.CHORD_LENGTH)
+    for gap, word in ((1e-3, "κ −1.499"), (1e-6, " ± 0.0"), (1e-9, "κ uncertain")):
+        points = [(0, 0), (1, 1), (1 + gap, 1), (2, 0)]
+        curve = replace(make_curve(points, family=HERMITE), parametrization=chords)
+        editor.session.change("Set", lambda document, curve=curve: document.with_curve(0, curve))
+        before, after = editor.parameters[1:3]
+        editor.session.scrub.set(before + 0.3 * (after - before))
+        editor.wait_for_rest()
+        assert word in values(editor)
 
 
 def test_escape_puts_the_scrub_line_back(editor):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import partial
 
 import numpy as np
@@ -70,6 +71,26 @@ def test_the_circle_at_the_vertex_of_a_parabola():
     assert away == pytest.approx(np.full(len(away), 0.5))
     assert points_of(picture, circle.CENTRE)[-1] == pytest.approx((0, 0.5))
     assert picture.notes[circle.CIRCLE] == "Radius 0.5, curvature 2."
+
+
+def near_pair(gap):
+    """A cubic Hermite curve two of whose points are so far apart."""
+    return curve_of([(0, 0), (1, 1), (1 + gap, 1), (2, 0)], HERMITE, ParametrizationKind.CHORD_LENGTH)
+
+
+def test_the_circle_says_what_rounding_makes_uncertain():
+    """Between points 1e-9 apart the curvature was told as 1.5, and is −1.5."""
+    words = {}
+    for gap in (1e-3, 1e-6, 1e-9):
+        curve = near_pair(gap)
+        before, after = view_of(curve).parameters[1:3].tolist()
+        picture = live(curve, circle.CIRCLE, scrub=before + 0.3 * (after - before))
+        words[gap] = picture.notes[circle.CIRCLE]
+        assert bool(picture.figures) is (gap > 1e-9)
+    assert words[1e-3] == "Radius 0.667, curvature −1.5."
+    assert re.fullmatch(r"Radius 0.667 ± 0.0\d+, curvature −1.5 ± 0.0\d+.", words[1e-6])
+    assert words[1e-9] == circle.UNCERTAIN
+    assert live(near_pair(1e-9), circle.CIRCLE, scrub=0.3).notes[circle.CIRCLE].startswith("Radius 1.07,")
 
 
 def test_the_circle_at_an_inflection_is_a_line_and_none_at_a_rest():

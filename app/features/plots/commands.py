@@ -211,13 +211,14 @@ class PlotCommands:
 
     def _show_values(self, pane: PlotPane) -> None:
         t = self._session.scrub.t
-        values: dict[str, float] = {}
+        values: dict[str, tuple[float, float]] = {}
         if t is not None:
-            known = analysis.plotted.values_at(self._session.active_view, self._analysis.settings.plots, t)
+            view, shown = self._session.active_view, self._analysis.settings.plots
+            known = analysis.plotted.uncertain_values_at(view, shown, t)
             values |= {plot.symbol: value for plot, value in known.items()}
             for plot in self._analysis.added_plots.values():
                 for line in plot.lines:
-                    values[line.name or plot.symbol] = line.value_at(t)
+                    values[line.name or plot.symbol] = line.value_at(t), 0.0
         pane.show_values(t, values)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
@@ -11,7 +12,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
-from ...document.words import number
+from ...document.words import number, uncertain
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named
 from ...widgets.elided_label import ElidedLabel
@@ -51,13 +52,14 @@ class PlotPane(FollowsTheme, QWidget):
         column_of(header, (canvas, 1), margins=0, spacing=0, parent=self)
         self.follow_theme()
 
-    def show_values(self, t: float | None, values: Mapping[str, float]) -> None:
-        """Write the values at the scrub line, by their symbols; nothing without one (None)."""
+    def show_values(self, t: float | None, values: Mapping[str, tuple[float, float]]) -> None:
+        """Write the values at the scrub line, with their errors, by their symbols; nothing without one."""
         if t is None:
             text = "T shows the values at a scrub line"
         else:
             mark = decimal_mark()
-            known = [f"{name} {number(value, 4, mark)}" for name, value in values.items()]
+            shown = partial(number, mark=mark)
+            known = [f"{name} {uncertain(*value, shown)}" for name, value in values.items()]
             text = "   ".join([f"t {number(t, 4, mark)}", *known])
         if text != self._values.text():
             self._values.setText(text)

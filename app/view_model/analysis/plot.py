@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import msgspec
+import numpy as np
 
 from curvecore.arrays import FloatArray
 
@@ -57,6 +58,8 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     values
         Computes its values (m,), each from the view and its own t alone: the t are those in sight, or the one
         of the scrub line. What adds up along the curve begins at the start of its domain.
+    errors
+        Bounds of what rounding may put the values off, where that matters.
     follows_points
         Whether it changes where points move and parameters stay.
     finish
@@ -73,6 +76,7 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     icon: str = ""
     orders: tuple[int, ...] = ()
     scale: Scale = Scale.LINEAR
+    errors: Callable[[Sampled], FloatArray] = lambda sampled: np.zeros(len(sampled.t))
     follows_points: bool = True
     finish: Callable[[PlotData, Sampled], PlotData] = lambda plot, _sampled: plot
 

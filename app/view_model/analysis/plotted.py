@@ -35,11 +35,18 @@ def orders_of(plots: Collection[Plot]) -> tuple[int, ...]:
 
 def values_at(view: CurveView, plots: Collection[Plot], t: float) -> dict[Plot, float]:
     """Return the value of each plot at one t; at a joint, that of the segment after it."""
+    return {plot: value for plot, (value, _error) in uncertain_values_at(view, plots, t).items()}
+
+
+def uncertain_values_at(
+    view: CurveView, plots: Collection[Plot], t: float
+) -> dict[Plot, tuple[float, float]]:
+    """Return the same values with bounds of their errors by rounding."""
     if not view.is_current:
         return {}
     at = np.array([t])
     sampled = Sampled(view, at, derivatives_of(view, at, orders_of(plots)))
-    return {plot: float(plot.values(sampled)[0]) for plot in _in_order(plots)}
+    return {plot: (plot.values(sampled).item(), plot.errors(sampled).item()) for plot in _in_order(plots)}
 
 
 def _plotted(plot: Plot, sampled: Sampled, samples: PlotSamples) -> PlotData:

@@ -6,6 +6,7 @@ import numpy as np
 
 import curvecore
 
+from ....document.words import uncertain
 from ...geometry.plane import to_the_left, unit_tangents
 from ...look.line_styles import PURPLE, LineStyle
 from ..figures import Figure, Shape, number
@@ -26,12 +27,13 @@ _CORNERS = 240
 NO_SCRUB = "Put the scrub line (T) where the circle shall lie."
 AT_REST = "c′ = 0 here: there is no circle."
 NO_BEND = "Straight here: the circle is a line."
+UNCERTAIN = "The curve is so slow here, or its parameters so close, that rounding hides the circle."
 
 
 def _circle(scene: Scene) -> Drawn:
     """Return the circle with its centre, and its radius in words."""
-    here, velocity, acceleration = (scene.at_scrub(order) for order in range(3))
-    if here is None or velocity is None or acceleration is None:
+    curve, (here, velocity, acceleration) = scene.view.curve, (scene.at_scrub(order) for order in range(3))
+    if here is None or velocity is None or acceleration is None or curve is None or scene.scrub is None:
         return [], NO_SCRUB
     curvature = float(curvecore.curvature_of(velocity[None], acceleration[None])[0])
     if np.isnan(curvature):
@@ -42,18 +44,22 @@ def _circle(scene: Scene) -> Drawn:
     if abs(curvature) * scene.size < _STRAIGHT:
         line = here + np.outer([-reach, reach], tangent)
         return [Figure(LINE, Shape.LINE, line)], NO_BEND
+    error = float(curvecore.curvature_error(curve, np.clip(scene.scrub, *curve.domain))[0])
+    if not error < abs(curvature):
+        return [], UNCERTAIN
     radius = 1.0 / abs(curvature)
     # Along the arc from here, so that a huge circle is exact where it touches.
     angle = min(np.pi, reach / radius) * np.linspace(-1.0, 1.0, _CORNERS + 1)
     along, away = radius * np.sin(angle), np.sign(curvature) * 2 * radius * np.sin(angle / 2) ** 2
     arc = here + np.outer(along, tangent) + np.outer(away, normal)
-    words = f"radius {number(radius)}"
+    # The radius of the least curvature that it may be.
+    words = f"radius {uncertain(radius, radius * error / (abs(curvature) - error), number)}"
     figures = [Figure(LINE, Shape.LINE, arc)]
     if radius < reach:
         centre = here + np.sign(curvature) * radius * normal
         figures.append(Figure(CENTRE, Shape.LINE, np.array([here, centre])))
         figures.append(Figure(CENTRE, Shape.MARKS, centre[None], words))
-    return figures, f"{words[0].upper()}{words[1:]}, curvature {number(curvature)}."
+    return figures, f"{words[0].upper()}{words[1:]}, curvature {uncertain(curvature, error, number)}."
 
 
 CIRCLE = Overlay(

@@ -6,6 +6,7 @@ import numpy as np
 from msgspec.structs import replace
 
 import curvecore
+from curvecore.arrays import FloatArray
 
 from ....document.words import number
 from ..plot import Plot, Sampled
@@ -29,6 +30,11 @@ def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:
     return replace(plot, extent=(low, high), note=f"⚠ reaches {number(far, 3)}")
 
 
+def _rounding(sampled: Sampled) -> FloatArray:
+    assert sampled.view.curve is not None
+    return curvecore.curvature_error(sampled.view.curve, sampled.t)
+
+
 CURVATURE = Plot(
     name="curvature",
     text="Curvature",
@@ -39,5 +45,6 @@ CURVATURE = Plot(
     place=40,
     orders=(1, 2),
     values=lambda sampled: curvecore.curvature_of(sampled.derivatives[1], sampled.derivatives[2]),
+    errors=_rounding,
     finish=_without_spikes,
 )
