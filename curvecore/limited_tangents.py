@@ -2,7 +2,7 @@
 
 Each coordinate is estimated for itself. Both rules are homogeneous of degree one, v(a p) = a v(p) for all
 a, and local. What small moves of the points do to the velocities is their Jacobian at the points times the
-moves; where it jumps, one of its sides or the mean of both counts.
+moves; where it jumps, as between neighbouring slopes that are equal, the change is another one on each side.
 
 References
 ----------
@@ -73,7 +73,9 @@ def monotone_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     return np.concatenate((ends[:1], _harmonic_means(steps), ends[1:]))
 
 
-def monotone_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike) -> FloatArray:
+def monotone_changes(
+    points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, *, one_sided: bool = False
+) -> FloatArray:
     """Return what small moves of the points do to `monotone_velocities`, to first order.
 
     Parameters
@@ -84,6 +86,9 @@ def monotone_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike)
         t_i, strictly increasing.
     moves : array_like, shape (n, k)
         Each column moves a coordinate of every point.
+    one_sided : bool, optional
+        Whether the change is that on the side of a kink to which the moves lead; else it is linear in the
+        moves, at a kink that of the case that the rule itself takes.
 
     Returns
     -------
@@ -110,13 +115,36 @@ def monotone_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike)
     before, after = _weights(h)
     with np.errstate(all="ignore"):
         shares = before * (mean / slope[:-1]) ** 2, after * (mean / slope[1:]) ** 2
-    inner = np.where(mean != 0.0, shares[0] * change[:-1] + shares[1] * change[1:], 0.0)
-    edges = []
+    found = np.empty((len(slope) + 1, slope.shape[1], change.shape[2]))
+    found[1:-1] = np.where(mean != 0.0, shares[0] * change[:-1] + shares[1] * change[1:], 0.0)
     for near, beside, case in zip((0, -1), (1, -2), _end_cases(steps), strict=True):
-        parabola = change[near] + h[near] / (h[near] + h[beside]) * (change[near] - change[beside])
-        limited = np.where(case.steep[:, None], 3.0 * change[near], parabola)
-        edges.append(np.where(case.flat[:, None], 0.0, limited)[None])
-    return np.concatenate((edges[0], inner, edges[1]))
+        parabola, steep = _end_parabola(Steps(h, change), near, beside), 3.0 * change[near]
+        limited = np.where(case.steep[:, None], steep, parabola)
+        found[near] = np.where(case.flat[:, None], 0.0, limited)
+    return _monotone_on_sides(steps, change, found) if one_sided else found
+
+
+def _monotone_on_sides(steps: Steps, change: FloatArray, found: FloatArray) -> FloatArray:
+    """Return the changes of the velocities, at kinks those on the side to which slopes change."""
+    h, slope = steps.spacing[:, :, None], steps.slope[:, :, None]
+    for near, beside, case in zip((0, -1), (1, -2), _end_cases(steps), strict=True):
+        own, end = slope[near], case.parabola[:, None]
+        parabola, steep = _end_parabola(Steps(h, change), near, beside), 3.0 * change[near]
+        limited = np.where(own > 0.0, np.minimum(parabola, steep), np.maximum(parabola, steep))
+        is_limit = (own * slope[beside] < 0.0) & _vanishes(np.abs(end) - 3.0 * np.abs(own), own)
+        found[near] = np.where(is_limit, limited, found[near])
+        rising = np.where(parabola * own > 0.0, parabola, 0.0)
+        found[near] = np.where(_vanishes(end, own), rising, found[near])
+    # Slopes of 0 are their changes now; against these all others are infinite.
+    size = np.abs(slope)
+    around = np.pad(size, ((1, 1), (0, 0), (0, 0)))
+    is_flat = _vanishes(size, np.maximum(around[:-2], around[2:]))
+    sides = Steps(h, np.where(is_flat, change, np.copysign(np.inf, slope)))
+    with np.errstate(all="ignore"):
+        ends, means = _monotone_ends(sides), _harmonic_means(sides)
+    found[1:-1] = np.where(is_flat[:-1] | is_flat[1:], means, found[1:-1])
+    found[[0, -1]] = np.where(is_flat[[0, -1]], ends, found[[0, -1]])
+    return found
 
 
 @in_range
@@ -161,7 +189,9 @@ def akima_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     return slope[1:-2] + share * (slope[2:-1] - slope[1:-2])
 
 
-def akima_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike) -> FloatArray:
+def akima_changes(
+    points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, *, one_sided: bool = False
+) -> FloatArray:
     """Return what small moves of the points do to `akima_velocities`, to first order.
 
     Parameters
@@ -172,11 +202,15 @@ def akima_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike) ->
         t_i, strictly increasing.
     moves : array_like, shape (n, k)
         Each column moves a coordinate of every point.
+    one_sided : bool, optional
+        Whether the change is that on the side of a kink to which the moves lead; else it is linear in the
+        moves, at a kink the mean of both sides.
 
     Returns
     -------
     ndarray, shape (n, dim, k)
         ``[i, d, j]`` is the change of coordinate d of velocity i by the moves of column j of that coordinate.
+        On the side of a corner between two straight runs it is infinite: there the velocity jumps.
 
     See Also
     --------
@@ -194,12 +228,23 @@ def akima_changes(points: ArrayLike, parameters: ArrayLike, moves: ArrayLike) ->
     change = _with_outer(_slope_changes(steps, moves))
     share = _akima_share(slope)
     turn, turned = np.diff(slope, axis=0), np.diff(change, axis=0)
-    weights = np.abs(turn[:-2]), np.abs(turn[2:])
-    grown = np.sign(turn[:-2]) * turned[:-2], np.sign(turn[2:]) * turned[2:]
+    weight, least, is_straight = np.abs(turn), _STRAIGHT * _sizes(slope), _is_straight(slope)
+    # By how much the weights before and after each joint grow.
+    grown = [
+        np.where(
+            (weight[rows] <= least) & one_sided, np.abs(turned[rows]), np.sign(turn[rows]) * turned[rows]
+        )
+        for rows in (slice(-2), slice(2, None))
+    ]
     with np.errstate(all="ignore"):
-        moved = (grown[0] * (1.0 - share) - grown[1] * share) / (weights[0] + weights[1])
-    moved = np.where(_is_straight(slope), 0.0, moved)
-    return change[1:-2] + share * (change[2:-1] - change[1:-2]) + moved * turn[1:-1]
+        moved = (grown[0] * (1.0 - share) - grown[1] * share) / (weight[:-2] + weight[2:]) * turn[1:-1]
+        moved = np.where(is_straight, 0.0, moved)
+        if one_sided:
+            weights = grown[0] + grown[1]
+            share = np.where(is_straight & (weights > 0.0), grown[0] / weights, share)
+            is_jump = is_straight & (np.abs(share - 0.5) > _STRAIGHT) & (weight[1:-1] > least)
+            moved = np.where(is_jump, np.inf, moved)
+    return change[1:-2] + share * (change[2:-1] - change[1:-2]) + moved
 
 
 def _slope_changes(steps: Steps, moves: ArrayLike) -> FloatArray:
@@ -230,14 +275,27 @@ class _EndCase(NamedTuple):
 
 
 def _end_cases(steps: Steps) -> list[_EndCase]:
-    h, slope = steps
+    slope = steps.slope
     cases = []
     for near, beside in ((0, 1), (-1, -2)):
-        parabola = slope[near] + h[near] / (h[near] + h[beside]) * (slope[near] - slope[beside])
+        parabola = _end_parabola(steps, near, beside)
         turns = np.sign(slope[near]) != np.sign(slope[beside])
         steep = turns & (np.abs(parabola) > 3.0 * np.abs(slope[near]))
         cases.append(_EndCase(parabola, np.sign(parabola) != np.sign(slope[near]), steep))
     return cases
+
+
+def _end_parabola(steps: Steps, near: int, beside: int) -> FloatArray:
+    """Return the velocity of the parabola through the three points at an end."""
+    h, slope = steps
+    velocity: FloatArray = slope[near] + h[near] / (h[near] + h[beside]) * (slope[near] - slope[beside])
+    return velocity
+
+
+def _vanishes(number: FloatArray, beside: FloatArray) -> BoolArray:
+    """Whether a number is 0, but for rounding, beside another one; of two that are 0 both."""
+    vanishes: BoolArray = np.abs(number) <= _STRAIGHT * np.abs(beside)
+    return vanishes
 
 
 def _monotone_ends(steps: Steps) -> FloatArray:
@@ -258,10 +316,15 @@ def _with_outer(slope: FloatArray) -> FloatArray:
 
 def _is_straight(slope: FloatArray) -> BoolArray:
     """Whether the slopes before each joint are the same, and those after it."""
-    turn, size = np.abs(np.diff(slope, axis=0)), np.abs(slope)
-    sizes = size[:-3] + size[1:-2] + size[2:-1] + size[3:]
-    straight: BoolArray = turn[:-2] + turn[2:] <= _STRAIGHT * sizes
+    turn = np.abs(np.diff(slope, axis=0))
+    straight: BoolArray = turn[:-2] + turn[2:] <= _STRAIGHT * _sizes(slope)
     return straight
+
+
+def _sizes(slope: FloatArray) -> FloatArray:
+    """Return the sums of the sizes of the four slopes around each joint."""
+    size = np.abs(slope)
+    return size[:-3] + size[1:-2] + size[2:-1] + size[3:]
 
 
 def _akima_share(slope: FloatArray) -> FloatArray:

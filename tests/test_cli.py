@@ -97,6 +97,33 @@ def test_info_prints_the_facts(capsys):
     assert "warning" not in rows
 
 
+def test_info_says_that_the_growth_of_errors_by_a_rule_that_is_not_linear_holds_at_these_points(
+    tmp_path, capsys
+):
+    """It said 1.69, a mean of x and y. Beside a corner between straight runs there is no bound."""
+    worse = [(1, 6), (0, 0), (3, 0), (1, 3), (2, 6), (4, 6), (2, 6)]
+    corner = [(0, 0), (1, 1), (2, 2), (3, 1), (4, 0)]
+    path = tmp_path / "two.curve.json"
+    curves = [
+        {"name": "a", "family": "hermite", "parametrization": {"kind": kind}, "velocity_rule": "akima",
+         "points": [{"x": x, "y": y} for x, y in points]}
+        for kind, points in (("chord_length", worse), ("uniform", corner))
+    ]  # fmt: skip
+    path.write_text(json.dumps({"format": "curvebench", "version": 2, "curves": curves}))
+    assert main(["info", str(path)]) == 0
+    rows = [line[19:] for line in capsys.readouterr().out.splitlines() if "Λ" in line]
+    assert rows == [
+        "9.16 at these points (were the estimated derivatives to stay: 1)",
+        "beyond all numbers at these points",
+    ]
+    assert main(["info", str(path), "--json"]) == 0
+    first, second = json.loads(capsys.readouterr().out)["curves"]
+    assert first["lebesgue_constant"]["points"] == pytest.approx(9.162, abs=1e-3)
+    assert second["lebesgue_constant"] == {"data": 1.0, "points": None}
+    assert [each["lebesgue_constant_holds"] for each in (first, second)] == ["at these points"] * 2
+    assert "beyond all bounds along the curve (Lebesgue constant at these points)" in second["warnings"][0]
+
+
 def test_info_as_json(capsys):
     assert main(["info", LETTER, "--json"]) == 0
     content = json.loads(capsys.readouterr().out)
@@ -109,6 +136,7 @@ def test_info_as_json(capsys):
     assert curve["domain"] == [0.0, 1.0]
     # It was said nowhere, and 1 in the window; the velocities of the letter are estimated.
     assert curve["lebesgue_constant"] == {"data": 1.0, "points": pytest.approx(1.68, abs=0.005)}
+    assert curve["lebesgue_constant_holds"] is None
     assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
     assert curve["box"]["left"] == pytest.approx(0.35)
     assert curve["warnings"] == []

@@ -47,6 +47,7 @@ def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
         "domain": facts.domain,
         "missing": _missing(facts),
         "lebesgue_constant": _finite_only(facts.lebesgue_constant),
+        "lebesgue_constant_holds": (facts.lebesgue_constant and facts.lebesgue_constant.holds) or None,
         "length": length,
         "box": box,
         "warnings": facts.warnings,
@@ -102,7 +103,7 @@ def _missing(facts: CurveFacts) -> dict[str, str]:
     if facts.domain is None:
         return dict.fromkeys(("length", "lebesgue_constant"), facts.warnings[0])
     growth = facts.lebesgue_constant
-    is_missing = {"length": not facts.length, "lebesgue_constant": growth and max(growth) >= LARGEST}
+    is_missing = {"length": not facts.length, "lebesgue_constant": growth and max(growth[:2]) >= LARGEST}
     return {name: _BEYOND for name, missing in is_missing.items() if missing}
 
 
@@ -110,15 +111,18 @@ def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:
     """Return the constants by name; null stands for one beyond all floats."""
     if growth is None:
         return None
-    return {name: value if value < LARGEST else None for name, value in growth._asdict().items()}
+    constants = {"data": growth.data, "points": growth.points}
+    return {name: value if value < LARGEST else None for name, value in constants.items()}
 
 
 def _growth_text(growth: Growth) -> str:
+    points = f"{growth.points:.3g}" if growth.points < LARGEST else _BEYOND
+    points = f"{points} {growth.holds}".rstrip()
     if growth.points >= LARGEST:
-        return _BEYOND
+        return points
     if growth.data == growth.points:
-        return f"{growth.points:.3g}"
-    return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"
+        return points
+    return f"{points} (were the estimated derivatives to stay: {growth.data:.3g})"
 
 
 def _length_text(value: float, bound: float) -> str:

@@ -6,7 +6,7 @@ import msgspec
 
 from .words import NamedEnum
 
-_SMALL_MOVES = "of small moves, the mean of x and y"
+_SMALL_MOVES, _AT_THESE_POINTS = "of small moves, the mean of x and y", "at these points"
 
 
 class EstimateRule(NamedEnum):
@@ -27,6 +27,9 @@ class EstimateRule(NamedEnum):
         the points: it takes ``moves``, (n, k), too. Empty of a linear rule, whose estimates do as the points.
     linearised
         What the effects of points are that it gives, to follow "those".
+    growth_holds
+        Where the growth of errors holds, if it is another one for other points: the rule has kinks, treats
+        each coordinate for itself, and `changes` takes ``one_sided``. Else empty.
     """
 
     def __init__(
@@ -39,10 +42,11 @@ class EstimateRule(NamedEnum):
         takes: tuple[str, ...] = ("points", "parameters"),
         changes: str = "",
         linearised: str = "",
+        growth_holds: str = "",
     ) -> None:
         super().__init__(value, label)
         self.estimate, self.function, self.tip, self.takes = estimate, function, tip, takes
-        self.changes, self.linearised = changes, linearised
+        self.changes, self.linearised, self.growth_holds = changes, linearised, growth_holds
 
     @property
     def is_linear(self) -> bool:
@@ -77,12 +81,12 @@ class VelocityRule(EstimateRule):
         "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
         "monotone_velocities",
         "Velocities with which x and y rise and fall where the points do, and never overshoot them",
-        ("points", "parameters"), "monotone_changes", _SMALL_MOVES,
+        ("points", "parameters"), "monotone_changes", _SMALL_MOVES, _AT_THESE_POINTS,
     )  # fmt: skip
     AKIMA = (
         "akima", "Akima", "estimated by Akima's rule", "akima_velocities",
         "The mean of both slopes, weighted by how straight the other side is: an outlier bends little",
-        ("points", "parameters"), "akima_changes", _SMALL_MOVES,
+        ("points", "parameters"), "akima_changes", _SMALL_MOVES, _AT_THESE_POINTS,
     )  # fmt: skip
 
 

@@ -44,10 +44,13 @@ class Growth(NamedTuple):
         Errors of the points, where velocities and accelerations stay.
     points
         Errors of the points, where those that are estimated follow them.
+    holds
+        Where that of the points holds, if it is another one for other points; else empty.
     """
 
     data: float
     points: float
+    holds: str = ""
 
 
 @dataclass(frozen=True)
@@ -236,7 +239,11 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
 def _growths(views: Sequence[CurveView]) -> list[Growth]:
     """Return the constants of the data and of the points."""
     return [
-        Growth(growth_of_data(view) if view.cardinal is None or view.cardinal.follows else constant, constant)
+        Growth(
+            growth_of_data(view) if view.cardinal is None or view.cardinal.follows else constant,
+            constant,
+            view.growth_holds,
+        )
         for view, constant in zip(views, growths_of_points(views), strict=True)
     ]
 
@@ -246,4 +253,5 @@ def _amplification(growth: Growth) -> tuple[str, ...]:
     if growth.points < AMPLIFICATION_WORTH_A_WORD:
         return ()
     times = f"up to {growth.points:.2g}-fold" if growth.points < LARGEST else "beyond all bounds"
-    return (f"Errors in the points grow {times} along the curve (Lebesgue constant).",)
+    constant = " ".join(filter(None, ("Lebesgue constant", growth.holds)))
+    return (f"Errors in the points grow {times} along the curve ({constant}).",)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QStatusBar
 
 from ..document.model import Vector
 from ..document.words import number
+from ..qt.labels import set_tip
 from ..widgets.controls import named
 from ..widgets.elided_label import SteadyLabel
 
@@ -16,6 +17,7 @@ _LEBESGUE_TIP = (
     "Lebesgue constant: how much errors in the points can grow on the curve, "
     "with the velocities and accelerations that are estimated from them"
 )
+_HOLDS_TIP = "; it is that of small errors in x or y, whichever grow more, and another one for other points"
 
 _SOON_MS = 33
 """Milliseconds after which numbers are written that change with every move: nobody reads faster."""
@@ -40,6 +42,7 @@ class Readouts:
         self._t_here: float | None = None
         self._t_scrub: float | None = None
         self._lebesgue: float | None = math.nan
+        self._lebesgue_holds = ""
         self.unit = ""
         self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self.render)
@@ -65,10 +68,14 @@ class Readouts:
         self._t_scrub = t
         self._render_soon()
 
-    def show_lebesgue(self, constant: float | None) -> None:
-        """Show the Lebesgue constant of the points; NaN without a curve, None while it changes."""
-        if constant != self._lebesgue:
-            self._lebesgue = constant
+    def show_lebesgue(self, constant: float | None, holds: str = "") -> None:
+        """Show the Lebesgue constant of the points; NaN without a curve, None while it changes.
+
+        `holds` says where it holds, if it is another one for other points.
+        """
+        if (constant, holds) != (self._lebesgue, self._lebesgue_holds):
+            self._lebesgue, self._lebesgue_holds = constant, holds
+            set_tip(self._lebesgue_label, _LEBESGUE_TIP + _HOLDS_TIP * bool(holds))
             self._render_soon()
 
     def _render_soon(self) -> None:
@@ -100,4 +107,5 @@ class Readouts:
             return "Λ …"
         if math.isnan(self._lebesgue):
             return ""
-        return f"Λ {'∞' if math.isinf(self._lebesgue) else number(self._lebesgue, 3)}"
+        constant = "∞" if math.isinf(self._lebesgue) else number(self._lebesgue, 3)
+        return f"Λ {constant} {self._lebesgue_holds}".rstrip()

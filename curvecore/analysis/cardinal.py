@@ -9,7 +9,8 @@ d_r = E_r p. With them a curve is linear in its points alone,
 and C_i(t_j) is 1 for i = j, else 0. The B_i0 of a Hermite family say what a point does whose neighbours'
 derivatives stay; the C_i what it does when they are estimated again.
 
-A rule that is not linear has its Jacobian for E_r: then C_i is what a small move does.
+A rule that is not linear has its Jacobian for E_r: then C_i is what a small move does. Where such a rule has
+kinks and treats each coordinate for itself, small errors may do more: all their signs are tried.
 
 References
 ----------
@@ -22,6 +23,7 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -37,6 +39,9 @@ from curvecore.scaling import LARGEST, made_finite
 
 REACH = 64
 """Joints after which an estimate has forgotten a point: a natural spline forgets half at every one."""
+
+_FELT = 6
+"""Neighbouring points on which the velocities of a segment depend at most, where a rule is not linear."""
 
 _NEGLIGIBLE = 2.0**-60
 _MOST_AT_ONCE = 1 << 18
@@ -148,6 +153,10 @@ class CardinalBasis:
         Whether the last joint is the first point again.
     reach : int, optional
         How many joints away from a point the estimates still depend on it; more than that is left out.
+    one_sided : sequence of Follow, optional
+        Where the rule of the velocities is not linear, what small moves do on the side to which they lead,
+        for each coordinate; those of a segment depend on six neighbouring points at most. `sums` and the
+        Lebesgue constant are then those of the errors that do most, in any coordinate, and not of the C_i.
 
     Attributes
     ----------
@@ -184,7 +193,9 @@ class CardinalBasis:
     True
     """
 
-    __slots__ = ("_estimates", "closed", "count", "curve", "parameters")
+    __slots__ = ("_displaced", "_estimates", "_one_sided", "closed", "count", "curve", "parameters")
+
+    _displaced: tuple[FloatArray, FloatArray, list[FloatArray]] | None
 
     def __init__(
         self,
@@ -193,6 +204,7 @@ class CardinalBasis:
         *,
         closed: bool = False,
         reach: int = REACH,
+        one_sided: Sequence[Follow] = (),
     ) -> None:
         self.curve = curve
         self.closed = closed
@@ -200,12 +212,18 @@ class CardinalBasis:
         self.count = len(self.parameters) - closed
         if follow is not None and not curve.is_local:
             raise CurveError("curve must be of a family whose functions are local")
+        self._one_sided, self._displaced = tuple(one_sided), None
         self._estimates = None if follow is None else self._estimated(follow, reach)
 
     @property
     def follows(self) -> bool:
         """Whether any derivative follows the points."""
-        return self._estimates is not None
+        return self._estimates is not None or self.is_one_sided
+
+    @property
+    def is_one_sided(self) -> bool:
+        """Whether sums are those of errors on one side of kinks, not of the functions."""
+        return bool(self._one_sided)
 
     # The estimates, segment by segment
 
@@ -359,11 +377,63 @@ class CardinalBasis:
         ndarray, shape (m,)
             With sizes 1 the Lebesgue function.
         """
-        points, values = self.local(t)
         size = np.asarray(sizes, dtype=np.float64)
+        if self._one_sided:
+            return self._largest_displacements(parameter_row(t), np.broadcast_to(size, self.count))
+        points, values = self.local(t)
         weighted = np.abs(values)
         if size.ndim:
             weighted = weighted * size[points]
         with np.errstate(over="ignore", under="ignore"):
             result: FloatArray = np.minimum(weighted.sum(axis=1) * (1.0 if size.ndim else size), LARGEST)
         return result
+
+    # Errors on one side of kinks
+
+    def _largest_displacements(self, t: FloatArray, sizes: FloatArray) -> FloatArray:
+        """Return how far errors of these sizes, (n,), and any signs displace a coordinate of c(t), (m,)."""
+        if self._displaced is None or not np.array_equal(self._displaced[0], sizes):
+            errors = signs_of_errors(self.count, closed=self.closed) * sizes[:, None]
+            joints = (np.arange(len(self.parameters) - 1)[:, None] + np.arange(2)) % self.count
+            velocities = [self._ends_of(follow, errors)[:, :, 0] for follow in self._one_sided]
+            self._displaced = sizes, errors, [np.stack((errors[joints], each), axis=2) for each in velocities]
+        _, errors, jets = self._displaced
+        segment, basis = self.curve.local_basis(t)
+        with np.errstate(over="ignore", invalid="ignore"):
+            near, far = self._by_higher_derivatives(segment, basis, errors)
+            moved = [np.einsum("mer,merk->mk", basis[:, :, :2], each[segment]) + near for each in jets]
+            # Where a velocity jumps, its effect at the joint is no number.
+            largest = np.fmax.reduce(np.abs(np.concatenate(moved, axis=1)), axis=1)
+            result: FloatArray = np.fmin(largest + far, LARGEST)
+        return result
+
+    def _by_higher_derivatives(
+        self, segment: IntArray, basis: FloatArray, errors: FloatArray
+    ) -> tuple[FloatArray | float, FloatArray | float]:
+        """Return what errors of the points near a segment do by linear rules, (m, k), and others at most."""
+        if basis.shape[2] < 3 or self._estimates is None:
+            return 0.0, 0.0
+        columns, _, values = self._estimates
+        points = columns[segment]
+        effects = np.einsum("mer,merw->mw", basis[:, :, 2:], values[segment][:, :, 1:])
+        place = points - segment[:, None] + 2
+        if self.closed:
+            place %= self.count
+        is_near = (place >= 0) & (place < _FELT)
+        far = np.abs(np.where(is_near, 0.0, effects * errors[points, 0])).sum(axis=1)
+        # The last one takes what is not near.
+        ordered = np.zeros((len(segment), _FELT + 1))
+        np.put_along_axis(ordered, np.where(is_near, place, _FELT), effects, axis=1)
+        felt = (segment[:, None] + np.arange(-2, _FELT - 2)) % self.count
+        return sum(ordered[:, [k]] * errors[felt[:, k]] for k in range(_FELT)), far
+
+
+def signs_of_errors(count: int, *, closed: bool) -> FloatArray:
+    """Return signs of errors, (count, k): for any six neighbours, or for fewer points, all that there are."""
+    width = min(count, _FELT + closed)
+    words = 1.0 - 2.0 * (np.arange(1 << width) >> np.arange(width)[:, None] & 1).astype(np.float64)
+    if not closed or count == width:
+        return words[np.arange(count) % width]
+    # At its seam a row of words lacks some ways: one of three rows has its seam elsewhere.
+    rows = [(np.arange(count) - count * third // 3) % count % _FELT for third in range(3)]
+    return np.concatenate([words[row, : 1 << _FELT] for row in rows], axis=1)

@@ -164,14 +164,12 @@ def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
     if isinstance(curve, CardinalBasis):
         if curve.follows:
             return lebesgue_constants([curve])[0]
-        return _largest_over(curve.curve, curve)
-    return max(_largest_over(piece, piece) for piece in curve.pieces)
+        return 1.0 if curve.curve.is_positive else _largest_over(curve.curve, curve)
+    return max(1.0 if piece.is_positive else _largest_over(piece, piece) for piece in curve.pieces)
 
 
 def _largest_over(curve: ParametricCurve, functions: ParametricCurve | CardinalBasis) -> float:
     """Return the largest sum of functions over the domain of a curve."""
-    if curve.is_positive:
-        return 1.0
     joints = all_joints(curve)
     segments = np.arange(len(joints) - 1)
     intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
@@ -179,7 +177,8 @@ def _largest_over(curve: ParametricCurve, functions: ParametricCurve | CardinalB
     def sums(t: FloatArray, _segment: IntArray) -> FloatArray:
         return lebesgue_function(functions, t)
 
-    search = _FEW_PEAKS if curve.degree is None else _ONE_PEAK
+    is_of_points = isinstance(functions, CardinalBasis) and (functions.follows or functions.closed)
+    search = _FEW_PEAKS if curve.degree is None or is_of_points else _ONE_PEAK
     return float(_largest_sums(sums, intervals, 1, search)[0])
 
 
@@ -196,10 +195,12 @@ def lebesgue_constants(bases: Sequence[CardinalBasis]) -> list[float]:
     list of float
         As `lebesgue_constant`.
     """
-    controls = [basis.controls for basis in bases]
-    found = [1.0] * len(bases)
-    for degree in dict.fromkeys(each.shape[1] for each in controls):
-        same = [index for index, each in enumerate(controls) if each.shape[1] == degree]
+    controls = {index: basis.controls for index, basis in enumerate(bases) if not basis.is_one_sided}
+    found = [
+        1.0 if index in controls else _largest_over(each.curve, each) for index, each in enumerate(bases)
+    ]
+    for degree in dict.fromkeys(each.shape[1] for each in controls.values()):
+        same = [index for index, each in controls.items() if each.shape[1] == degree]
         for index, constant in zip(same, _largest_of([controls[index] for index in same]), strict=True):
             found[index] = constant
     return found

@@ -32,8 +32,10 @@ from curvecore import (
     worst_case_band,
     zero_accelerations,
 )
+from curvecore.analysis.cardinal import signs_of_errors
 from curvecore.analysis.stability import lebesgue_constants
 from curvecore.families.chain import joint_of_row
+from tests.rows import each_row
 
 # Two groups of near points and a long way between them, those of the lesson on chord length.
 UNEVEN = np.array([(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)])
@@ -286,6 +288,18 @@ def test_an_ensemble_of_estimated_curves_stays_in_its_band():
     assert (away <= band.distance * (1 + 1e-12)).all()
     # With velocities that stay no curve leaves a band of 0.05.
     assert away.max() > 3 * 0.05
+
+
+@each_row("count", range(2, 22))
+def test_any_six_neighbours_have_errors_of_all_signs(count):
+    """Around the seam of a closed curve, too."""
+    width = min(count, 6)
+    for closed in (False, True):
+        found = signs_of_errors(count, closed=closed)
+        assert (np.abs(found) == 1.0).all()
+        for first in range(count if closed else count - width + 1):
+            window = found[(first + np.arange(width)) % count]
+            assert len(np.unique(window, axis=1).T) == 2**width
 
 
 def test_what_cannot_be_is_refused():

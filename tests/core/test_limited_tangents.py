@@ -12,6 +12,8 @@ from curvecore import (
     monotone_velocities,
     uniform,
 )
+from tests import exact_rules
+from tests.exact_rules import changes
 from tests.rows import each_row
 
 RULES = {
@@ -87,6 +89,32 @@ def test_the_jacobian_times_the_points_is_the_velocity(rng, name, n):
         assert found == pytest.approx(velocities(points, t), abs=1e-11 / np.diff(t).min())
         # A move of all points together changes nothing.
         assert jacobian.sum(axis=2) == pytest.approx(np.zeros((n, 2)), abs=1e-11 / np.diff(t).min())
+
+
+@every_rule
+@each_row("n", [2, 3, 4, 5, 6, 8])
+def test_changes_on_one_side_are_those_of_exact_arithmetic(rng, name, n):
+    """Whole numbers bring kinks."""
+    for _ in range(12):
+        points, t = rng.integers(-2, 3, n), np.cumsum(rng.integers(1, 3, n))
+        moves = rng.integers(-1, 2, (n, 3))
+        found = RULES[name][1](points[:, None].astype(float), t.astype(float), moves, one_sided=True)[:, 0]
+        exact = [
+            changes(getattr(exact_rules, name), points.tolist(), t.tolist(), each)
+            for each in moves.T.tolist()
+        ]
+        exact = np.column_stack(exact)
+        exact[np.abs(exact) > 1e30] = np.inf
+        assert found == pytest.approx(exact, abs=1e-13)
+
+
+def test_akimas_velocity_jumps_at_a_corner_between_straight_runs():
+    """Unless both runs turn alike."""
+    points, t = np.array([[0.0], [0.0], [0.0], [1.0], [2.0]]), np.arange(5.0)
+    moves = np.array([[0, 1, 0, 0, 0], [0, 0, 0, 1, 0], [1, 0, 0, 0, 1], [0, 0, 1, 0, 0]]).T
+    found = akima_changes(points, t, moves, one_sided=True)[2, 0]
+    assert found.tolist() == [np.inf, np.inf, 0.0, 0.0]
+    assert np.isfinite(akima_changes(points, t, moves)).all()
 
 
 @every_rule

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QToolButton
 
-from app.document.model import Curve, Document, Parametrization, Point
+from app.document.derivatives import VelocityRule
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE
 from app.features.basis.function_lines import FunctionLines
 from app.settings.preferences import Preferences
 from app.testing import Editor
+from app.view_model.analysis.teaching import warnings_of
 
 UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]
 
@@ -120,6 +123,33 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     assert plot.levels[0].value == pytest.approx(uneven.session.active_view.growth)
     assert plot.levels[0].value < 8
     assert label(uneven, "lebesgueConstant") == f"Λ {uneven.session.active_view.growth:.3g}"
+
+
+def test_the_growth_by_akimas_rule_is_shown_as_that_at_these_points(editor):
+    """Λ 1.69 stood there: a mean of x and y. At a corner between straight runs it has no bound."""
+    worse = ((1.0, 6.0), (0.0, 0.0), (3.0, 0.0), (1.0, 3.0), (2.0, 6.0), (4.0, 6.0), (2.0, 6.0))
+    rule = VelocityRule.AKIMA
+    points = tuple(Point(x, y) for x, y in worse)
+    worse = Curve("Worse", HERMITE, Parametrization(), points, velocity_rule=rule)
+    editor.trigger("plotLebesgue")
+    editor.session.commit(Document((worse,)), "Begin")
+    assert label(editor, "lebesgueConstant") == "Λ 9.16 at these points"
+    assert "another one for other points" in editor.window.findChild(QLabel, "lebesgueConstant").toolTip()
+    (plot,) = editor.window.central["plotPanel"].pane.canvas.plots
+    assert plot.levels[0].name == "Lebesgue constant Λ = 9.16 at these points"
+    uniform = Parametrization(ParametrizationKind.UNIFORM)
+    points = tuple(Point(float(x), float(y)) for x, y in enumerate([0, 1, 2, 1, 0]))
+    corner = replace(worse, points=points, parametrization=uniform)
+    editor.session.commit(Document((corner,)), "A corner")
+    assert label(editor, "lebesgueConstant") == "Λ ∞ at these points"
+    (plot,) = editor.window.central["plotPanel"].pane.canvas.plots
+    assert plot.levels[0].name == "Lebesgue constant Λ = ∞ at these points"
+    (warned,) = warnings_of(editor.session.active_view, np.inf)
+    assert warned.sentence.startswith("Between two straight runs of x or y the velocity jumps")
+    linear = replace(worse, velocity_rule=VelocityRule.BESSEL)
+    editor.session.commit(Document((linear,)), "Another rule")
+    assert "at these points" not in label(editor, "lebesgueConstant")
+    assert "other points" not in editor.window.findChild(QLabel, "lebesgueConstant").toolTip()
 
 
 def test_the_choice_is_remembered(qtbot, tmp_path):

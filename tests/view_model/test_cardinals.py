@@ -23,6 +23,7 @@ from app.view_model.bending.bend import Bend
 from app.view_model.bending.hold import BendWith
 from app.view_model.curve.curve_view import curve_through, view_of
 from curvecore import ensemble, lebesgue_constant, worst_case_band
+from tests import exact_rules
 
 CUBIC_SPLINE = FAMILIES.named("cubic_spline")
 UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]
@@ -111,6 +112,93 @@ def test_a_small_move_does_what_its_function_says_where_a_rule_is_not_linear(rul
         target = view.curve.evaluate(0.3) + np.array([0.1, 0.4])
         bent = Bend(view, 0.3, BendWith.POINTS).bent(tuple(target.tolist()), 1e-9)
         assert view_of(bent).curve.evaluate(0.3) == pytest.approx(target, abs=1e-8)
+
+
+def bent(points, t, rule, family=HERMITE):
+    """A curve of the points at these parameters, closed where there is one more of these."""
+    closed = len(t) > len(points)
+    interval = Parametrization(MANUAL, start=float(t[0]), end=float(t[-1]))
+    points = tuple(Point(float(x), float(y), t=float(at)) for (x, y), at in zip(points, t, strict=False))
+    return Curve("Bent", family, interval, points, closed=closed, velocity_rule=rule)
+
+
+WORSE = [(1, 6), (0, 0), (3, 0), (1, 3), (2, 6), (4, 6), (2, 6)]
+"""Points through which Akima's curve makes errors of y 9.16 times as large; 1.69 was said."""
+
+
+@pytest.mark.parametrize("rule", BENT)
+@pytest.mark.parametrize("closed", [False, True])
+def test_the_growth_by_a_rule_that_is_not_linear_is_that_of_exact_arithmetic(rule, closed, rng):
+    """The largest of both coordinates and all signs of errors, at kinks, too; of the means it was less."""
+    angles = (np.arange(72) + 0.5) * np.pi / 72
+    samples = (1.0 + np.cos(angles)) / 2.0  # of a cubic: at most 1 / cos(π / 48) of it is missed
+    rows = [
+        ([(0, 0), (1, 1), (2, 2), (4, 1), (5, 3)], [0, 1, 2, 3, 4, 5]),  # three on a line
+        ([(0, 0), (1, 0), (2, 3), (2, 3), (4, 1)], [0, 1, 3, 4, 6, 7]),  # steps
+        ([(0, 0), (1, 1), (4, 4), (9, 9)], [0, 1, 2, 3, 5]),  # both ends without a velocity
+        ([(0, 5), (1, 5), (2, 5), (3, 5), (4, 5)], [0, 1, 2, 3, 4, 8]),  # all on a line
+        (rng.integers(0, 9, (6, 2)).tolist(), [0, 2, 3, 5, 6, 8, 9]),
+    ]
+    for points, t in rows:
+        curve = bent(points, t[: len(points) + closed], rule)
+        view = view_of(curve)
+        exact = max(
+            exact_rules.growth(
+                getattr(exact_rules, rule.value), list(each), list(t[: len(points) + closed]), closed, samples
+            )
+            for each in zip(*points, strict=True)
+        )
+        if exact > 1e30:
+            assert view.growth == np.inf
+        else:
+            assert exact * (1 - 1e-12) <= view.growth <= exact / np.cos(np.pi / 48)
+        assert (
+            growth_of_points(view) == view.growth == facts_of(Document((curve,)))[0].lebesgue_constant.points
+        )
+        assert view.growth_holds == "at these points"
+
+
+def test_the_growth_by_akimas_rule_is_said_to_hold_at_these_points():
+    points = tuple(Point(float(x), float(y)) for x, y in WORSE)
+    curve = Curve("Worse", HERMITE, Parametrization(CHORD), points, velocity_rule=VelocityRule.AKIMA)
+    view = view_of(curve)
+    t = view.parameters
+    samples = (1.0 + np.cos((np.arange(72) + 0.5) * np.pi / 72)) / 2.0
+    exact = exact_rules.growth(exact_rules.akima, [y for _, y in WORSE], t.tolist(), False, samples)
+    assert view.growth == pytest.approx(exact, rel=2e-3)
+    assert view.growth == pytest.approx(9.162, abs=1e-3)
+    assert np.abs(view.cardinal.basis(np.linspace(0, 1, 201))).sum(axis=1).max() < 1.69
+    assert facts_of(Document((curve,)))[0].lebesgue_constant == (1.0, view.growth, "at these points")
+    explanation = explain(view, 0.745)
+    assert not explanation.adds_up
+    assert explanation.lebesgue == pytest.approx(view.growth, rel=1e-3)
+    assert "at these points" in explanation.sentences[-2]
+    # A linear rule holds wherever the points are.
+    assert (
+        view_of(seven()).growth_holds
+        == view_of(seven(velocity_rule=VelocityRule.CATMULL_ROM)).growth_holds
+        == ""
+    )
+
+
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("changes", [{}, EXPLICIT, CORNERS], ids=["plain", "set", "corners"])
+def test_small_errors_displace_a_curve_by_their_growth_at_most(family, closed, changes, rng):
+    """Also through accelerations, which follow all points, and where errors have sizes of their own."""
+    places = rng.uniform(0.0, 5.0, (7, 2)).tolist()
+    curve = seven(family=family, closed=closed, velocity_rule=VelocityRule.AKIMA)
+    curve = with_points(curve, **{f"p{i}": {"x": x, "y": y} for i, (x, y) in enumerate(places)})
+    curve = with_points(frozen(curve), **changes)
+    view, t = view_of(curve), np.linspace(0.0, 1.0, 60)
+    sizes = np.array([1.0, 0.5, 2.0, 1.0, 0.0, 1.0, 1.0])
+    largest = np.zeros(len(t))
+    for signs in product((-1.0, 1.0), repeat=7):
+        moves = 1e-7 * np.repeat((signs * sizes)[:, None], 2, axis=1)
+        away = moved(curve, moves).curve.evaluate(t) - view.curve.evaluate(t)
+        largest = np.maximum(largest, np.abs(away).max(axis=1) / 1e-7)
+    # Differences leave 1e-7 times the second derivative.
+    assert view.cardinal.sums(t, sizes) == pytest.approx(largest, rel=1e-4)
 
 
 @pytest.mark.parametrize("family", FAMILIES)

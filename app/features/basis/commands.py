@@ -82,7 +82,7 @@ class BasisCommands:
         is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
         waits = self._session.is_previewing and is_dear
         growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
-        self._context.status_line.readouts.show_lebesgue(growth)
+        self._context.status_line.readouts.show_lebesgue(growth, view.growth_holds)
         if not self._session.is_previewing or len(view.points) <= _MOST_MEASURED_LIVE:
             self._pane.show_findings(findings_of(view), remark_on(view))
 

@@ -145,7 +145,8 @@ class WigglePanel(QScrollArea):
             return
         self.words.setText(" ".join(explanation.sentences))
         at = number(explanation.t)
-        self.title.setText(f"Weights at t = {at}, together Λ(t) = {short(explanation.lebesgue)}")
+        together = ", together" if explanation.adds_up else ";"
+        self.title.setText(f"Weights at t = {at}{together} Λ(t) = {short(explanation.lebesgue)}")
         self.bars.render_pulls(explanation.pulls, count)
         self.calm.setText(_calm_words(explanation))
 

@@ -94,7 +94,7 @@ def line_rows(
 def _growth(view: CurveView, *, in_drag: bool) -> str:
     if len(view.parameters) > _MOST_WITH_GROWTH:
         return ""
-    return "Λ …" if in_drag else f"Λ {short(view.growth)}"
+    return "Λ …" if in_drag else f"Λ {short(view.growth)} {view.growth_holds}".rstrip()
 
 
 def _ghost_row(view: GhostView, *, in_drag: bool) -> LegendRow:

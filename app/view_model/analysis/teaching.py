@@ -77,8 +77,7 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
             Warned(
                 Topic.LEBESGUE,
                 f"⚠ Λ {short(lebesgue)}",
-                f"An error in a point, even one of rounding, can come out {short(lebesgue)} times as large "
-                f"on the curve: {_digits(lebesgue)} of accuracy are gone. {_remedy(view)}",
+                _words_on_growth(view, lebesgue),
             )
         )
     return found
@@ -137,6 +136,18 @@ def _speed(view: CurveView, knot: int) -> float:
     """Return how fast the curve must be between the points of a segment at least."""
     one, other = (view.points[view.owner(each)] for each in (knot, knot + 1))
     return float(np.hypot(*(other - one)) / (view.parameters[knot + 1] - view.parameters[knot]))
+
+
+def _words_on_growth(view: CurveView, lebesgue: float) -> str:
+    if view.growth_holds and np.isinf(lebesgue):
+        return (
+            "Between two straight runs of x or y the velocity jumps with the smallest error in a point, and "
+            "the curve with it. Move a point of the runs, or set the velocity between them by hand."
+        )
+    return (
+        f"An error in a point, even one of rounding, can come out {short(lebesgue)} times as large "
+        f"on the curve: {_digits(lebesgue)} of accuracy are gone. {_remedy(view)}"
+    )
 
 
 def _remedy(view: CurveView) -> str:

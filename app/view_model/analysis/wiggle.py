@@ -12,6 +12,7 @@ from curvecore.bezier.polylines import segment_distance
 from ...document.derivatives import DERIVATIVES
 from ..basis.basis_view import weights_at
 from ..basis.growth import growth_at
+from ..curve.cardinals import unbounded
 from ..curve.curve_view import CurveView
 from ..curve.jets import is_explicit
 from ..geometry.sampling import segment_at, within_segments
@@ -63,7 +64,9 @@ class Explanation:
     pulls
         The strongest data, the strongest first.
     lebesgue
-        Λ(t), the sum of the sizes of all weights of points.
+        Λ(t).
+    adds_up
+        Whether it is the sum of the sizes of all weights of points: their effects are not means.
     overshoot
         The farthest distance of the curve from the straight line between the two points.
     is_calm
@@ -76,6 +79,7 @@ class Explanation:
     segment: tuple[int, int, int]
     pulls: tuple[Pull, ...]
     lebesgue: float
+    adds_up: bool
     overshoot: float
     is_calm: bool
     sentences: tuple[str, ...]
@@ -121,7 +125,7 @@ def explain(view: CurveView, t: float) -> Explanation | None:
     chord = float(np.hypot(*(view.points[segment[2]] - view.points[segment[1]])))
     pulls = _pulls(view, t, knot, chord)
     swing, _ = overshoot(view, knot)
-    lebesgue = float(growth_at(view, np.array([t]))[0])
+    lebesgue = unbounded(float(growth_at(view, np.array([t]))[0]))
     at_point = next((view.owner(each) for each in (knot, knot + 1) if knots[each] == t), None)
     pulling = (
         f"Right here it goes through point {at_point}, whatever the others do."
@@ -131,9 +135,12 @@ def explain(view: CurveView, t: float) -> Explanation | None:
     words: tuple[str, ...] = (_swing_words(segment, swing, chord), pulling, _error_words(lebesgue))
     if not view.source.family.interpolates:
         words = (*_control_words(view, t, pulls), _error_words(lebesgue))
+    if view.growth_holds:
+        words = (*words, f"Λ(t) is that of small errors in x or y {view.growth_holds}, whichever grow more.")
     if view.linearised:
         words = (*words, f"The weights are those {view.linearised}.")
-    return Explanation(t, segment, pulls[:MOST_PULLS], lebesgue, swing, swing <= _CALM * chord, words)
+    is_calm, adds_up = swing <= _CALM * chord, not view.growth_holds
+    return Explanation(t, segment, pulls[:MOST_PULLS], lebesgue, adds_up, swing, is_calm, words)
 
 
 def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ...]:

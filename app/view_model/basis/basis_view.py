@@ -8,11 +8,13 @@ from functools import cached_property, reduce
 import msgspec
 import numpy as np
 
+from curvecore import CardinalBasis, lebesgue_constant
 from curvecore.analysis.cardinal import by_point
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
 from ...families import Family
+from ..curve.cardinals import unbounded
 from ..curve.curve_view import CurveView, ParametricCurve
 from ..geometry.sampling import OneSided, crowded_at_ends, one_sided
 
@@ -184,11 +186,12 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @cached_property
     def lebesgue_constant(self) -> float:
-        """The largest sum of |L_i| of a Lagrange curve over the samples: Λ as far as can be drawn.
-
-        Infinite where it is beyond all floats.
-        """
+        """Λ of the points, infinite where it is beyond all floats; of many as far as samples show it."""
         assert not self.curve.is_local
+        if self.count < _MANY:
+            return unbounded(
+                lebesgue_constant(CardinalBasis(self.curve, closed=self.point_count < self.count))
+            )
         with np.errstate(over="ignore"):
             return float(np.abs(self.values[:, : self.point_count, 0]).sum(axis=1).max())
 

@@ -17,11 +17,9 @@ from curvecore.analysis.stability import lebesgue_constants
 from curvecore.arrays import FloatArray
 from curvecore.scaling import LARGEST
 
+from ..curve.cardinals import unbounded
 from ..curve.curve_view import CurveView
 from .basis_view import BasisView
-
-_FEW = 60
-"""Knots up to which a Lebesgue constant takes some milliseconds."""
 
 
 def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
@@ -32,8 +30,8 @@ def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
 def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
     """Return the Lebesgue constant Λ of the points of a curve; infinite where it is beyond all floats.
 
-    `basis` lends functions, of which many take long: the largest of their samples is as much of the constant
-    as can be drawn. What is on screen may still be the functions of another curve.
+    `basis` lends functions, of which many take long. What is on screen may still be the functions of another
+    curve.
     """
     if not view.is_current or view.basis_curve is None:
         return math.nan
@@ -56,8 +54,8 @@ def _lends(basis: BasisView, view: CurveView) -> bool:
     own = view.basis_curve
     if own is None or basis.curve.is_local or basis.curve.functions_key != own.functions_key:
         return False
-    if len(view.parameters) < _FEW or basis.point_count != len(view.source.points):
-        return False
+    if view.source.is_closed:
+        return False  # the samples may be those of an open curve
     return bool(np.array_equal(basis.curve.parameters, view.parameters))
 
 
@@ -65,8 +63,12 @@ def growths_of_points(views: Sequence[CurveView]) -> list[float]:
     """Return the Lebesgue constants Λ of the points of many current curves in a fraction of the time."""
     bases = [view.cardinal for view in views]
     following = [basis for basis in bases if basis is not None and basis.follows]
-    constants = iter(lebesgue_constants(following))
+    constants = map(unbounded, lebesgue_constants(following))
     return [
-        math.inf if basis is None else next(constants) if basis.follows else lebesgue_constant(basis)
+        math.inf
+        if basis is None
+        else next(constants)
+        if basis.follows
+        else unbounded(lebesgue_constant(basis))
         for basis in bases
     ]

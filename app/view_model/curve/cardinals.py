@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import cached_property
+from functools import cached_property, partial
 
 import msgspec
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from curvecore import CurveError, ParametricCurve, lebesgue_constant
 from curvecore.analysis.cardinal import REACH, CardinalBasis
 from curvecore.arrays import FloatArray
+from curvecore.scaling import LARGEST
 
 from ...document.model import Curve
 from .jets import moved_with_points
@@ -27,8 +28,13 @@ class Cardinal(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @cached_property
     def growth(self) -> float:
-        """Their Lebesgue constant."""
-        return lebesgue_constant(self.functions) if self.functions is not None else math.inf
+        """Their Lebesgue constant; infinite where it is beyond all floats."""
+        return unbounded(lebesgue_constant(self.functions)) if self.functions is not None else math.inf
+
+
+def unbounded(growth: float) -> float:
+    """Return a growth, infinite in place of the largest float."""
+    return growth if growth < LARGEST else math.inf
 
 
 class Cardinals:
@@ -72,9 +78,11 @@ def _made(
 ) -> CardinalBasis | None:
     if not curve.family.derivatives:
         return CardinalBasis(basis_curve, closed=curve.is_closed)
-    follow = moved_with_points(curve, points, basis_curve.parameters, arrays)
+    reach = REACH if len(curve.points) < _MANY else _SHORT_REACH
+    moved = partial(moved_with_points, curve, points, basis_curve.parameters, arrays)
+    is_local = any(rule.growth_holds for rule in curve.rules)
+    sides = [moved(coordinate) for coordinate in (0, 1)] if is_local else []
     try:
-        reach = REACH if len(curve.points) < _MANY else _SHORT_REACH
-        return CardinalBasis(basis_curve, follow, closed=curve.is_closed, reach=reach)
+        return CardinalBasis(basis_curve, moved(), closed=curve.is_closed, reach=reach, one_sided=sides)
     except CurveError:
         return None

@@ -96,6 +96,11 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
         """A remark on the effects of points, where estimates are not linear in them; else empty."""
         return next((rule.linearised for rule in self.source.rules if rule.linearised), "")
 
+    @property
+    def growth_holds(self) -> str:
+        """Where the growth of errors holds, if it is another one for other points; else empty."""
+        return next((rule.growth_holds for rule in self.source.rules if rule.growth_holds), "")
+
     @cached_property
     def polyline(self) -> FloatArray:
         """The curve as a polyline (k, 2), within a thousandth of its size."""

@@ -61,12 +61,16 @@ def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: P
 
 
 def moved_with_points(
-    curve: Curve, points: FloatArray, parameters: FloatArray, arrays: PointArrays
+    curve: Curve,
+    points: FloatArray,
+    parameters: FloatArray,
+    arrays: PointArrays,
+    coordinate: int | None = None,
 ) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
     """Return what moves of the points, (n, m), do to the derivatives before and after each knot.
 
     At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points; of
-    others it is what small moves do. What the person set stays.
+    others it is what small moves do, as a mean or to one coordinate. What the person set stays.
     """
     corners = _dividing_knots(arrays, len(points))
 
@@ -75,7 +79,8 @@ def moved_with_points(
         both = np.hstack([points, at_knots(moves, closed=curve.is_closed)])
         before = np.zeros((len(points), curve.family.derivatives, moves.shape[1]))
         after = before.copy()
-        for order, change in enumerate(_changes(curve)):
+        for order, rule in enumerate(curve.rules):
+            change = _of_moves(rule, curve, coordinate)
             _estimate(before[:, order], after[:, order], both, parameters, corners, change, curve.is_closed)
             for side, derivatives in enumerate((before, after)):
                 derivatives[_given_rows(arrays, side, order + 1, len(points)), order] = 0.0
@@ -84,23 +89,22 @@ def moved_with_points(
     return moved
 
 
-def _changes(curve: Curve) -> list[Estimate]:
-    """Return for each estimate what it makes of moves of the points: of (k, 2 + m) the columns behind two.
+def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estimate:
+    """Return what a rule makes of moves of the points: of (k, 2 + m) the columns behind two.
 
     Of a rule that is not linear this is its Jacobian at the points, times the moves: where it treats each
-    coordinate for itself, the mean of both, which is the mean over the directions of a move.
+    coordinate for itself, the mean of both, which is the mean over the directions of a move; or, of one
+    coordinate, the change on that side of a kink to which the moves lead.
     """
-    return [_of_moves(rule, curve) for rule in curve.rules]
-
-
-def _of_moves(rule: EstimateRule, curve: Curve) -> Estimate:
     if rule.is_linear:
         return lambda both, t: _estimate_by(rule, curve)(both[:, 2:], t)
     function = getattr(curvecore, rule.changes)
 
     def changes(both: FloatArray, t: FloatArray) -> FloatArray:
-        moved = function(both[:, :2], t, both[:, 2:], **_further(rule, curve))
-        mean: FloatArray = moved.mean(axis=1)
+        if coordinate is not None:
+            one: FloatArray = function(both[:, [coordinate]], t, both[:, 2:], one_sided=True)[:, 0]
+            return one
+        mean: FloatArray = function(both[:, :2], t, both[:, 2:], **_further(rule, curve)).mean(axis=1)
         return mean
 
     return changes

@@ -49,7 +49,7 @@ def _band(scene: Scene) -> Drawn:
     curve = scene.view.curve
     if curve is None or epsilon == delta == 0.0:
         return [], "Both errors are 0: the curve stays where it is."
-    if scene.view.cardinal is None:
+    if scene.view.cardinal is None or (scene.view.growth_holds and np.isinf(scene.view.growth)):
         return [], "Not drawn: the smallest error of a point sends the curve beyond all numbers."
     most = _MOST if delta == 0.0 else _MOST // 2
     pieces = [_thinned(piece, most) for piece in scene.samples]
@@ -73,7 +73,9 @@ def _band(scene: Scene) -> Drawn:
         words += ", the estimates as if they did not follow t"
     if delta == 0.0:
         words += f", {number(best / epsilon)} times ε"
-    if scene.view.linearised:
+    if scene.view.growth_holds:
+        words += f"; the effects of points are those of small errors in x or y {scene.view.growth_holds}"
+    elif scene.view.linearised:
         words += f"; the effects of points are those {scene.view.linearised}"
     return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
 

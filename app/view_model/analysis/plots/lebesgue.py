@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 import numpy as np
 from msgspec.structs import replace
 
@@ -20,14 +22,15 @@ def _values(sampled: Sampled) -> FloatArray:
 def _with_constant(plot: PlotData, sampled: Sampled) -> PlotData:
     constant = max(sampled.lebesgue_constant, 1.0)
     extent = (1.0, max(plot.extent[1], constant))
-    return replace(plot, extent=extent, levels=(Level(constant, _about(constant)),))
+    words = " ".join(filter(None, (_about(constant), sampled.view.growth_holds)))
+    return replace(plot, extent=extent, levels=(Level(constant, words),))
 
 
 def _about(constant: float) -> str:
     """Return what is written at the Lebesgue constant."""
     if constant < 1.0 + 1e-9:
         return "Lebesgue constant Λ = 1: no error of a point grows"
-    return f"Lebesgue constant Λ = {number(constant, 3)}"
+    return f"Lebesgue constant Λ = {number(constant, 3) if isfinite(constant) else '∞'}"
 
 
 LEBESGUE = Plot(
