@@ -240,7 +240,7 @@ def _growths(views: Sequence[CurveView]) -> list[Growth]:
     """Return the constants of the data and of the points."""
     return [
         Growth(
-            growth_of_data(view) if view.cardinal is None or view.cardinal.follows else constant,
+            constant if view.cardinal and not view.cardinal.follows else growth_of_data(view),
             constant,
             view.growth_holds,
         )

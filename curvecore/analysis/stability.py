@@ -164,21 +164,23 @@ def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
     if isinstance(curve, CardinalBasis):
         if curve.follows:
             return lebesgue_constants([curve])[0]
-        return 1.0 if curve.curve.is_positive else _largest_over(curve.curve, curve)
-    return max(1.0 if piece.is_positive else _largest_over(piece, piece) for piece in curve.pieces)
+        if curve.closed and not curve.curve.is_positive:
+            return _largest_over(curve.curve, curve)
+        return lebesgue_constant(curve.curve)
+    return max(1.0 if piece.is_positive else _largest_over(piece) for piece in curve.pieces)
 
 
-def _largest_over(curve: ParametricCurve, functions: ParametricCurve | CardinalBasis) -> float:
-    """Return the largest sum of functions over the domain of a curve."""
+def _largest_over(curve: ParametricCurve, functions: CardinalBasis | None = None) -> float:
+    """Return the largest sum over the domain of a curve, of its own functions or of others."""
     joints = all_joints(curve)
     segments = np.arange(len(joints) - 1)
     intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
 
     def sums(t: FloatArray, _segment: IntArray) -> FloatArray:
-        return lebesgue_function(functions, t)
+        found = _sums(curve, t.ravel())[:, 0] if functions is None else functions.sums(t.ravel())
+        return found.reshape(t.shape)
 
-    is_of_points = isinstance(functions, CardinalBasis) and (functions.follows or functions.closed)
-    search = _FEW_PEAKS if curve.degree is None or is_of_points else _ONE_PEAK
+    search = _FEW_PEAKS if curve.degree is None or functions is not None else _ONE_PEAK
     return float(_largest_sums(sums, intervals, 1, search)[0])
 
 
