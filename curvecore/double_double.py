@@ -104,10 +104,10 @@ def vector_lengths(a: DoubleDouble) -> DoubleDouble:
 
 def cumulative_sum(a: DoubleDouble) -> DoubleDouble:
     """Return the sums of the first k of n positive numbers, (n,), to n**2 2**-106 of it [2]_."""
-    total = np.cumsum(a.high)
+    total = np.add.accumulate(a.high)
     rest = a.low.copy()
     rest[1:] += _two_sum(total[:-1], a.high[1:]).low
-    return _renormalised(total, np.cumsum(rest))
+    return _renormalised(total, np.add.accumulate(rest))
 
 
 def logarithm(a: DoubleDouble) -> DoubleDouble:

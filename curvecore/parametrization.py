@@ -235,7 +235,7 @@ def power(points: ArrayLike, alpha: float) -> FloatArray:
     >>> power([[0, 0], [1, 0], [5, 0]], 0.5).round(9).tolist()
     [0.0, 0.333333333, 1.0]
     """
-    return _power(point_array(points), alpha, "power-family")
+    return _power(point_array(points), _exponent(alpha), "power-family")
 
 
 def relative_spacing(points: FloatArray, alpha: float, rule: str) -> FloatArray:
@@ -261,9 +261,16 @@ def relative_spacing(points: FloatArray, alpha: float, rule: str) -> FloatArray:
         For a negative alpha, and for coincident points unless alpha is 0.
     """
     with np.errstate(under="ignore"):
-        spacing = _spacing(points, alpha, rule).high
+        spacing = _spacing(points, _exponent(alpha), rule).high
         relative: FloatArray = spacing / spacing.max()
     return relative
+
+
+def _exponent(alpha: float) -> float:
+    exponent = finite_number(alpha, "alpha")
+    if exponent < 0.0:
+        raise CurveError(f"alpha must be at least 0, not {exponent}")
+    return exponent
 
 
 def _power(points: FloatArray, alpha: float, rule: str) -> FloatArray:
@@ -271,24 +278,22 @@ def _power(points: FloatArray, alpha: float, rule: str) -> FloatArray:
     with np.errstate(under="ignore"):
         total = cumulative_sum(_spacing(points, alpha, rule))
         shares = divide(total, DoubleDouble(total.high[-1], total.low[-1]))
-    parameters = np.append(0.0, shares.high)
+    parameters = np.zeros(len(points))
+    parameters[1:] = shares.high
     _check_increasing(parameters, f"{rule} parameters cannot tell these points apart: parameters")
     return parameters
 
 
 def _spacing(points: FloatArray, alpha: float, rule: str) -> DoubleDouble:
     """Return distance ** alpha, (n - 1,), in units such that the largest one is about 1."""
-    exponent = finite_number(alpha, "alpha")
-    if exponent < 0.0:
-        raise CurveError(f"alpha must be at least 0, not {exponent}")
-    if exponent == 0.0:
+    if alpha == 0.0:
         return DoubleDouble(np.ones(len(points) - 1), np.zeros(len(points) - 1))
     length = _relative_distances(points, rule)
-    if exponent in (0.5, 1.0):
-        return length if exponent == 1.0 else square_root(length)
-    rounded = length.high**exponent
+    if alpha in (0.5, 1.0):
+        return length if alpha == 1.0 else square_root(length)
+    rounded = length.high**alpha
     # By the difference of logarithms the power is off, relatively.
-    wanted = multiply(logarithm(length), DoubleDouble(np.array(exponent), np.array(0.0)))
+    wanted = multiply(logarithm(length), DoubleDouble(np.array(alpha), np.array(0.0)))
     reached = logarithm(DoubleDouble(rounded, np.zeros_like(rounded)))
     return DoubleDouble(rounded, rounded * add(wanted, DoubleDouble(-reached.high, -reached.low)).high)
 

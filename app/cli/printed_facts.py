@@ -127,7 +127,7 @@ def _growth_text(growth: Growth) -> str:
 
 def _length_text(value: float, bound: float) -> str:
     """Return a length with as many digits as its bound is worth, and a bound that covers their rounding."""
-    texts = (f"{value:.{digits}g}" for digits in range(9, 18))
+    texts = (f"{value:.{digits}g}" for digits in range(1, 18))
     text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
     error = bound + abs(float(text) - value)
     return f"about {text} (error at most {rounded_up(error, 1):g})"

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
 
 from curvecore import Length
 from curvecore.analysis.bounding_boxes import Box, bounding_boxes
-from curvecore.bezier.pieces import BezierPieces, bezier_pieces
-from curvecore.scaling import LARGEST
+from curvecore.bezier.pieces import FINE, BezierPieces, bezier_pieces
+from curvecore.scaling import LARGEST, SMALLEST
 
 from ..document.model import Curve, Document, Parametrization
 from ..document.style import PLAIN_STYLE, Style
@@ -19,6 +20,7 @@ from ..families import Family, FamilySetting, SettingValue
 from ..tasks.progress import Report, silent
 from ..view_model.basis.growth import growth_of_data, growths_of_points
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
+from ..view_model.curve.rounded_parameters import ParameterRounding
 from ..view_model.geometry.arc_lengths import lengths_of
 from ..view_model.geometry.stroked import around_dot
 from .drawing.drawing import refuse_wild, too_much
@@ -156,12 +158,15 @@ class _Shape(NamedTuple):
         What is computed of it.
     pieces
         Bézier pieces of `core`, of which box and length are made.
+    rounding
+        That of its parameters.
     """
 
     curve: Curve
     view: CurveView
     core: ParametricCurve
     pieces: BezierPieces
+    rounding: ParameterRounding
 
 
 def _shape_of(curve: Curve) -> _Shape | str:
@@ -169,7 +174,9 @@ def _shape_of(curve: Curve) -> _Shape | str:
     if reason := too_much(curve):
         return reason
     view = view_of(curve)
-    return view.problem if view.curve is None else _Shape(curve, view, view.curve, bezier_pieces(view.curve))
+    if view.curve is None:
+        return view.problem
+    return _Shape(curve, view, view.curve, bezier_pieces(view.curve), ParameterRounding(view))
 
 
 def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> Iterator[CurveFacts]:
@@ -177,9 +184,8 @@ def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> 
     good = {index: shape for index, shape in enumerate(shapes) if not isinstance(shape, str)}
     found = bounding_boxes([each.core for each in good.values()], [each.pieces for each in good.values()])
     boxes = dict(zip(good, found, strict=True))
-    totals = lengths_of([each.pieces for each in good.values()], LENGTH_TOLERANCE)
-    lengths = dict(zip(good, totals, strict=True))
     growths = dict(zip(good, _growths([each.view for each in good.values()]), strict=True))
+    lengths = dict(zip(good, _lengths([*good.values()], [*growths.values()]), strict=True))
     for index, (curve, shape) in enumerate(zip(curves, shapes, strict=True)):
         if isinstance(shape, str):
             yield replace(_facts_of_points(curve), warnings=(shape,))
@@ -200,7 +206,7 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length, growth: Growth
         length=length if length.value < LARGEST else None,
         lebesgue_constant=growth,
         box=box,
-        warnings=(*warnings, *_amplification(growth)),
+        warnings=(*warnings, *_amplification(growth), *filter(None, [shape.rounding.remark])),
         closed=curve.is_closed,
         corners=len(shape.view.corners),
         smooth=len(shape.view.two_sided) - len(shape.view.corners) if shape.view.arrays.ties.any() else 0,
@@ -234,6 +240,22 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
         return None, (str(problem),)
     left, bottom, right, top = corners.ravel().tolist()
     return (left, bottom, right, top), ()
+
+
+def _lengths(shapes: Sequence[_Shape], growths: Sequence[Growth]) -> list[Length]:
+    """Return arc lengths; their bounds count the effect of the rounding of t."""
+    found = lengths_of([each.pieces for each in shapes], LENGTH_TOLERANCE)
+    others = [
+        shape.rounding.disturbed(growth.points, length.error / max(length.value, SMALLEST))
+        for shape, growth, length in zip(shapes, growths, found, strict=True)
+    ]
+    # Deviations of the pieces count by the weights, too.
+    pieces = [bezier_pieces(each.curve, min(FINE / each.weight, 1e-6)) for each in chain(*others)]
+    moved = iter(lengths_of(pieces, LENGTH_TOLERANCE))
+    for index, (length, cases) in enumerate(zip(found, others, strict=True)):
+        effect = sum(each.weight * abs(next(moved).value - length.value) for each in cases)
+        found[index] = length._replace(error=min(length.error + effect, LARGEST))
+    return found
 
 
 def _growths(views: Sequence[CurveView]) -> list[Growth]:

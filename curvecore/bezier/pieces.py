@@ -28,7 +28,7 @@ from curvecore.parametrization import chebyshev
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 _DEGREE = 8
-_FINE = 2.0**-46
+FINE = 2.0**-46
 """Share of the size of a curve within which pieces follow it where its shape is asked for."""
 _POINTS = 2 * _DEGREE + 1
 _ROUNDS = 12
@@ -66,7 +66,7 @@ class BezierPieces(NamedTuple):
     exponent: int
 
 
-def bezier_pieces(curve: ParametricCurve, tolerance: float = _FINE) -> BezierPieces:
+def bezier_pieces(curve: ParametricCurve, tolerance: float = FINE) -> BezierPieces:
     """Return pieces of a curve.
 
     Parameters

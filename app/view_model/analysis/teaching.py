@@ -9,6 +9,7 @@ import numpy as np
 
 from ..basis.growth import growth_of_points
 from ..curve.curve_view import CurveView
+from ..curve.rounded_parameters import ParameterRounding
 from .wording import short
 
 LARGE_LEBESGUE = 100.0
@@ -29,6 +30,7 @@ class Topic(enum.Enum):
 
     LEBESGUE = enum.auto()
     GAP = enum.auto()
+    ROUNDING = enum.auto()
 
 
 class Warned(msgspec.Struct, frozen=True):
@@ -57,6 +59,8 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
     if not view.is_current:
         return []
     found = []
+    if remark := ParameterRounding(view).remark:
+        found.append(Warned(Topic.ROUNDING, "⚠ t rounded", remark))
     # Past its points a curve is in no hurry between two of them.
     gap = _narrowest(view) if view.source.family.interpolates else None
     if gap is not None:

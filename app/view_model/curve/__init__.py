@@ -10,6 +10,7 @@
 - ``jets``, ``handles``: derivatives set and estimated; the Bézier control points by which they are dragged.
   ``handle_arms``: these as values.
 - ``cardinals``: cardinal functions, estimates included.
+- ``rounded_parameters``: the effect of the rounding of parameters that a rule gives.
 - ``refusals``: the reasons for having no curve, in the program's words.
 - ``nearest``: the point nearest to a place.  ``measure``: the distance of two curves.
 """
