@@ -46,12 +46,12 @@ def rounded_up(value: float, digits: int) -> float:
 
 def digits_of_range(low: float, high: float, least: int = 6) -> int:
     """Return how many significant digits tell two numbers and their distance, `least` of them at least."""
-    enough = (
-        digits
-        for digits in range(least, 17)
-        if abs(float(f"{high:.{digits}g}") - float(f"{low:.{digits}g}") - (high - low)) <= 0.01 * (high - low)
-    )
-    return next(enough, 17)
+
+    def shown(digits: int) -> float:
+        return float(f"{high:.{digits}g}") - float(f"{low:.{digits}g}")
+
+    apart = high - low
+    return next((each for each in range(least, 17) if abs(shown(each) - apart) <= 0.01 * apart), 17)
 
 
 def distance_words(value: float, other: str, *, is_bound: bool = True) -> str:
@@ -63,10 +63,10 @@ def distance_words(value: float, other: str, *, is_bound: bool = True) -> str:
 
 
 def uncertain(value: float, error: float, shown: Callable[[float], str] = number) -> str:
-    """Return a number, with its error where that shows in four digits; "uncertain" where it may be none."""
+    """Return a number, with its error where that shows in four digits; "uncertain" where it may be any."""
     if not error > 5e-5 * abs(value):
         return shown(value)
-    return f"{shown(value)} ± {shown(rounded_up(error, 1))}" if error < abs(value) else "uncertain"
+    return f"{shown(value)} ± {shown(rounded_up(error, 1))}" if math.isfinite(error) else "uncertain"
 
 
 def with_decimals(value: float, decimals: int) -> str:

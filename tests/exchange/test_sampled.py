@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.errors import ExchangeError
-from app.exchange.formats.samples import TITLES, Spacing, sampled_table
+from app.exchange.formats.samples import SAMPLES, TITLES, Spacing, sampled_table
 from app.exchange.options import Options
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
@@ -190,6 +190,19 @@ def farthest(curve, t, count=200):
     square = np.maximum((along**2).sum(axis=2), 1e-300)
     share = np.clip(((points - start) * along).sum(axis=2) / square, 0, 1)
     return np.linalg.norm(points - start - share[..., None] * along, axis=2).max()
+
+
+def test_rows_whose_curvature_rounding_decides_are_counted():
+    """Between points 1e-9 apart 1.5 was written for a curvature of -1.5."""
+    chords = Parametrization(ParametrizationKind.CHORD_LENGTH)
+    for gap, is_told in ((1e-3, False), (1e-9, True)):
+        points = [(0, 0), (1, 1), (1 + gap, 1), (2, 0)]
+        curve = replace(make_curve(points, family=HERMITE), parametrization=chords)
+        # The middle of three rows lies between the two points.
+        written = sampled_table(Document((curve,)), Options(own={SAMPLES.name: 3}))
+        assert ("In 1 row rounding may change the curvature" in " ".join(written.remarks)) is is_told
+    straight = Document((make_curve([(0, 0), (1, 1), (3, 3)]),))
+    assert sampled_table(straight).remarks == ()
 
 
 def test_a_tolerance_that_is_missed_is_not_stated(monkeypatch):

@@ -203,11 +203,11 @@ def test_the_scrub_line_is_dragged_in_either_panel(editor):
     assert "Λ(t)" in values(editor)
 
 
-def test_a_curvature_that_rounding_hides_is_not_told(editor):
+def test_a_curvature_that_rounding_hides_is_told_with_its_error(editor):
     """Between points 1e-9 apart the curvature was told as 1.5, and is −1.5."""
     editor.trigger("plotCurvature")
     chords = Parametrization(ParametrizationKind.CHORD_LENGTH)
-    for gap, word in ((1e-3, "κ −1.499"), (1e-6, " ± 0.0"), (1e-9, "κ uncertain")):
+    for gap, word in ((1e-3, "κ −1.499"), (1e-6, " ± 0.0"), (1e-9, "e4")):
         points = [(0, 0), (1, 1), (1 + gap, 1), (2, 0)]
         curve = replace(make_curve(points, family=HERMITE), parametrization=chords)
         editor.session.change("Set", lambda document, curve=curve: document.with_curve(0, curve))

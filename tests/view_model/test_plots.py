@@ -9,14 +9,15 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.derivatives import VelocityRule
-from app.document.model import Curve, Parametrization, ParametrizationKind, Point
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
+from app.document.words import uncertain
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.plot import PLOTS
 from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_of
 from app.view_model.analysis.plot_samples import is_slow, samples_over
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
-from app.view_model.analysis.plotted import plots_of, values_at
+from app.view_model.analysis.plotted import plots_of, uncertain_values_at, values_at
 from app.view_model.basis.basis_view import basis_view
 from app.view_model.basis.growth import growth_of_points
 from app.view_model.curve.curve_view import view_of
@@ -155,6 +156,12 @@ def test_values_at_the_scrub_line_are_exact():
         (c1[0] * c2[1] - c1[1] * c2[0]) / np.linalg.norm(c1) ** 3
     )
     assert set(PLOTS) == set(values)
+
+
+def test_a_straight_line_has_no_curvature_to_be_uncertain_about():
+    view = view_of(make_curve([(0.1, 0.3), (1.2, 1.4), (3.3, 3.5)]))
+    (value, error) = uncertain_values_at(view, {curvature.CURVATURE}, 0.37)[curvature.CURVATURE]
+    assert uncertain(round(value, 12), error) == "0"
 
 
 def difference_alone(plot):

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from curvecore import ArcLength, flatten_pieces
+from curvecore import ArcLength, curvature_error, flatten_pieces
 from curvecore.arrays import FloatArray
 
 from ...document.derivatives import DERIVATIVES
 from ...document.model import Document
-from ...document.words import NamedEnum
+from ...document.words import NamedEnum, count_of
 from ...tasks.progress import Report, part
 from ...view_model.curve.curve_view import ParametricCurve
 from ...view_model.geometry.arc_lengths import arc_lengths_of
@@ -68,7 +68,11 @@ COLUMNS = SomeOf(
 )
 
 _ROWS_AT_ONCE = 2_000
-_LENGTH = _ALL.index("length")
+_LENGTH, _CURVATURE = _ALL.index("length"), _ALL.index("curvature")
+_UNSURE = 1e-3
+"""Share of a curvature by which rounding may change it without a word."""
+_STRAIGHT = 1e-6
+"""Share of 1 / size below which a curvature counts as none."""
 _LENGTH_ACCURACY = 1e-9
 
 
@@ -92,13 +96,19 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
     chosen, rest = _columns(options[COLUMNS]), part(report, 0.1, 1.0)
     named = len(sources) > 1
     titles = [_ALL[column] for column in chosen]
-    lines, deviation = [separator.join(["curve", *titles] if named else titles)], 0.0
+    lines, deviation, unsure = [separator.join(["curve", *titles] if named else titles)], 0.0, 0
     for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
         away = part(rest, place / len(sources), (place + 1) / len(sources))
         lead = cell_of_name(name, separator) + separator if named else ""
         for rows, missed in _samples_of(source.core, options, allowed, _LENGTH in chosen, away):
             deviation = max(deviation, missed)
+            if _CURVATURE in chosen and not source.core.difference_digits:
+                size = np.maximum(np.abs(rows[:, _CURVATURE]), _STRAIGHT / max(source.size, 1e-300))
+                unsure += int(np.count_nonzero(curvature_error(source.core, rows[:, 0]) > _UNSURE * size))
             lines += [lead + separator.join(map(cell_of_number, row)) for row in rows[:, chosen].tolist()]
+    if unsure:
+        rows_unsure = count_of(unsure, "row")
+        remarks = (*remarks, f"In {rows_unsure} rounding may change the curvature by more than a thousandth.")
     return Written("\n".join(lines) + "\n", deviation, remarks, is_bound=False)
 
 

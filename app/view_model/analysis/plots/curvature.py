@@ -9,8 +9,12 @@ import curvecore
 from curvecore.arrays import FloatArray
 
 from ....document.words import number
+from ...geometry.plane import size_of
 from ..plot import Plot, Sampled
 from ..plot_lines import PlotData
+
+_STRAIGHT = 1e-9
+"""Share of 1 / size below which nobody takes a curvature for one."""
 
 _SPIKE = 6.0
 """The most by which a curvature surpasses nine tenths of all: at a cusp it would be infinite."""
@@ -32,7 +36,8 @@ def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:
 
 def _rounding(sampled: Sampled) -> FloatArray:
     assert sampled.view.curve is not None
-    return curvecore.curvature_error(sampled.view.curve, sampled.t)
+    error = curvecore.curvature_error(sampled.view.curve, sampled.t)
+    return np.where(error * size_of(sampled.view.points) < _STRAIGHT, 0.0, error)
 
 
 CURVATURE = Plot(
