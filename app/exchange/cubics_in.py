@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from itertools import compress
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -27,6 +28,8 @@ from ..document.model import (
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
+from ..storage.format_error import FormatError
+from ..storage.validation import validate_changes
 from ..view_model.fitting.cubic_joints import WRITTEN_BY_PROGRAMS
 from ..view_model.fitting.cubics import points_of_cubics
 from .errors import LEFT_OUT, ExchangeError, Flaw, Missed
@@ -39,7 +42,8 @@ FAMILY = HERMITE
 
 SINGLE_POINT = Flaw("single point")
 
-_TOO_LARGE = Flaw("curve", f"with coordinates beyond −1e12 to 1e12 {LEFT_OUT}")
+_TOO_LARGE = Flaw("curve", f"with coordinates or velocities beyond −1e12 to 1e12 {LEFT_OUT}")
+_TOO_DIFFERENT = Flaw("curve", f"with pieces of too different lengths {LEFT_OUT}")
 _TOO_MANY = Flaw("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
 
 _ROUNDING = 2.0**-48
@@ -185,22 +189,17 @@ def imported(paths: Sequence[ImportedPath | PointsAlone], missed: Missed) -> Imp
     """Return the curves of paths as a document; single points, and curves beyond limits, are missed."""
     curves, deviation = list[Curve](), 0.0
     for number, path in enumerate(paths):
-        if isinstance(path, PointsAlone):
-            curves.append(_through(path))
+        found = _through(path) if isinstance(path, PointsAlone) else _curve(path)
+        if isinstance(found, Flaw):
+            missed.note(found, number, path.name)
             continue
-        if flaw := _beyond_limits(path):
-            missed.note(flaw, number, path.name)
+        try:
+            validate_changes(None, Document((found.curve,)))
+        except FormatError:
+            missed.note(_TOO_LARGE, number, path.name)
             continue
-        pieces = without_roundings(path.pieces, closed=path.closed)
-        if len(pieces) == 0 and path.has_dots:
-            curves.append(_dot(path))
-            continue
-        if len(pieces) == 0:
-            missed.note(SINGLE_POINT, number, path.name)
-            continue
-        curve, moved = _curve(path, pieces)
-        curves.append(curve)
-        deviation = max(deviation, path.deviation + moved)
+        curves.append(found.curve)
+        deviation = max(deviation, found.deviation)
     document = tidy_shapes(Document(tuple(curves))) if curves else empty_document()
     return Imported(document, deviation, missed.sentences)
 
@@ -257,16 +256,23 @@ def put_end(piece: FloatArray, end: FloatArray) -> None:
     piece[3] = end
 
 
-def _dot(path: ImportedPath) -> Curve:
+class _Found(NamedTuple):
+    """A curve, and how far it is from what the file describes at most."""
+
+    curve: Curve
+    deviation: float = 0.0
+
+
+def _dot(path: ImportedPath) -> _Found:
     """Return a curve of no length, with both of its points at one place: its caps are seen."""
     x, y = path.pieces[0, 0].tolist()
     points = tuple(Point(x, y, t, (0.0, 0.0)) for t in (0.0, 1.0))
-    return _made(replace(path, closed=False), Parametrization(ParametrizationKind.MANUAL), points)
+    return _Found(_made(replace(path, closed=False), Parametrization(ParametrizationKind.MANUAL), points))
 
 
-def _through(path: PointsAlone) -> Curve:
+def _through(path: PointsAlone) -> _Found:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
-    return _made(path, Parametrization(), tuple(Point(x, y) for x, y in path.points))
+    return _Found(_made(path, Parametrization(), tuple(Point(x, y) for x, y in path.points)))
 
 
 def _made(
@@ -287,20 +293,21 @@ def _made(
     )
 
 
-def _beyond_limits(path: ImportedPath) -> Flaw | None:
-    """Return why a path cannot be a curve of a document; None where it can."""
+def _curve(path: ImportedPath) -> _Found | Flaw:
+    """Return a path as a curve, or why it cannot be one."""
     # Written so that NaN fails.
     if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():
         return _TOO_LARGE
-    return _TOO_MANY if len(path.pieces) > MAX_PIECES else None
-
-
-def _curve(path: ImportedPath, pieces: FloatArray) -> tuple[Curve, float]:
-    """Return a path as a curve, and how far the points of smooth joints moved it."""
+    if len(path.pieces) > MAX_PIECES:
+        return _TOO_MANY
+    pieces = without_roundings(path.pieces, closed=path.closed)
+    if len(pieces) == 0:
+        return _dot(path) if path.has_dots else SINGLE_POINT
     try:
         found = points_of_cubics(
             pieces, closed=path.closed, most_turned=WRITTEN_BY_PROGRAMS, letters=path.letters
         )
     except EditError:
-        raise ExchangeError(f"“{path.name}” has pieces of too different lengths.") from None
-    return _made(path, Parametrization(ParametrizationKind.MANUAL), found.points), found.moved
+        return _TOO_DIFFERENT
+    curve = _made(path, Parametrization(ParametrizationKind.MANUAL), found.points)
+    return _Found(curve, path.deviation + found.moved)

@@ -153,7 +153,9 @@ def test_corners_a_rounding_apart_are_one():
     assert triangle.closed
     assert [point.position for point in line.points] == [(100, 0), (100, 7), (105, 9)]
     # One beyond limits leaves the others, too.
-    assert result.remarks == ("1 curve with coordinates beyond −1e12 to 1e12 left out: Polyline 3.",)
+    assert result.remarks == (
+        "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Polyline 3.",
+    )
 
 
 def test_lines_polylines_and_arcs():

@@ -130,4 +130,4 @@ def test_what_is_no_curve_is_refused_with_its_place(old, new, sentence):
 def test_a_curve_beyond_limits_is_told_and_the_others_come():
     found = read_curves(SCENE.replace("10, 20, 1", "10, 20, 1e13").encode())
     assert [each.name for each in found.document.curves] == ["Round"]
-    assert found.remarks[1] == "1 curve with coordinates beyond −1e12 to 1e12 left out: Track."
+    assert found.remarks[1] == "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Track."

@@ -134,7 +134,7 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
         ("infinite_by_transform.svg", "1 element beyond all numbers left out: Path 2."),
         ("arc_beyond_numbers.svg", "Path 2 at character 31, “1e300”"),
         ("many_pieces.svg", "1 curve of more than 100000 pieces left out: Path 2."),
-        ("too_large.svg", "1 curve with coordinates beyond −1e12 to 1e12 left out: Path 2."),
+        ("too_large.svg", "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path 2."),
         ("truncated.dxf", "ends at line 59 without EOF: it is cut off"),
         ("number_of_words.dxf", "near line: 46"),
     ],

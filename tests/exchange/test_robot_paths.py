@@ -105,7 +105,8 @@ def test_paths_of_2023_have_anchor_points():
         (
             '"x": 3.0',
             '"x": 3e13',
-            "There is no curve in the file. 1 curve with coordinates beyond −1e12 to 1e12 left out: Path.",
+            "There is no curve in the file. "
+            "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path.",
         ),
         ('"version"', "version", "It is not JSON; line 1, column 2: object keys must be strings."),
         ("waypoints", "ways", "Waypoints is missing."),

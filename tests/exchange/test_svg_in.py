@@ -293,7 +293,15 @@ INVALID = "1 element with invalid lengths, which count as not given: "
 NO_CURVE = [
     (P.format("L0 0"), CUT + "at character 1, “L0 0”."),
     (P.format("M0 0 L1"), CUT + "at the end."),
-    (P.format("M0 0 L1e13 0"), "1 curve with coordinates beyond −1e12 to 1e12 left out: Path 2."),
+    (
+        P.format("M0 0 L1e13 0"),
+        "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path 2.",
+    ),
+    # Of 7e12 in t from 0 to 1: the document could not be saved, and the whole file was refused.
+    (
+        P.format("M0 0L9e11 0 0 0 9e11 0 0 0 9e11 0 0 0 9e11 9e11"),
+        "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path 2.",
+    ),
     ('<circle id="a" r="five"/>', INVALID + "a r “five”."),
     ('<rect width="-1" height="2"/>', INVALID + "Rect 2 width “-1”."),
     ('<polyline points="0"/>', "1 polyline drawn only up to an error in the data: Polyline 2 at the end."),
@@ -594,3 +602,10 @@ def test_a_long_transform_is_read_in_one_pass():
     text = Watched("scale(1)" * 4000)
     assert transform_of(text).tolist() == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
     assert Watched.copied <= len(text)
+
+
+def test_of_elements_of_one_id_the_first_is_used():
+    """As in browsers; it was the last."""
+    twice = P.format('M1 1h1" id="a') + P.format('M5 5h1" id="a')
+    (curve,) = read_svg(svg(f'<defs>{twice}</defs><use href="#a"/>')).document.curves
+    assert curve.points[0].position == (1, -1)

@@ -284,7 +284,9 @@ class Elements:
     @classmethod
     def within(cls, root: ET.Element, declared: Callable[[ET.Element], dict[str, str]]) -> Elements:
         """Return those of a tree."""
-        return cls({name: element for element in root.iter() if (name := element.get("id"))}, declared)
+        return cls(
+            {name: element for element in reversed([*root.iter()]) if (name := element.get("id"))}, declared
+        )
 
     def used(self, element: ET.Element) -> ET.Element | None:
         """Return the element of the file whose place in it an element gives; None without one."""
