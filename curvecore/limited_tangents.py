@@ -127,23 +127,21 @@ def monotone_changes(
 def _monotone_on_sides(steps: Steps, change: FloatArray, found: FloatArray) -> FloatArray:
     """Return the changes of the velocities, at kinks those on the side to which slopes change."""
     h, slope = steps.spacing[:, :, None], steps.slope[:, :, None]
-    for near, beside, case in zip((0, -1), (1, -2), _end_cases(steps), strict=True):
-        own, end = slope[near], case.parabola[:, None]
-        parabola, steep = _end_parabola(Steps(h, change), near, beside), 3.0 * change[near]
-        limited = np.where(own > 0.0, np.minimum(parabola, steep), np.maximum(parabola, steep))
-        is_limit = (own * slope[beside] < 0.0) & _vanishes(np.abs(end) - 3.0 * np.abs(own), own)
-        found[near] = np.where(is_limit, limited, found[near])
-        rising = np.where(parabola * own > 0.0, parabola, 0.0)
-        found[near] = np.where(_vanishes(end, own), rising, found[near])
     # Slopes of 0 are their changes now; against these all others are infinite.
-    size = np.abs(slope)
-    around = np.pad(size, ((1, 1), (0, 0), (0, 0)))
-    is_flat = _vanishes(size, np.maximum(around[:-2], around[2:]))
+    around = np.abs(np.pad(slope, ((1, 1), (0, 0), (0, 0))))
+    is_flat = _vanishes(slope, np.maximum(around[:-2], around[2:]))
     sides = Steps(h, np.where(is_flat, change, np.copysign(np.inf, slope)))
     with np.errstate(all="ignore"):
         ends, means = _monotone_ends(sides), _harmonic_means(sides)
     found[1:-1] = np.where(is_flat[:-1] | is_flat[1:], means, found[1:-1])
-    found[[0, -1]] = np.where(is_flat[[0, -1]], ends, found[[0, -1]])
+    for near, beside, case, flat_end in zip((0, -1), (1, -2), _end_cases(steps), ends, strict=True):
+        own, velocity = slope[near], case.parabola[:, None]
+        parabola, steep = _end_parabola(Steps(h, change), near, beside), 3.0 * change[near]
+        rising = np.where(parabola * own > 0.0, parabola, 0.0)
+        limited = np.where(own > 0.0, np.minimum(parabola, steep), np.maximum(parabola, steep))
+        is_limit = (own * slope[beside] < 0.0) & _vanishes(np.abs(velocity) - 3.0 * np.abs(own), own)
+        kinks = is_flat[near], _vanishes(velocity, own), is_limit
+        found[near] = np.select(kinks, (flat_end, rising, limited), found[near])
     return found
 
 

@@ -168,6 +168,8 @@ class CardinalBasis:
         As given.
     count : int
         The number n of points.
+    one_sided : tuple of Follow
+        As given.
 
     Raises
     ------
@@ -193,7 +195,7 @@ class CardinalBasis:
     True
     """
 
-    __slots__ = ("_displaced", "_estimates", "_one_sided", "closed", "count", "curve", "parameters")
+    __slots__ = ("_displaced", "_estimates", "closed", "count", "curve", "one_sided", "parameters")
 
     _displaced: tuple[FloatArray, FloatArray, list[FloatArray]] | None
 
@@ -212,18 +214,13 @@ class CardinalBasis:
         self.count = len(self.parameters) - closed
         if follow is not None and not curve.is_local:
             raise CurveError("curve must be of a family whose functions are local")
-        self._one_sided, self._displaced = tuple(one_sided), None
+        self.one_sided, self._displaced = tuple(one_sided), None
         self._estimates = None if follow is None else self._estimated(follow, reach)
 
     @property
     def follows(self) -> bool:
         """Whether any derivative follows the points."""
-        return self._estimates is not None or self.is_one_sided
-
-    @property
-    def is_one_sided(self) -> bool:
-        """Whether sums are those of errors on one side of kinks, not of the functions."""
-        return bool(self._one_sided)
+        return self._estimates is not None or bool(self.one_sided)
 
     # The estimates, segment by segment
 
@@ -378,7 +375,7 @@ class CardinalBasis:
             With sizes 1 the Lebesgue function.
         """
         size = np.asarray(sizes, dtype=np.float64)
-        if self._one_sided:
+        if self.one_sided:
             return self._largest_displacements(parameter_row(t), np.broadcast_to(size, self.count))
         points, values = self.local(t)
         weighted = np.abs(values)
@@ -395,7 +392,7 @@ class CardinalBasis:
         if self._displaced is None or not np.array_equal(self._displaced[0], sizes):
             errors = signs_of_errors(self.count, closed=self.closed) * sizes[:, None]
             joints = (np.arange(len(self.parameters) - 1)[:, None] + np.arange(2)) % self.count
-            velocities = [self._ends_of(follow, errors)[:, :, 0] for follow in self._one_sided]
+            velocities = [self._ends_of(follow, errors)[:, :, 0] for follow in self.one_sided]
             self._displaced = sizes, errors, [np.stack((errors[joints], each), axis=2) for each in velocities]
         _, errors, jets = self._displaced
         segment, basis = self.curve.local_basis(t)

@@ -197,7 +197,7 @@ def lebesgue_constants(bases: Sequence[CardinalBasis]) -> list[float]:
     list of float
         As `lebesgue_constant`.
     """
-    controls = {index: basis.controls for index, basis in enumerate(bases) if not basis.is_one_sided}
+    controls = {index: basis.controls for index, basis in enumerate(bases) if not basis.one_sided}
     found = [
         1.0 if index in controls else _largest_over(each.curve, each) for index, each in enumerate(bases)
     ]
