@@ -225,7 +225,8 @@ def worst_case_band(
         them; derivatives of higher order have no errors.
     cardinal : CardinalBasis, optional
         The cardinal functions of the points, where velocities or accelerations are estimated from them; of
-        the whole curve, where `curve` is a piece of it. ``point_error`` counts its points then.
+        the whole curve, where `curve` is a piece of it. ``point_error`` counts its points then. With
+        ``one_sided`` effects the errors count, to first order, that displace one coordinate most.
     sensitivity : array_like, shape (m, n, dim), optional
         dc/dt_i, where it is not that of `parameter_sensitivity`: where a rule estimates velocities from the
         parameters, too. ``parameter_error`` counts its n then.
