@@ -224,6 +224,8 @@ def without_roundings(pieces: FloatArray, *, closed: bool) -> FloatArray:
     """
     pieces = pieces[has_length(pieces)]
     bound = rounding_of(pieces)
+    if not np.isfinite(bound):
+        return pieces
     long = np.abs(pieces - pieces[:, :1]).max(axis=(1, 2)) > bound
     kept = pieces if long.all() else _joined(pieces, bound)
     if closed and len(kept) and np.abs(kept[-1, 3] - pieces[0, 0]).max() <= bound:

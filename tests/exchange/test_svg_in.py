@@ -302,6 +302,10 @@ NO_CURVE = [
         P.format("M0 0L9e11 0 0 0 9e11 0 0 0 9e11 0 0 0 9e11 9e11"),
         "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path 2.",
     ),
+    (
+        '<path d="M0 0l1e308 0l1e308 0" stroke="red" stroke-linecap="round"/>',
+        "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path 2.",
+    ),
     ('<circle id="a" r="five"/>', INVALID + "a r “five”."),
     ('<rect width="-1" height="2"/>', INVALID + "Rect 2 width “-1”."),
     ('<polyline points="0"/>', "1 polyline drawn only up to an error in the data: Polyline 2 at the end."),
