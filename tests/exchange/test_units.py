@@ -24,7 +24,7 @@ from app.exchange.formats import FORMATS, format_of
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.families import HERMITE
+from app.families import FAMILIES, HERMITE
 from app.storage.files import save
 from app.view_model.geometry.extents import extent_of
 from tests.rows import each_row
@@ -189,6 +189,11 @@ def test_basis_functions_are_those_that_the_panel_shows():
     lines = [ElementTree.fromstring(each.encode()).findall(".//*[@id='basis']//*[@d]") for each in drawn]
     # Two kinds of functions of four points each; and one function of each point.
     assert [len(each) for each in lines] == [3 + 8, 3 + 4]
+    # Of a closed curve the first point has one function, as all others have: there were two of it.
+    for family, estimates in ((FAMILIES.named("cubic_spline"), False), (HERMITE, True)):
+        closed = Document((replace(curve, family=family, closed=True),))
+        text = svg_of(*ExportChoice(".svg", {"basis": True}).order(closed, 0, with_estimates=estimates)).text
+        assert len(ElementTree.fromstring(text.encode()).findall(".//*[@id='basis']//*[@d]")) == 3 + 4
 
 
 # The picture is as large as what it shows

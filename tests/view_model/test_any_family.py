@@ -364,6 +364,7 @@ def test_the_first_point_of_a_closed_curve_counts_once(name, kind):
         assert weights_at(view, float(t[7])) == pytest.approx(effects[:, 7], abs=1e-12)
         assert (basis.owners[0], basis.owners[-1], basis.point_count) == (0, 0, len(POINTS))
         assert basis.value_at(float(t[7]), 0) == pytest.approx(effects[[*basis.owners], 7], abs=1e-12)
+        assert list(basis.drawn) == [*range(len(POINTS))]
         for knot, owner in enumerate(basis.owners):
             assert basis.function(knot, 0)[1] == pytest.approx(drawn[owner], abs=1e-12)
 

@@ -152,7 +152,7 @@ def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Annot
             outline = (placed(t, least), placed(t, greatest))
             found.append(Annotation("basis", outline, usual, dash=dash))
             continue
-        for index, owner in enumerate(view.owners):
-            line = placed(*view.function(index, kind))
-            found.append(Annotation("basis", (line,), usual, colour=colours[owner], dash=dash))
+        for index in view.drawn:
+            line, colour = placed(*view.function(index, kind)), colours[view.owners[index]]
+            found.append(Annotation("basis", (line,), usual, colour=colour, dash=dash))
     return found

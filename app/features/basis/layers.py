@@ -104,8 +104,7 @@ class FunctionLayer(Layer):
 
     def _paint_all(self, painter: QPainter, basis: BasisView) -> None:
         opacity = _FADED if self.emphasised else _CALM
-        knots = range(basis.count)
-        self._paint_functions(painter, basis, knots, 1.0, opacity, without=self.emphasised)
+        self._paint_functions(painter, basis, basis.drawn, 1.0, opacity, without=self.emphasised)
         self._paint_emphasised(painter, basis)
 
     def _paint_together(self, painter: QPainter, basis: BasisView) -> None:
@@ -139,7 +138,7 @@ class FunctionLayer(Layer):
 
     def _paint_emphasised(self, painter: QPainter, basis: BasisView) -> None:
         knots = sorted(owner for owner in self.emphasised if owner < basis.count)
-        if knots and knots[0] == 0 and basis.owners[-1] == 0:
+        if knots and knots[0] == 0 and basis.owners[basis.drawn[-1]] == 0:
             knots.append(basis.count - 1)
         self._paint_functions(painter, basis, knots, 2.0, 1.0)
 

@@ -89,6 +89,11 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """Number of points: one less than knots, where the last knot is the first point again."""
         return self.count - (self.owners[-1] == 0)
 
+    @property
+    def drawn(self) -> range:
+        """The knots whose functions are drawn: one of each point, or both where they lie side by side."""
+        return range(self.count if self.first is not None or self.is_coarse else self.point_count)
+
     def function(self, index: int, kind: int) -> tuple[FloatArray, FloatArray]:
         """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
         if self.is_coarse:
