@@ -76,11 +76,7 @@ def convert(options: argparse.Namespace) -> int:
 
 
 def _facts(done: _Converted) -> dict[str, Any]:
-    return {
-        "deviation": done.deviation,
-        "deviation_is_bound": done.is_bound,
-        "remarks": done.remarks,
-    }
+    return {"deviation": done.deviation, "deviation_is_bound": done.is_bound, "remarks": done.remarks}
 
 
 def _result(target: str, done: _Converted) -> str:

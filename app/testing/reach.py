@@ -67,10 +67,8 @@ def require_within_drag(widget: QWidget, pixel: QPoint | QPointF) -> None:
     room = widget.screen().virtualSize().expandedTo(widget.window().size())
     within = widget.rect().adjusted(-room.width(), -room.height(), room.width(), room.height())
     if not within.contains(place):
-        raise ImpossibleError(
-            f"The pixel ({place.x()}, {place.y()}) lies outside {name}, farther than a screen from it; no "
-            f"hand drags there.{_BRING_IT_IN}"
-        )
+        where = f"({place.x()}, {place.y()})"
+        raise ImpossibleError(f"The pixel {where} lies outside {name} by more than a screen.{_BRING_IT_IN}")
 
 
 def _require_unblocked(window: QWidget | None, what: str) -> None:

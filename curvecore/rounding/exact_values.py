@@ -72,13 +72,7 @@ def exact_values(
 
 
 def exact_decimals(
-    points: ArrayLike,
-    parameters: ArrayLike,
-    t: float,
-    digits: int,
-    velocities: ArrayLike | None = None,
-    accelerations: ArrayLike | None = None,
-    jerks: ArrayLike | None = None,
+    points: ArrayLike, parameters: ArrayLike, t: float, digits: int, *derivatives: ArrayLike
 ) -> list[Decimal]:
     """Return one point of the curve with so many correct digits.
 
@@ -92,9 +86,9 @@ def exact_decimals(
         Finite.
     digits : int
         At least 1: significant digits of each coordinate.
-    velocities, accelerations, jerks : array_like, shape (n, dim), optional
-        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, all three the
-        septic one.
+    *derivatives : array_like, shape (n, dim), up to three
+        Velocities make it the cubic Hermite curve, accelerations with them the quintic one, jerks with both
+        the septic one.
 
     Returns
     -------
@@ -112,16 +106,16 @@ def exact_decimals(
     >>> print(*exact_decimals([[0.0], [1.0], [4.0]], [0, 1, 3], 0.5, 20))
     0.45833333333333333333
     """
-    data = Data.of(points, parameters, velocities, accelerations, jerks)
-    (where,) = parameter_row(t).tolist()
-    places, jets = data.stretch(int(data.segments(np.array([where]))[0]))
+    data = Data.of(points, parameters, *derivatives, *[None] * (3 - len(derivatives)))
+    (where,) = at = parameter_row(t)
+    places, jets = data.stretch(int(data.segments(at)[0]))
     context = Context(prec=integer(digits, "digits", 1), rounding=ROUND_HALF_EVEN)
     result = []
     for values in jets.transpose(2, 0, 1).tolist():
         if len(values[0]) == 1:
-            ratio = lagrange_ratio(places.tolist(), [value for (value,) in values], where)
+            ratio = lagrange_ratio(places.tolist(), [value for (value,) in values], float(where))
         else:
-            ratio = interpolated(places.tolist(), values).ratio(where)
+            ratio = interpolated(places.tolist(), values).ratio(float(where))
         result.append(context.divide(*map(Decimal, ratio)))
     return result
 

@@ -20,7 +20,6 @@ from app.exchange.options import Options
 from app.exchange.parts import beziers_of, cubics_of, sources_of
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.curve.curve_view import view_of
-from curvecore import LagrangeCurve
 from tests.rows import each_row
 
 S = np.linspace(0, 1, 21)
@@ -195,23 +194,17 @@ def test_more_digits_come_closer(sketch):
 
 def test_the_rounding_of_a_formula_is_bounded_where_it_says_at_most():
     """Largest deviations were sampled: 4.19e-8 was said and 5.08e-8 measured. Now that one says about."""
-    random = np.random.default_rng(4)
-    for trial in range(24):
-        points = random.standard_normal((int(random.integers(2, 12)), 2)).tolist()
-        for family in (LAGRANGE, HERMITE):
-            kind = (ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH)[trial % 2]
-            curve = replace(make_curve(points, family=family), parametrization=Parametrization(kind))
-            written = latex_formula(Document((curve,)))
-            assert written.words.startswith("at most " if written.is_bound else "about ")
-            # Rounded ends of Hermite pieces move t; of one polynomial they are data.
-            assert written.is_bound or family is HERMITE
-            if not written.is_bound or family is HERMITE:
-                continue
-            rows = np.array([[*row[1], *row[2]] for row in tex_rows(written.text)])
-            copy = LagrangeCurve(rows[:, 1:], rows[:, 0])
-            t = np.linspace(*copy.domain, 5001)
-            away = np.hypot(*(copy.evaluate(t) - view_of(curve).curve.evaluate(t)).T).max()
-            assert away <= written.deviation <= 2.0 * away + 1e-13
+    points = np.random.default_rng(4).standard_normal((5, 2)).tolist()
+    # Rounded t of chord lengths move the pieces, and those of one polynomial are data.
+    for family, kind, is_bound in (
+        (LAGRANGE, ParametrizationKind.UNIFORM, False),
+        (HERMITE, ParametrizationKind.CHORD_LENGTH, False),
+        (HERMITE, ParametrizationKind.UNIFORM, True),
+    ):
+        curve = replace(make_curve(points, family=family), parametrization=Parametrization(kind))
+        written = latex_formula(Document((curve,)))
+        assert written.is_bound is is_bound
+        assert written.words.startswith("at most " if is_bound else "about ")
 
 
 def test_the_control_points_of_a_formula_bound_its_rounding_where_t_is_written_exactly():

@@ -58,12 +58,8 @@ def python_code(document: Document, options: Options = DEFAULT) -> Written:
         f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
         for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
     ]
-    return Written(
-        "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n",
-        deviation,
-        remarks,
-        is_bound=False,
-    )
+    text = "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n"
+    return Written(text, deviation, remarks, is_bound=False)
 
 
 def scipy_code(document: Document, options: Options = DEFAULT) -> Written:

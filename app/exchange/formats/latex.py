@@ -9,7 +9,6 @@ import numpy as np
 
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
-from curvecore.bezier.control_points import chebyshev_samples
 from curvecore.vectors import vector_lengths
 
 from ...document.model import Document
@@ -54,9 +53,6 @@ _LEAST_SIDE, _LARGEST_SIDE = 0.01, 500.0
 """Of a TikZ picture at true size: TeX's largest length is 575 cm, and it counts in 5e-6 cm."""
 
 _PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
-_ROUNDINGS = 50 * 2.0**-53
-"""Of two values of Lagrange curves, for each unit of Σ |B| |p|; see `LagrangeCurve`."""
-
 _LINES_OF_ARRAY = 42
 _GAP_OF_ROWS = 4 / 12  # of a line: [4pt]
 _POINTS_OF_LINE = 2  # what the text of an article is wide enough for
@@ -89,7 +85,7 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> Written:
         deviation = max(deviation, rounding + source.formulas.deviation)
         is_bound &= is_certain and source.formulas.is_bound
     parts = [_formula(each, digits) for each in told(sources, part(options.report, 0.6, 1.0), "Writing")]
-    return _file(parts, deviation, is_bound, remarks, "amsmath")
+    return _file(parts, Deviation(deviation, is_bound), remarks, "amsmath")
 
 
 def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
@@ -243,8 +239,7 @@ def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
             rounded = piece.with_data(_rounded(piece.jets, digits), t)
         except CurveError as problem:
             raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
-        is_same = np.array_equal(rounded.jets, piece.jets) and np.array_equal(t, piece.parameters)
-        return Deviation(0.0 if is_same else _largest_difference(piece, rounded))
+        return Deviation(measured(piece, rounded.evaluate), is_bound=False)
     pieces = beziers_of(piece, 1.0)
     controls, ends = _rounded(pieces.control_points, digits), _rounded(pieces.parameters, digits)
     if np.array_equal(ends, pieces.parameters):
@@ -254,32 +249,20 @@ def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
     return Deviation(measured(piece, lambda at: bezier_values(controls, ends, at)), is_bound=False)
 
 
-def _largest_difference(piece: ParametricCurve, other: ParametricCurve) -> float:
-    """Return a bound of the distance of two polynomials of one degree on the domains of both."""
-    start, end = min(piece.domain[0], other.domain[0]), max(piece.domain[1], other.domain[1])
-    samples, margin = chebyshev_samples(len(piece.points) - 1)
-    t = start + (end - start) * samples
-    with np.errstate(all="ignore"):
-        away = vector_lengths(other.evaluate(t) - piece.evaluate(t)).max()
-        rounding = (np.abs(piece.basis(t)[:, :, 0]) @ vector_lengths(piece.points)).max()
-    bound = margin * float(away + _ROUNDINGS * rounding)
-    return bound if math.isfinite(bound) else math.inf
-
-
 # Pictures
 
 
 def _picture(lines: list[str], deviation: float, drawing: Drawing, package: str) -> Written:
     whole = ["\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"]
-    return _file(whole, deviation, drawing.is_bound, drawing.left_out, package)
+    return _file(whole, Deviation(deviation, drawing.is_bound), drawing.left_out, package)
 
 
-def _file(
-    lines: list[str], deviation: float, is_bound: bool, remarks: tuple[str, ...], package: str
-) -> Written:
+def _file(lines: list[str], worst: Deviation, remarks: tuple[str, ...], package: str) -> Written:
     """Return lines below comments: how accurate they are, the package they need, what was left out."""
-    head = [accuracy(deviation, is_bound), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
-    return Written("\n".join([*(f"% {line}" for line in head), *lines]) + "\n", deviation, remarks, is_bound)
+    head = [accuracy(*worst), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
+    return Written(
+        "\n".join([*(f"% {line}" for line in head), *lines]) + "\n", worst.deviation, remarks, worst.is_bound
+    )
 
 
 def _path(
