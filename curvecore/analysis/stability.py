@@ -72,6 +72,9 @@ def lebesgue_function(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
 
     Notes
     -----
+    Of a `CardinalBasis` with ``one_sided`` effects it is what small errors do
+    to one coordinate at most, each being eps or -eps.
+
     For curves of the Hermite families it is 1 throughout the domain: B_i0 and
     B_(i+1)0 are positive there and add up to 1. What errors of given velocities
     do is in `derivative_sums`; where a rule estimates them, the points move

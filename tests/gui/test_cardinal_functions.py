@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
-from app.families import HERMITE, LAGRANGE
+from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.features.basis.crest_names import crests_of
 from app.features.basis.function_lines import FunctionLines
 from app.settings.preferences import Preferences
 from app.testing import Editor
@@ -123,6 +124,27 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     assert plot.levels[0].value == pytest.approx(uneven.session.active_view.growth)
     assert plot.levels[0].value < 8
     assert label(uneven, "lebesgueConstant") == f"Λ {uneven.session.active_view.growth:.3g}"
+
+
+def test_the_first_point_of_a_closed_spline_has_one_function(editor):
+    """It had two, and Λ 2.73 stood there."""
+    points = tuple(Point(x, y) for x, y in [(2.0, 1.0), (3.0, 1.0), (4.0, 0.0), (0.0, 4.0)])
+    spline = Curve("Closed", FAMILIES.named("cubic_spline"), Parametrization(), points, closed=True)
+    editor.session.commit(Document((spline,)), "Begin")
+    assert label(editor, "lebesgueConstant") == "Λ 2.59"
+    panel, cardinal = editor.window.basis_panel, editor.session.active_view.cardinal
+    panel.drawing.fit_values()
+    editor.settle()
+    for t in (0.05, 0.4, 0.9):
+        value = float(cardinal.basis(t)[0])
+        others = np.abs(cardinal.basis(t)[1:] - value)
+        assert others.min() * panel.pixel_map.sy > 3
+        editor.send(panel, QEvent.Type.MouseMove, panel.to_pixel(t, value), held=False)
+        assert editor.session.selected.hovered == 0
+    editor.scrub(0.4)
+    at = editor.session.scrub.t
+    assert editor.window.canvas.drawing.points.weights == pytest.approx(cardinal.basis(at))
+    assert len(crests_of(panel.drawing.basis, [0])) == 5  # its number stands at both ends
 
 
 def test_the_growth_by_akimas_rule_is_shown_as_that_at_these_points(editor):
