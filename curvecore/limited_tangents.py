@@ -25,6 +25,9 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import BoolArray, FloatArray
 from curvecore.slopes import Steps, in_range, steps_of
 
+_SIDES = slice(-2), slice(2, None)
+"""Turns before and after each joint."""
+
 _STRAIGHT = 1e-9
 """Change of the slope, relative to the slopes, below which three points count as lying on a straight line."""
 
@@ -226,14 +229,11 @@ def akima_changes(
     change = _with_outer(_slope_changes(steps, moves))
     share = _akima_share(slope)
     turn, turned = np.diff(slope, axis=0), np.diff(change, axis=0)
-    weight, least, is_straight = np.abs(turn), _STRAIGHT * _sizes(slope), _is_straight(slope)
-    # By how much the weights before and after each joint grow.
-    grown = [
-        np.where(
-            (weight[rows] <= least) & one_sided, np.abs(turned[rows]), np.sign(turn[rows]) * turned[rows]
-        )
-        for rows in (slice(-2), slice(2, None))
-    ]
+    weight, is_straight = np.abs(turn), _is_straight(slope)
+    # By how much the weights before and after each joint grow, on one side also those that are 0.
+    least = _STRAIGHT * _sizes(slope) if one_sided else np.full((1, 1, 1), -1.0)
+    signs = [np.where(weight[rows] <= least, np.sign(turned[rows]), np.sign(turn[rows])) for rows in _SIDES]
+    grown = [sign * turned[rows] for sign, rows in zip(signs, _SIDES, strict=True)]
     with np.errstate(all="ignore"):
         moved = (grown[0] * (1.0 - share) - grown[1] * share) / (weight[:-2] + weight[2:]) * turn[1:-1]
         moved = np.where(is_straight, 0.0, moved)

@@ -416,13 +416,10 @@ class CardinalBasis:
         place = points - segment[:, None] + 2
         if self.closed:
             place %= self.count
-        is_near = (place >= 0) & (place < _FELT)
-        far = np.abs(np.where(is_near, 0.0, effects * errors[points, 0])).sum(axis=1)
-        # The last one takes what is not near.
-        ordered = np.zeros((len(segment), _FELT + 1))
-        np.put_along_axis(ordered, np.where(is_near, place, _FELT), effects, axis=1)
-        felt = (segment[:, None] + np.arange(-2, _FELT - 2)) % self.count
-        return sum(ordered[:, [k]] * errors[felt[:, k]] for k in range(_FELT)), far
+        is_far = (place < 0) | (place >= _FELT)
+        far = np.abs(effects * errors[points, 0] * is_far).sum(axis=1)
+        near = ((effects * (place == k)).sum(axis=1, keepdims=True) for k in range(_FELT))
+        return sum(each * errors[(segment + k - 2) % self.count] for k, each in enumerate(near)), far
 
 
 def signs_of_errors(count: int, *, closed: bool) -> FloatArray:
