@@ -18,13 +18,13 @@ import numpy as np
 from curvecore.analysis.curvature import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS, JointDerivatives
+from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS
 from curvecore.scaling import UNIT_ROUNDOFF
 from curvecore.vectors import vector_lengths
 
 _BREAK = -1
-_OF_POINTS = 48.0 * UNIT_ROUNDOFF
-"""Of the largest coordinate, over powers of the length: what its rounding does to derivatives of cubics."""
+_DATA_ROUNDINGS = 48.0 * UNIT_ROUNDOFF
+"""Share of the largest coordinate, over powers of a length of t, by which rounded data change derivatives."""
 
 
 class Joint(NamedTuple):
@@ -40,14 +40,15 @@ class Joint(NamedTuple):
         Of c, c', c'' and c''', per unit of t.
     angle : float
         Between the tangent directions, in radians, from 0 to pi; NaN where
-        the curve rests on a side and has no direction.
+        the curve rests on a side and has no direction: its speed is 0, or below
+        the tolerance beside way over time of both segments.
     curvature_before, curvature_after : float
         Signed in the plane; NaN where the curve rests, or is of dim 1.
     curvature_jump : float
         After minus before; in space the length of the difference of the
         curvature vectors.
     parametric : int
-        The largest k for which c .. c^(k) are seen to be continuous, up to 3; -1 is a break.
+        The largest k for which c .. c^(k) are certainly continuous, up to 3; -1 is a break.
     geometric : int
         The same for a suitable change of t: 1 is a common tangent direction,
         2 a common curvature too, 3 also a common change of the curvature along
@@ -55,9 +56,9 @@ class Joint(NamedTuple):
         point at rest never more.
     is_parametric_open, is_geometric_open : bool
         Whether double precision does not decide about the next order: its jump is
-        below the rounding of this computation, which is too much to be none.
+        below the rounding of this computation, and that is no small one.
     roundings : ndarray, shape (4,)
-        What rounding may do to the jumps of c, c', c'' and c'''.
+        Bounds of the jumps of c, c', c'' and c''' that rounding alone can make.
     speed_ratio : float
         ``|c'|`` after over that before: 1 where the speed goes on, whatever
         the direction does; NaN where the curve rests on a side.
@@ -100,14 +101,14 @@ class Joint(NamedTuple):
     def label(self) -> str:
         """The class in words: ``"C3"``, ``"C1, G2"``, ``"C0, G1"``, ``"C0"``, ``"break"`` ...
 
-        G is named only where it says more than C. ``"≥C1"`` is C1, and more where rounding hides a jump.
+        G is named only where it says more than C. ``"≥C1"`` is C1, and perhaps more: that is not decided.
         """
         if self.parametric == _BREAK:
             return "break"
-        least, bent = ("≥" if each else "" for each in (self.is_parametric_open, self.is_geometric_open))
-        if self.geometric > self.parametric:
-            return f"{least}C{self.parametric}, {bent}G{self.geometric}"
-        return f"{least or bent}C{self.parametric}"
+        motion, line = ("≥" if each else "" for each in (self.is_parametric_open, self.is_geometric_open))
+        # An open G of the order of C says more than a C that is decided.
+        says_more = (self.geometric, line) > (self.parametric, motion)
+        return f"{motion}C{self.parametric}" + says_more * f", {line}G{self.geometric}"
 
 
 def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool = False) -> list[Joint]:
@@ -122,10 +123,11 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     tolerance : float, optional
         How large a jump counts as none: relative to the extent of the points for
         c; to the larger of both sides for its derivatives, for the curvature and
-        for its change along the curve; in radians for the angle. A jump below the
-        rounding of its own computation is none too, where that is less than this
-        share of what is usual around the joint; else it is not decided. Where
-        derivatives are differences, it is at least what these keep.
+        for its change along the curve; in radians for the angle. A jump that
+        rounding can make is none too, where that is less than this share of a
+        typical size: that of a curve covering the ways of both segments in their
+        times. Else it is not decided. Derivatives that are differences are
+        compared by the digits that these keep.
     closed : bool, optional
         Whether the curve is meant to be closed, so that its end and its
         beginning are a joint too, reported last as joint 0.
@@ -155,47 +157,21 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     t = curve.parameters
     limits = np.full(JOINT_ORDERS, limit)
     if curve.difference_digits:
-        # Differences show no smaller jumps than these.
-        limits[1:] = np.maximum(limit, 10.0 ** (1.0 - np.array(curve.difference_digits)))
+        limits[1:] = np.maximum(limit, 10.0 ** (1.5 - np.array(curve.difference_digits)))
     indices = (np.arange(1, len(t)) % (len(t) - 1))[: None if closed else -1]
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
-        ends, starts = (curve.joint_derivatives(before=side) for side in (True, False))
-        h = np.diff(t)
-        usual = _usual_sizes(starts.values, ends.values, h)[indices]
-        largest = np.abs(curve.points).max()
-        before, after = _Side.of(ends, indices - 1, h, largest), _Side.of(starts, indices, h, largest)
+        before, after, typical = _sides(curve, indices)
         jumps = after.values - before.values
-        angle = _angles(before.values[:, 1], after.values[:, 1])
-        bends = _bends(before.values, after.values)
-        motion = _verdicts(
-            vector_lengths(jumps),
-            np.maximum(before.sizes, after.sizes),
-            before.roundings + after.roundings,
-            before.of_points + after.of_points,
-            usual,
-            limits,
-        )
+        motion = _verdicts(_Jumps.of_motion(before, after, typical), limits)
         extent = np.ptp(curve.points, axis=0).max()
         motion[:, 0] = np.where(vector_lengths(jumps[:, 0]) <= limit * extent, _NONE, _JUMPS)
-        turns = [_turn_vectors(side.values) for side in (before, after)]
-        slow = np.minimum(before.sizes[:, 1], after.sizes[:, 1])
-        one = np.ones(len(slow))
-        line = _verdicts(
-            np.column_stack((angle, np.abs(bends.jump), vector_lengths(turns[1] - turns[0]))),
-            np.column_stack(
-                (
-                    one,
-                    np.maximum(np.abs(bends.before), np.abs(bends.after)),
-                    np.maximum(*map(vector_lengths, turns)),
-                )
-            ),
-            before.of_line(before.roundings) + after.of_line(after.roundings),
-            before.of_line(before.of_points) + after.of_line(after.of_points),
-            np.column_stack((one, usual[:, 2] / slow**2, usual[:, 3] / slow**3)),
-            limits[1:],
-        )
-        ratio = np.where(slow > 0.0, after.sizes[:, 1] / before.sizes[:, 1], np.nan)
-    motion, line = _agreed(motion, np.column_stack((motion[:, :1], line)))
+        rests = _rests(before, limits, typical) | _rests(after, limits, typical)
+        before, after = before.with_direction(~rests), after.with_direction(~rests)
+        angle = _angles(before.values[:, 1], after.values[:, 1])
+        bends = _bends(before.values, after.values)
+        line = _verdicts(_Jumps.of_line(before, after, typical, angle, bends), limits[1:])
+        ratio = after.sizes[:, 1] / before.sizes[:, 1]
+    motion, line = _agreed(motion, np.column_stack((motion[:, :1], line)), rests)
     parametric, is_parametric_open = _orders(motion)
     geometric, is_geometric_open = _orders(line)
     numbers = (angle, *bends, parametric, geometric, ratio, is_parametric_open, is_geometric_open)
@@ -209,44 +185,6 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
     return [Joint._make(row) for row in zip(*columns, strict=True)]
 
 
-_NONE, _JUMPS, _OPEN = range(3)
-"""Verdicts on a jump: there is none, there is one, and rounding hides which."""
-
-
-def _verdicts(
-    jump: FloatArray,
-    size: FloatArray,
-    rounding: FloatArray,
-    of_points: FloatArray,
-    usual: FloatArray,
-    limits: FloatArray,
-) -> IntArray:
-    """Return verdicts on jumps of quantities of a size, all (k, orders), for limits (orders,).
-
-    None is what their computation may make, or the rounding of points on a line where nobody would see it.
-    """
-    is_sure = np.isfinite(rounding) & (rounding <= limits * np.maximum(size, usual))
-    unseen = np.where(of_points <= limits * usual, of_points, 0.0)
-    is_none = jump <= np.maximum(limits * size, rounding + unseen)
-    return np.where(is_none, np.where(is_sure, _NONE, _OPEN), _JUMPS)
-
-
-def _agreed(motion: IntArray, line: IntArray) -> tuple[IntArray, IntArray]:
-    """Return verdicts of which neither hides what the other knows: a C2 joint with a tangent is G2."""
-    goes_on = np.logical_and.accumulate(motion == _NONE, axis=1)
-    has_tangent = line[:, 1] == _NONE
-    line = np.where((line == _OPEN) & goes_on & has_tangent[:, None], _NONE, line)
-    bends = np.logical_or.accumulate(line == _JUMPS, axis=1)
-    return np.where((motion == _OPEN) & bends, _JUMPS, motion), line
-
-
-def _orders(verdicts: IntArray) -> tuple[IntArray, BoolArray]:
-    """Return how many columns have no jump from the first on, less one, and whether the next is open."""
-    count: IntArray = np.logical_and.accumulate(verdicts == _NONE, axis=1).sum(axis=1)
-    beyond = np.column_stack((verdicts, np.full(len(verdicts), _JUMPS)))
-    return count - 1, beyond[np.arange(len(count)), count] == _OPEN
-
-
 class _Side(NamedTuple):
     """One side of joints.
 
@@ -255,21 +193,21 @@ class _Side(NamedTuple):
     values : ndarray, shape (k, 4, dim)
         c to c'''.
     sizes, roundings : ndarray, shape (k, 4)
-        Their lengths, and bounds of their errors.
-    of_points : ndarray, shape (k, 4)
-        What they may be off from those of the points that were meant, whose coordinates are rounded.
+        Their lengths, and bounds of the errors of their computation.
+    data_errors : ndarray, shape (k, 4)
+        Their errors that come from coordinates and parameters, if these were rounded to doubles.
     """
 
     values: FloatArray
     sizes: FloatArray
     roundings: FloatArray
-    of_points: FloatArray
+    data_errors: FloatArray
 
-    @classmethod
-    def of(cls, derivatives: JointDerivatives, rows: IntArray, h: FloatArray, largest: float) -> _Side:
-        values, scale = (each[rows] for each in derivatives)
-        of_points = _OF_POINTS * largest / h[rows, None] ** np.arange(JOINT_ORDERS)
-        return cls(values, vector_lengths(values), JOINT_ROUNDINGS * scale, of_points)
+    def with_direction(self, has_direction: BoolArray) -> _Side:
+        """Return the side with velocities that are NaN where there is no direction."""
+        values, sizes = self.values.copy(), self.sizes.copy()
+        values[~has_direction, 1] = sizes[~has_direction, 1] = np.nan
+        return self._replace(values=values, sizes=sizes)
 
     def of_line(self, errors: FloatArray) -> FloatArray:
         """Return errors (k, 3) of direction, curvature and its change along the curve, by those of values."""
@@ -282,17 +220,124 @@ class _Side(NamedTuple):
         return np.column_stack((angle, bend, turn / speed**3))
 
 
-def _usual_sizes(starts: FloatArray, ends: FloatArray, h: FloatArray) -> FloatArray:
-    """Return how large derivatives usually are where curves cover such ways in such times, (joints, 4).
+def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, FloatArray]:
+    """Return the sides before and after joints, and typical sizes of derivatives there, (k, 4).
 
-    Of both segments beside a joint together, so that a short one does not count alone; joint 0 is that
-    between the last segment and the first.
+    Typical is a curve that covers the ways of both segments beside a joint in their times: of both together,
+    so that a short segment does not count alone.
     """
-    ways = vector_lengths(ends[:, 0] - starts[:, 0]) + 0.5 * h * (
-        vector_lengths(starts[:, 1]) + vector_lengths(ends[:, 1])
+    ends, starts = (curve.joint_derivatives(before=side) for side in (True, False))
+    t, powers = curve.parameters, np.arange(JOINT_ORDERS)
+    h = np.diff(t)
+    ways = vector_lengths(ends.values[:, 0] - starts.values[:, 0])
+    ways += 0.5 * h * (vector_lengths(starts.values[:, 1]) + vector_lengths(ends.values[:, 1]))
+    way, time = (each[indices - 1] + each[indices] for each in (ways, h))
+    typical = way[:, None] / time[:, None] ** powers
+    # A parameter that is off moves the curve as a point does that is off along it.
+    errors = _DATA_ROUNDINGS * (np.abs(curve.points).max() + np.abs(t).max() * typical[:, 1])
+    values = [ends.values[indices - 1], starts.values[indices]]
+    scales = [ends.scale[indices - 1], starts.scale[indices]]
+    # Where nothing can jump, nothing does, whatever is computed on both sides.
+    is_smooth = ~np.isin(t[indices], curve.breaks)
+    values[0][is_smooth] = values[1][is_smooth]
+    scales[0][is_smooth] = scales[1][is_smooth] = 0.0
+    before, after = (
+        _Side(each, vector_lengths(each), JOINT_ROUNDINGS * scale, errors[:, None] / h[rows, None] ** powers)
+        for each, scale, rows in zip(values, scales, (indices - 1, indices), strict=True)
     )
-    way, time = (each + np.roll(each, 1) for each in (ways, h))
-    return way[:, None] / time[:, None] ** np.arange(JOINT_ORDERS)
+    return before, after, typical
+
+
+def _rests(side: _Side, limits: FloatArray, typical: FloatArray) -> BoolArray:
+    """Return where the speed is certainly within the limit of the typical one: there is no direction."""
+    rests: BoolArray = np.maximum(side.sizes, side.roundings)[:, 1] <= (limits * typical)[:, 1]
+    return rests
+
+
+class _Jumps(NamedTuple):
+    """Jumps, and the numbers that they are compared with, all (k, orders).
+
+    Attributes
+    ----------
+    jumps
+    sizes
+        Of the quantities that jump: the larger one of both sides.
+    typical
+        Their sizes on a curve that covers the same ways in the same times.
+    roundings, data_errors
+        Of both sides together; see `_Side`.
+    """
+
+    jumps: FloatArray
+    sizes: FloatArray
+    typical: FloatArray
+    roundings: FloatArray
+    data_errors: FloatArray
+
+    @classmethod
+    def of_motion(cls, before: _Side, after: _Side, typical: FloatArray) -> _Jumps:
+        """Return those of c to c'''."""
+        return cls(
+            vector_lengths(after.values - before.values),
+            np.maximum(before.sizes, after.sizes),
+            typical,
+            before.roundings + after.roundings,
+            before.data_errors + after.data_errors,
+        )
+
+    @classmethod
+    def of_line(
+        cls, before: _Side, after: _Side, typical: FloatArray, angle: FloatArray, bends: _Bends
+    ) -> _Jumps:
+        """Return those of direction, curvature and its change along the curve."""
+        turns = [_turn_vectors(side.values) for side in (before, after)]
+        slow = np.minimum(before.sizes[:, 1], after.sizes[:, 1])
+        one = np.ones(len(slow))
+        return cls(
+            np.column_stack((angle, np.abs(bends.jump), vector_lengths(turns[1] - turns[0]))),
+            np.column_stack(
+                (
+                    one,
+                    np.maximum(np.abs(bends.before), np.abs(bends.after)),
+                    np.maximum(*map(vector_lengths, turns)),
+                )
+            ),
+            np.column_stack((one, typical[:, 2] / slow**2, typical[:, 3] / slow**3)),
+            before.of_line(before.roundings) + after.of_line(after.roundings),
+            before.of_line(before.data_errors) + after.of_line(after.data_errors),
+        )
+
+
+_NONE, _JUMPS, _OPEN = range(3)
+"""Verdicts on a jump: there is none, there is one, and rounding hides which."""
+
+
+def _verdicts(of: _Jumps, limits: FloatArray) -> IntArray:
+    """Return the verdicts (k, orders) for relative limits (orders,).
+
+    There is none within the limit of the larger value, or where roundings can make it that are within the
+    limit of a typical one.
+    """
+    is_sure = np.isfinite(of.roundings) & (of.roundings <= limits * np.maximum(of.sizes, of.typical))
+    invisible = np.minimum(limits * of.typical, of.data_errors)
+    is_none = of.jumps <= np.maximum(limits * of.sizes, of.roundings + invisible)
+    return np.where(is_none, np.where(is_sure, _NONE, _OPEN), _JUMPS)
+
+
+def _agreed(motion: IntArray, line: IntArray, rests: BoolArray) -> tuple[IntArray, IntArray]:
+    """Return verdicts of which neither hides what the other knows: a C2 joint with a tangent is G2."""
+    goes_on = np.logical_and.accumulate(motion == _NONE, axis=1)
+    has_tangent = line[:, 1] == _NONE
+    line = np.where(goes_on & has_tangent[:, None], _NONE, line)
+    bends = np.logical_or.accumulate(line == _JUMPS, axis=1) & ~rests[:, None]
+    return np.where((motion == _OPEN) & bends, _JUMPS, motion), line
+
+
+def _orders(verdicts: IntArray) -> tuple[IntArray, BoolArray]:
+    """Return how many columns have no jump from the first on, less one, and whether the next is open."""
+    count: IntArray = np.logical_and.accumulate(verdicts == _NONE, axis=1).sum(axis=1)
+    beyond = np.column_stack((verdicts, np.full(len(verdicts), _JUMPS)))
+    return count - 1, beyond[np.arange(len(count)), count] == _OPEN
 
 
 def _unit(vectors: FloatArray) -> FloatArray:

@@ -191,7 +191,9 @@ class BasisCurve(ParametricCurve):
         """Differentiate the polynomials through the functions at seven places around each t."""
         parameters = self._parameters
         segment = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(parameters) - 2)
-        step = np.diff(parameters)[segment] / _FINENESS[min(order, len(_FINENESS)) - 1]
+        longest = np.diff(parameters)[segment] / _FINENESS[min(order, len(_FINENESS)) - 1]
+        # Powers of two, so that places are exact where parameters lie far from 0.
+        step = np.ldexp(0.5, np.frexp(longest)[1])
         middle = self._inside_of_a_piece(t, 3.0 * step)
         places = middle[:, None] + step[:, None] * _STENCIL
         functions = self._functions(places.ravel(), 0).reshape(*places.shape, len(parameters))

@@ -257,8 +257,12 @@ class CubicSplineCurve(ParametricCurve):
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
         """Return c to c''' at the ends of all segments: up to c'' the same on both sides of a joint."""
         values, scale = (each.copy() for each in self._pieces.joint_derivatives(before=before))
-        values[:, 2] = self._second[1:] if before else self._second[:-1]
-        scale[:, 2] = vector_lengths(values[:, 2])
+        h, sizes = np.diff(self._parameters), vector_lengths(self._second)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            values[:, 2] = self._second[1:] if before else self._second[:-1]
+            values[:, 3] = np.diff(self._second, axis=0) / h[:, None]
+            scale[:, 2] = sizes[1:] if before else sizes[:-1]
+            scale[:, 3] = (sizes[1:] + sizes[:-1]) / h
         return JointDerivatives(values, scale)
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:

@@ -365,38 +365,35 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
         JointDerivatives
             Of n - 1 ends.
         """
-        t = self._parameters[1:] if before else self._parameters[:-1]
-        is_beside = before & np.isin(t, self.breaks[:-1])
-        at = np.where(is_beside, np.nextafter(t, -np.inf), t)
-        sums = [self._sums_from_a_point(at, order) for order in range(JOINT_ORDERS + 1)]
-        values, sizes = (list(each) for each in zip(*sums, strict=True))
-        # A derivative beside a break is that at the break but for the step of t between them; elsewhere both
-        # sides are one value.
-        is_break = np.isin(t, self.breaks)
-        h, extent = np.diff(self._parameters), np.ptp(self.points, axis=0).max()
-        scale = []
-        for order in range(JOINT_ORDERS):
-            steps = is_beside * np.abs(t) * sizes[order + 1]
-            digits = self.difference_digits[order - 1 : order] if order else ()
-            lost = sum(10.0**-each for each in digits) / JOINT_ROUNDINGS * extent / h**order
-            scale.append(is_break * (sizes[order] + steps + lost))
-        joints = self.evaluate(self._parameters)
-        values[0] = joints[1:] if before else joints[:-1]
-        return JointDerivatives(np.stack(values[:JOINT_ORDERS], axis=1), np.stack(scale, axis=1))
+        t, h = self._parameters, np.diff(self._parameters)
+        at = np.where(before & np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
+        shorter = np.minimum(np.concatenate((h[:1], h)), np.concatenate((h, h[-1:])))
+        orders = [self._about_a_point(at, order, shorter) for order in range(JOINT_ORDERS + 1)]
+        values, sizes = (np.stack(each, axis=1) for each in zip(*orders, strict=True))
+        # From beside a break to it: without this step, parameters far from 0 would make derivatives jump.
+        values = values[:, :-1] + (t - at)[:, None, None] * values[:, 1:]
+        values[:, 0] = self.evaluate(t)
+        side = slice(1, None) if before else slice(-1)
+        return JointDerivatives(values[side], sizes[side, :-1])
 
-    def _sums_from_a_point(self, t: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
-        """Return derivatives (m, dim), and the sizes of their terms (m,), in differences from a point.
+    def _about_a_point(self, t: FloatArray, order: int, h: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return derivatives (m, dim) and the sizes of their terms (m,), with the first point as the origin.
 
-        Derivatives of functions that add up to 1 add up to 0: where the origin lies counts for nothing.
+        Derivatives of functions that add up to 1 add up to 0: where the origin lies counts for nothing. Those
+        that are differences, over lengths h, are off by the digits they lose, as terms of that size would be.
         """
         basis = self._basis(t, order)
         origin = self.jets[0, 0]
         data = self.jets.copy()
         data[:, 0] -= origin
+        digits = self.difference_digits[order - 1 : order] if order else ()
+        lost = sum(10.0 ** (0.5 - each) for each in digits) / h**order
         shifts = basis[:, :, 0].sum(axis=1)
         if order:
-            shifts[np.abs(shifts) <= 64.0 * UNIT_ROUNDOFF * np.abs(basis[:, :, 0]).sum(axis=1)] = 0.0
+            roundings = 64.0 * UNIT_ROUNDOFF * np.abs(basis[:, :, 0]).sum(axis=1)
+            shifts[np.abs(shifts) <= roundings + lost] = 0.0
         flat, rows = basis.reshape(len(t), -1), data.reshape(basis[0].size, -1)
         values = flat @ rows + shifts[:, None] * origin
         size = (np.abs(flat) @ np.abs(rows) + np.abs(shifts[:, None] * origin)).max(axis=1)
-        return values, size
+        reach = np.abs(data[:, 0]).max() + (shifts != 0.0) * np.abs(origin).max()
+        return values, size + lost / JOINT_ROUNDINGS * reach

@@ -29,6 +29,7 @@ from curvecore import (
     worst_case_band,
 )
 from tests.core.made_curves import core_families, hats
+from tests.own_families import cosine_steps
 from tests.rows import each_row
 
 
@@ -136,6 +137,18 @@ def test_derivatives_of_what_is_no_polynomial(rng):
         lower = [curve.evaluate(WHERE + k * step, order - 1) for k in (-2, -1, 1, 2)]
         slope = (8 * (lower[2] - lower[1]) - (lower[3] - lower[0])) / (12 * step)
         assert np.abs(curve.evaluate(WHERE, order) - slope).max() < error * np.abs(slope).max()
+
+
+@each_row(("order", "error"), [(1, 1e-12), (2, 2e-9), (3, 4e-6)])
+def test_differences_keep_their_digits_far_from_zero(order, error):
+    """At t = 1e6 the first derivative was off by 7e-8: the places of the stencil were rounded."""
+    t = 1e6 + np.arange(4.0) / 4.0
+    curve = BasisCurve([[0.0], [1.0], [3.0], [4.0]], t, Scheme("steps", cosine_steps, lambda t: t))
+    share, way = np.array([0.25, 0.5, 0.75]), np.array([1.0, 1.0, 2.0])
+    # Of way * sin(pi / 2 share)**2.
+    exact = -0.5 * way * np.pi**order * np.cos(np.pi * share + 0.5 * np.pi * order)
+    found = curve.evaluate(t[0] + 0.25 * (share + np.array([0.0, 0.0, 1.0])), order)[:, 0] * 0.25**order
+    assert np.abs(found - exact).max() < error
 
 
 def test_derivatives_of_its_own_are_used():

@@ -7,13 +7,16 @@ import numpy as np
 import pytest
 
 from curvecore import (
+    BSplineCurve,
     Chain,
+    CubicSplineCurve,
     CurveError,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
     SepticHermiteCurve,
     catmull_rom_velocities,
+    chord_length,
     joint_report,
     natural_spline_velocities,
     uniform,
@@ -226,3 +229,89 @@ def test_the_speed_of_a_curve_at_rest_has_no_ratio():
     )
     # A corner that is run through at one speed.
     assert joint_report(corner)[0].speed_ratio == 1.0
+
+
+@pytest.mark.parametrize("exponent", [10, 20, 30, 40])
+def test_the_acceleration_jumps_by_24_beside_a_short_piece(exponent):
+    """It was C3 there: the jump is below 1e-9 of the terms of c'', which are some 6 / gap."""
+    gap = 2.0**-exponent
+    points = [[0, 0], [1, 1], [1 + 2 * gap, 1], [2, 0]]
+    curve = HermiteCurve(points, [[2, 0]] * 4, [0, 0.5, 0.5 + gap, 1])
+    joints = joint_report(curve)
+    assert [joint.label for joint in joints] == ["C1", "C1"]
+    last = -6.0 / (0.5 - gap) ** 2
+    assert [joint.acceleration_jump.tolist() for joint in joints] == [[0, 24], [0, pytest.approx(last)]]
+
+
+def test_the_curvature_changes_otherwise_behind_a_joint_by_28_percent():
+    """dκ/ds jumps from 1.7346 to 2.2273 (300 bits), which was G3."""
+    points = np.array([[0, 0], [1, 1], [1.0001, 1], [2, 0]])
+    t = chord_length(points)
+    joints = joint_report(HermiteCurve(points, natural_spline_velocities(points, t), t))
+    assert [joint.label for joint in joints] == ["C2", "C2"]
+
+
+@pytest.mark.parametrize("far", [1e5, 1e9, 1e12])
+def test_a_b_spline_that_is_moved_is_as_smooth_as_before(far):
+    """Moved by 1e5 it was G3."""
+    points = np.array([[0, 0], [1, 2], [3, 2], [4, 0], [6, 1], [7, 3]], dtype=float)
+    labels, moved = (
+        [joint.label for joint in joint_report(BSplineCurve(points + way, uniform(6)))] for way in (0.0, far)
+    )
+    assert labels == moved == ["C3", "C2", "C2", "C3"]
+
+
+def test_not_a_knot_is_none():
+    """The jerk jumped at the last joint, by what the velocities are rounded by."""
+    points = [[0, 3], [0, -1], [-4, 0], [-4.003, -0.002], [3, -3]]
+    curve = CubicSplineCurve(points, chord_length(points), ends="not_a_knot")
+    assert [joint.label for joint in joint_report(curve)] == ["C3", "C2", "C3"]
+
+
+def near_points(gap):
+    points = np.array([[0, 0], [1, 1], [1 + gap, 1], [2, 0]])
+    t = chord_length(points)
+    return HermiteCurve(points, natural_spline_velocities(points, t), t)
+
+
+def test_what_rounding_hides_is_not_decided():
+    """Velocities of the natural spline: c'' goes on, but 1e-12 apart nobody sees that in doubles."""
+    for joint in joint_report(near_points(1e-12)):
+        assert (joint.label, joint.parametric, joint.geometric) == ("≥C1", 1, 1)
+        assert joint.is_parametric_open
+        assert joint.is_geometric_open
+        assert 0.0 < np.linalg.norm(joint.acceleration_jump) < joint.roundings[2] < 1.0
+
+
+@each_row(
+    ("orders", "is_open", "label"),
+    [
+        ((1, 1), (True, True), "≥C1"),
+        ((1, 2), (True, False), "≥C1, G2"),
+        ((1, 2), (True, True), "≥C1, ≥G2"),
+        ((1, 1), (False, True), "C1, ≥G1"),
+        ((2, 0), (False, True), "C2"),
+        ((-1, -1), (False, False), "break"),
+    ],
+)
+def test_labels_say_what_is_not_decided(orders, is_open, label):
+    (joint,) = joint_report(HermiteCurve(POINTS[:3], POINTS[:3], T[:3]))
+    names = ("parametric", "geometric", "is_parametric_open", "is_geometric_open")
+    assert joint._replace(**dict(zip(names, (*orders, *is_open), strict=True))).label == label
+
+
+def test_a_rest_decides_nothing_about_the_acceleration():
+    """There is no direction, so that none goes on; c'' is 0 on both sides, of terms of 6 / gap."""
+    gap = 2.0**-40
+    points = [[0, 0], [1, 0], [1 + gap, 0], [2, 0]]
+    joint, _ = joint_report(HermiteCurve(points, [[6, 0], [0, 0], [3, 0], [2, 0]], [0, 0.5, 0.5 + gap, 1]))
+    assert (joint.label, joint.geometric, joint.acceleration_jump.tolist()) == ("≥C1", 0, [0, 0])
+
+
+@pytest.mark.parametrize("share", [1e-30, 1e-16, 1e-11])
+def test_a_speed_below_the_tolerance_is_a_rest(share):
+    """A cusp whose velocity is left of the rounding of a rule had a direction, that of the rounding."""
+    curve = HermiteCurve([[0, 0], [1, 0], [0, 1]], [[2, 0], [share, share], [0, -2]], [0, 1, 2])
+    (joint,) = joint_report(curve)
+    assert (joint.label, joint.geometric) == ("C1", 0)
+    assert np.isnan([joint.angle, joint.speed_ratio, joint.curvature_after, joint.curvature_jump]).all()
