@@ -10,6 +10,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
 
+from app.appearance.theme import DARK, LIGHT
 from app.document.derivatives import VelocityRule
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Parametrization, Point
@@ -123,6 +124,25 @@ def test_a_corner_is_told_by_sign_and_word(bessel):
     assert text(bessel, 2, COLUMNS.index("∠")).endswith("°")
     assert "joint 3: C⁰ (corner)" in panel(bessel).summary
     assert panel(bessel).summary.startswith("▲")
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK])
+def test_what_is_not_decided_is_a_question_mark_with_its_reason(bessel, theme):
+    points = tuple(Point(*place) for place in ((0.0, 0.0), (1.0, 1.0), (1.0 + 1e-12, 1.0), (2.0, 0.0)))
+    bessel.session.commit(Document((Curve("Near", HERMITE, Parametrization(), points),)), "Near")
+    bessel.settle()
+    panel(bessel).set_theme(theme)
+    assert panel(bessel).summary == "? ≥C¹ everywhere."
+    assert [text(bessel, 0, column) for column in range(5)] == ["? 1", "≥C¹", "0", "0", "?"]
+    assert text(bessel, 0, COLUMNS.index("κ")) == "?"
+    cell = table(bessel).model().index(0, 4)
+    assert "double precision does not decide" in cell.data(Qt.ItemDataRole.ToolTipRole)
+    # Neither a fault nor a zero: the colour of all text.
+    assert cell.data(Qt.ItemDataRole.ForegroundRole) is None
+    assert table(bessel).model().index(0, 2).data(Qt.ItemDataRole.ForegroundRole) == theme.muted
+    view = table(bessel)
+    classes = view.columnWidth(1) - 2 * 5
+    assert view.fontMetrics().horizontalAdvance("≥C¹, G²") <= classes
 
 
 def test_the_closing_joint_is_the_last(bessel):

@@ -51,6 +51,15 @@ def test_joints_are_as_smooth_as_their_family(family, order):
     assert value(result_of(parse_goal("smoothness >= 2"), view_of(curve)).text) == order
 
 
+def test_smoothness_that_is_not_decided_does_not_count():
+    """Points 1e-12 apart: the natural spline's acceleration goes on, which doubles do not show."""
+    places = ((0.0, 0.0), (1.0, 1.0), (1.0 + 1e-12, 1.0), (2.0, 0.0))
+    view = view_of(Curve("n", HERMITE, Parametrization(), tuple(Point(*place) for place in places)))
+    result = result_of(parse_goal("smoothness >= 2"), view)
+    assert not result.is_met
+    assert result.text == "Derivatives that are certainly continuous at every joint: at least 2; now 1"
+
+
 def test_the_distance_from_chord_lengths():
     points = tuple(Point(*place, t=t) for place, t in zip(SQUARE, (0.0, 0.3, 0.7, 1.0), strict=True))
     curve = Curve("m", LAGRANGE, Parametrization(ParametrizationKind.MANUAL), points)

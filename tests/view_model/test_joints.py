@@ -13,9 +13,11 @@ from app.document import edits
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Curve, Document, Parametrization, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.view_model.analysis import joints
 from app.view_model.analysis.joints import JointKind, as_text, certificate_of
 from app.view_model.curve.curve_view import view_of
 from app.view_model.points.smoothness import made_smooth
+from curvecore import joint_report
 from tests.rows import each_row
 
 POINTS = ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 1.5), (4.0, 0.0))
@@ -133,6 +135,101 @@ def test_the_text_is_a_table_with_exact_numbers():
             row.jumps[order] for row in result.rows
         ]
     assert all(row.jumps[3] > 0 for row in result.rows)
+
+
+NEAR = [Point(0.0, 0.0), Point(1.0, 1.0), Point(1.0 + 1e-12, 1.0), Point(2.0, 0.0), Point(3.0, 1.0)]
+"""Two points so near that accelerations of velocities that a rule estimates are rounding."""
+
+
+def test_what_rounding_hides_is_said_to_be_undecided():
+    result = certificate(NEAR)
+    assert result.summary == "≥C¹ everywhere."
+    for row in result.rows[:2]:
+        assert (row.kind, row.kind.value, row.smoothness) == (JointKind.UNDECIDED, "?", "≥C¹")
+        assert row.words.startswith(
+            "The velocity goes on. Whether the acceleration goes on, double precision does not decide: "
+            "rounding alone can make it jump by 0."
+        )
+        assert row.jumps[:2] == (0.0, 0.0)
+        assert math.isnan(row.jumps[2])
+        assert math.isnan(row.curvature)
+        assert row.angle == 0.0
+    assert result.rows[2].kind is JointKind.SMOOTH
+    *lines, last = [line.split("\t") for line in as_text(result).splitlines()[2:]]
+    for line in lines:
+        assert line[2:6] == ["≥C¹", "0.0", "0.0", "?"]
+        assert line[7:] == ["0.0", "?", "1.0"]
+    assert "?" not in last
+    assert "nan" not in as_text(result)
+
+
+def test_a_class_that_is_less_decided_is_named_in_the_summary():
+    result = certificate([*NEAR, *(Point(4.0 + i, 0.5 * (i % 3)) for i in range(4))])
+    assert result.summary == "C² everywhere except joint 1: ≥C¹; joint 2: ≥C¹."
+
+
+def test_a_rest_has_no_numbers_of_a_direction():
+    text = as_text(certificate(with_point(2, velocity=(0.0, 0.0)), QUINTIC_HERMITE))
+    assert text.splitlines()[3].split("\t")[7:] == ["–", "–", "–"]
+
+
+UNDECIDED = "double precision does not decide"
+
+
+@each_row(
+    ("orders", "is_open", "kind", "words"),
+    [
+        (
+            (1, 1),
+            (True, True),
+            JointKind.UNDECIDED,
+            f"The velocity goes on. Whether the acceleration goes on, {UNDECIDED}:",
+        ),
+        (
+            (0, 0),
+            (True, True),
+            JointKind.UNDECIDED,
+            f"The curve goes on. Whether the velocity goes on, {UNDECIDED}:",
+        ),
+        (
+            (2, 2),
+            (True, True),
+            JointKind.SMOOTH,
+            f"Velocity and acceleration go on. Whether the jerk goes on, {UNDECIDED}:",
+        ),
+        (
+            (0, 0),
+            (False, True),
+            JointKind.UNDECIDED,
+            f"The curve goes on, the velocity jumps. Whether the direction goes on, {UNDECIDED}.",
+        ),
+        (
+            (1, 1),
+            (False, True),
+            JointKind.ACCELERATION,
+            f"The velocity goes on, the acceleration jumps. Whether the curvature goes on, {UNDECIDED}.",
+        ),
+        (
+            (3, 0),
+            (False, True),
+            JointKind.SMOOTH,
+            f"Velocity and acceleration go on. Whether the direction goes on, {UNDECIDED}.",
+        ),
+    ],
+)
+def test_the_words_for_all_that_can_be_undecided(monkeypatch, orders, is_open, kind, words):
+    names = ("parametric", "geometric", "is_parametric_open", "is_geometric_open")
+    fields = dict(zip(names, (*orders, *is_open), strict=True))
+    monkeypatch.setattr(
+        joints,
+        "joint_report",
+        lambda *args, **kinds: [j._replace(**fields) for j in joint_report(*args, **kinds)],
+    )
+    row = certificate(velocity_rule=VelocityRule.BESSEL).rows[0]
+    assert row.kind is kind
+    assert row.words.startswith(words)
+    assert (math.isnan(row.angle), row.measured == "") == (orders[1] == 0, orders[1] == 0)
+    assert math.isnan(row.curvature) == (orders[1] <= 1)
 
 
 @each_row("family", [family for family in FAMILIES if family.derivatives])

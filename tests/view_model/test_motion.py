@@ -180,6 +180,15 @@ def test_where_there_is_no_jump_the_reason_is_given():
     )
 
 
+def test_a_jump_that_rounding_hides_is_not_said_to_be_one():
+    points = tuple(
+        Point(*place) for place in ((0.0, 0.0), (1.0, 1.0), (1.0 + 1e-12, 1.0), (2.0, 0.0), (3.0, 1.0))
+    )
+    curve = sketch(points=points, velocity_rule=VelocityRule.NATURAL_SPLINE)
+    text = jumps_in_words({OWN: view_of(curve)})
+    assert text.endswith("double precision does not decide whether the acceleration jumps at 2 of 3 joints.")
+
+
 def test_two_points_have_no_joints():
     view = view_of(sketch(points=first_sketch().curves[0].points[:2]))
     assert jumps_in_words(rivals_of(view, BOTH)) == "Hermite, Quintic: no joints."

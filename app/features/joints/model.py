@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
 from ...appearance.theme import LIGHT, Theme
-from ...document.words import NOTHING, number
+from ...document.words import number
 from ...qt.overrides import Guarded
 from ...view_model.analysis.joints import JointKind, JointRow
 from ...widgets.number_text import decimal_mark
@@ -89,12 +90,12 @@ class JointsModel(Guarded, QAbstractTableModel):
 
     def _texts(self, row: JointRow) -> tuple[str, ...]:
         mark = decimal_mark()
-        jumps = [number(jump, _DIGITS, mark) for jump in row.jumps]
-        angle = number(row.angle, _DIGITS, mark)
+        *jumps, angle, curvature, _ = row.written(lambda value: number(value, _DIGITS, mark))
+        is_angle = math.isfinite(row.angle) and angle != "0"
         return (
             f"{row.kind.value} {row.joint}",
             row.smoothness,
             *jumps,
-            angle if angle in ("0", NOTHING) else f"{angle}°",
-            number(row.curvature, _DIGITS, mark),
+            f"{angle}°" if is_angle else angle,
+            curvature,
         )

@@ -62,7 +62,7 @@ class JointsView(ClaimsKeys, QTableView):
         across.setMinimumSectionSize(18)
         across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {_PADDING}px }}")
         across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        for column, widest in ((0, "Joint "), (1, "C⁰, G¹ "), (2, "c 0")):
+        for column, widest in ((0, "Joint "), (1, "≥C⁰, G¹ "), (2, "c 0")):
             across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
             across.resizeSection(column, metrics.horizontalAdvance(widest) + 2 * _PADDING)
         down.hide()

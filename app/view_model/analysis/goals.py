@@ -143,7 +143,7 @@ def _overshoot(view: CurveView) -> float:
 
 
 def _smoothness(view: CurveView) -> float:
-    """Return the least number of continuous derivatives at any joint."""
+    """Return the least number of derivatives that are certainly continuous, of all joints."""
     assert view.curve is not None
     joints = joint_report(view.curve, closed=view.source.is_closed)
     return float(min((joint.parametric for joint in joints), default=np.inf))
@@ -204,7 +204,7 @@ MEASURES: dict[str, tuple[str, Callable[[CurveView], float]]] = {
     "points": ("Points", lambda view: float(len(view.points))),
     "lebesgue": ("Lebesgue constant Λ", growth_of_points),
     "overshoot": ("Overshoot in percent", _overshoot),
-    "smoothness": ("Derivatives that are continuous at every joint:", _smoothness),
+    "smoothness": ("Derivatives that are certainly continuous at every joint:", _smoothness),
     "chord_gap": ("Largest distance from the chord-length parameters", _chord_gap),
 }
 """The measures by name: the words for each, and its function of a current view."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from curvecore import Joint, joint_report
 
-from ...document.words import number
+from ...document.words import NOTHING, number
 from ..curve.curve_view import CurveView
 from ..geometry.plane import size_of
 
@@ -55,10 +55,10 @@ _WORDS = {
 }
 """The words for orders of parametric and geometric continuity, the latter up to curvature."""
 
-_SURE = ("The curve goes on.", "The velocity goes on.", "Smooth: velocity and acceleration go on.")
+_GOES_ON = ("The curve goes on", "The velocity goes on", "Velocity and acceleration go on")
 _OF_MOTION = ("point", "velocity", "acceleration", "jerk")
 _OF_LINE = ("point", "direction", "curvature", "change of the curvature")
-"""What goes on, or jumps, by its order: of the motion, and of the line that is drawn."""
+"""The quantities that go on, or jump, by their orders: of the motion, and of the line that is drawn."""
 
 _RAISED = str.maketrans("0123", "⁰¹²³")
 
@@ -77,11 +77,12 @@ class JointRow:
         The distance to the nearer of its neighbours: how closely to look.
     jumps
         Sizes of the jumps of c, c', c'' and c'''; exactly 0 where there is none beyond rounding, NaN where
-        double precision does not decide.
+        double precision does not decide whether there is one.
     angle
-        Between the tangents before and after, in degrees; NaN where the curve stands still.
+        Between the tangents before and after, in degrees; NaN where the curve stands still, or where double
+        precision does not decide.
     curvature
-        The jump of the curvature; NaN where the curve stands still.
+        The jump of the curvature; NaN as the angle.
     continuity
         The orders of parametric and geometric continuity, up to 3; -1 for a break.
     smoothness
@@ -107,6 +108,17 @@ class JointRow:
     words: str
     speed_ratio: float
     measured: str
+
+    def written(self, write: Callable[[float], str]) -> list[str]:
+        """Return jumps, angle, jump of the curvature and speed ratio as texts: "?" for what is not decided.
+
+        There is nothing to decide about a direction where the curve stands still.
+        """
+        undecided = JointKind.UNDECIDED.value
+        of_line = NOTHING if self.kind is JointKind.REST else undecided
+        texts = [undecided if math.isnan(jump) else write(jump) for jump in self.jumps]
+        others = (self.angle, self.curvature, self.speed_ratio)
+        return [*texts, *(of_line if math.isnan(each) else write(each) for each in others)]
 
 
 @dataclass(frozen=True)
@@ -150,35 +162,48 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
         place=(x, y),
         reach=reaches[point],
         jumps=tuple(_shown_jump(joint, order, size) for order, size in enumerate(sizes)),
-        angle=0.0 if joint.geometric >= 1 else math.degrees(joint.angle),
+        angle=_angle(joint),
         curvature=_curvature_jump(joint),
         continuity=continuity,
         smoothness=joint.label.translate(_RAISED),
         kind=kind,
         words=_words(joint, kind),
         speed_ratio=joint.speed_ratio,
-        measured="" if math.isnan(joint.angle) else _measured(joint),
+        measured="" if math.isnan(_angle(joint)) else _measured(joint),
     )
 
 
 def _shown_jump(joint: Joint, order: int, size: float) -> float:
     if order <= joint.parametric:
         return 0.0
-    return math.nan if joint.is_parametric_open and order == joint.parametric + 1 else size
+    is_next = order == joint.parametric + 1
+    is_hidden = joint.is_parametric_open and (is_next or size <= joint.roundings[order])
+    return math.nan if is_hidden else size
+
+
+def _angle(joint: Joint) -> float:
+    if joint.geometric >= 1:
+        return 0.0
+    return math.nan if joint.is_geometric_open else math.degrees(joint.angle)
 
 
 def _words(joint: Joint, kind: JointKind) -> str:
-    """Return what a joint is, as a sentence."""
-    if kind is JointKind.REST:
-        return _RESTS
-    if not joint.is_parametric_open and not joint.is_geometric_open:
-        return _WORDS[joint.parametric, min(max(joint.parametric, joint.geometric), 2)]
-    order, what, bound = joint.geometric + 1, _OF_LINE, ""
+    """Return what a joint is, as a sentence or two."""
+    undecided, bound = "", ""
     if joint.is_parametric_open:
-        order, what = joint.parametric + 1, _OF_MOTION
-        bound = f": rounding alone makes it jump by up to {number(float(joint.roundings[order]), 2)}"
-    sure = _SURE[joint.parametric]
-    return f"{sure} Whether the {what[order]} does too, double precision does not decide{bound}."
+        undecided = _OF_MOTION[joint.parametric + 1]
+        bound = f": rounding alone can make it jump by {number(joint.roundings[joint.parametric + 1], 2)}"
+    elif joint.is_geometric_open:
+        undecided = _OF_LINE[joint.geometric + 1]
+    if kind is JointKind.REST:
+        sure = _RESTS
+    elif undecided:
+        jumps = "" if joint.is_parametric_open or joint.parametric == 3 else _OF_MOTION[joint.parametric + 1]
+        sure = _GOES_ON[min(joint.parametric, 2)] + (f", the {jumps} jumps." if jumps else ".")
+    else:
+        sure = _WORDS[joint.parametric, min(max(joint.parametric, joint.geometric), 2)]
+    rest = f" Whether the {undecided} goes on, double precision does not decide{bound}."
+    return sure + (rest if undecided else "")
 
 
 def _measured(joint: Joint) -> str:
@@ -189,7 +214,7 @@ def _measured(joint: Joint) -> str:
 
 def _curvature_jump(joint: Joint) -> float:
     scale = max(abs(joint.curvature_before), abs(joint.curvature_after))
-    if joint.is_geometric_open and joint.geometric == 1:
+    if joint.is_geometric_open and joint.geometric <= 1:
         return math.nan
     is_none = joint.geometric >= 2 or abs(joint.curvature_jump) <= _RESIDUE * scale
     return 0.0 if is_none else joint.curvature_jump
@@ -224,9 +249,14 @@ def _reaches(view: CurveView) -> list[float]:
 
 
 def _summary(rows: Sequence[JointRow]) -> str:
-    """Say the class of most joints, and which ones are less smooth, or have no direction."""
+    """Say the class of most joints, and which ones are less smooth, or not decided, or have no direction."""
     (orders, usual), _ = Counter((row.continuity, row.smoothness) for row in rows).most_common(1)[0]
-    worse = [row for row in rows if row.continuity < orders or row.kind is JointKind.REST]
+    # Of the same orders, but more or less decided, or less smooth.
+    worse = [
+        row
+        for row in rows
+        if row.kind is JointKind.REST or (row.continuity <= orders and row.smoothness != usual)
+    ]
     if not worse:
         return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its one joint."
     if len(worse) > _MOST_NAMED:
@@ -245,7 +275,10 @@ def _brief(row: JointRow) -> str:
 
 
 def as_text(certificate: Certificate) -> str:
-    """Return the certificate as a table of text, with tabs, for other programs; numbers are exact."""
+    """Return the certificate as a table of text, with tabs, for other programs; numbers are exact.
+
+    There is a "?" where double precision does not decide, and a dash where the curve stands still.
+    """
     jumps = [f"jump of {what}" for what in ("c", "c'", "c''", "c'''")]
     lines = [certificate.summary]
     if certificate.rows:
@@ -253,6 +286,5 @@ def as_text(certificate: Certificate) -> str:
             "\t".join(["joint", "t", "class", *jumps, "angle (degrees)", "jump of curvature", "speed ratio"])
         )
     for row in certificate.rows:
-        numbers = (*row.jumps, row.angle, row.curvature, row.speed_ratio)
-        lines.append("\t".join([str(row.joint), repr(row.t), row.smoothness, *map(repr, numbers)]))
+        lines.append("\t".join([str(row.joint), repr(row.t), row.smoothness, *row.written(repr)]))
     return "\n".join(lines) + "\n"

@@ -239,7 +239,11 @@ def _jump_in_words(view: CurveView) -> str:
     joints = [] if is_one else joint_report(view.curve, closed=view.source.is_closed)
     if not joints:
         return "no joints."
-    jumping = [joint for joint in joints if joint.parametric < 2]
+    rough = [joint for joint in joints if joint.parametric < 2]
+    jumping = [joint for joint in rough if not joint.is_parametric_open]
+    if rough and not jumping:
+        where = f"{len(rough)} of {len(joints)} joints"
+        return f"double precision does not decide whether the acceleration jumps at {where}."
     if not jumping:
         is_spline = view.source.family.derivatives == 1 and _is_estimated(view)
         why = " (its velocities are those of the natural spline; other rules jump)" if is_spline else ""
