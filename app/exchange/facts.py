@@ -246,7 +246,9 @@ def _lengths(shapes: Sequence[_Shape], growths: Sequence[Growth]) -> list[Length
     """Return arc lengths; their bounds count the effect of the rounding of t."""
     found = lengths_of([each.pieces for each in shapes], LENGTH_TOLERANCE)
     others = [
-        shape.rounding.disturbed(growth.points, length.error / max(length.value, SMALLEST))
+        []
+        if shape.rounding.is_lost(growth.points, length.error / max(length.value, SMALLEST))
+        else shape.rounding.disturbed()
         for shape, growth, length in zip(shapes, growths, found, strict=True)
     ]
     # Deviations of the pieces count by the weights, too.

@@ -13,10 +13,11 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
+import curvecore
 from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 from curvecore.parametrization import relative_spacing
-from curvecore.scaling import SMALLEST
+from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 from .core_curve import parameters_of
 from .curve_view import CurveView, curve_through
@@ -24,7 +25,7 @@ from .curve_view import CurveView, curve_through
 _GROUPS = 8
 """Parameters that are moved one by one; of more, so many groups are moved, each up and down by chance."""
 
-_MOST_STEP = 2.0**-7
+_MOST_STEP = 2.0**-12
 """Share of the distance of two parameters by which one is moved at most, but for its rounding."""
 
 _MOST_ROUNDINGS = 2.0**20
@@ -39,8 +40,11 @@ _PROPORTIONAL = 0.25
 _MOST_TINY = 64
 """Distances with a larger share that are corrected one by one."""
 
-_WORTH_A_WORD = 1e-4
-"""Share from which the digits that people see of the growth of errors, or of curvature, are not certain."""
+_SHOWS = 1e-9
+"""Share from which the curvature, of which four digits are shown, is told with its error."""
+
+_WORTH_A_WORD = 1e-5
+"""Share from which the digits that people see of boxes and of the growth of errors are not certain."""
 
 
 class Disturbed(NamedTuple):
@@ -51,12 +55,27 @@ class Disturbed(NamedTuple):
     curve
         With some parameters moved.
     weight
-        The lengths of such curves less that of the curve, times their weights, add up to a bound of its
-        difference from that for exact parameters, with a factor of two to spare.
+        The differences of a number of such curves from that of the curve, times their weights, add up to a
+        bound of its difference from that for exact parameters, with a factor of two to spare.
     """
 
     curve: ParametricCurve
     weight: float
+
+
+def curvature_error(view: CurveView, t: FloatArray) -> FloatArray:
+    """Return how far rounding may put the curvature of a current curve off, (m,), at t (m,).
+
+    That of the parameters counts at the same share of the segment.
+    """
+    assert view.curve is not None
+    error, rounding = curvecore.curvature_error(view.curve, t), ParameterRounding(view)
+    if rounding.shares.max() > _SHOWS:
+        curvature = curvecore.curvature(view.curve, t)
+        for curve, weight in rounding.disturbed():
+            there = np.interp(t, view.parameters, curve.parameters)
+            error += weight * np.abs(curvecore.curvature(curve, there) - curvature)
+    return error
 
 
 class ParameterRounding:
@@ -94,24 +113,29 @@ class ParameterRounding:
         numbers = "Λ" if np.count_nonzero(self.shares > _PROPORTIONAL) <= _MOST_TINY else "length, Λ"
         return (
             f"Points {owner(knot)} and {owner(knot + 1)} are so close together that rounding changes the "
-            f"distance of their t by up to {100.0 * self.shares[knot]:.1g} %: {numbers}, box, curvature and "
-            "crossings are those for the stored t."
+            f"distance of their t by up to {100.0 * self.shares[knot]:.1g} %: {numbers}, box and crossings "
+            "are those for the stored t."
         )
 
-    def disturbed(self, growth: float, accuracy: float) -> list[Disturbed]:
-        """Return curves that measure the effect on the length; none where it is lost in other errors.
+    def is_lost(self, growth: float, accuracy: float) -> bool:
+        """Whether the effect on the length is lost in another error of it.
 
         Parameters
         ----------
         growth
             The Lebesgue constant of the points.
         accuracy
-            The error of the length without it, against the length.
+            That error, against the length.
         """
+        if growth > 1.0 / UNIT_ROUNDOFF:
+            # The rounding of the pieces, grown by as much, is in that error.
+            return True
         lost = accuracy / (_CLEARLY * growth)
         # The mean is at most three times the largest one, which takes fewer calls.
-        if 3.0 * self.shares.max() <= lost or self._mean_share() <= lost:
-            return []
+        return bool(3.0 * self.shares.max() <= lost or self._mean_share() <= lost)
+
+    def disturbed(self) -> list[Disturbed]:
+        """Return curves that measure the effect."""
         t, is_tiny = self._view.parameters, self.shares > _PROPORTIONAL
         tiny = np.flatnonzero(is_tiny)
         cases = [(self._with_true_distance(knot), 2.0) for knot in tiny[:_MOST_TINY].tolist()]

@@ -7,6 +7,7 @@ import numpy as np
 import curvecore
 
 from ....document.words import uncertain
+from ...curve.rounded_parameters import curvature_error
 from ...geometry.plane import to_the_left, unit_tangents
 from ...look.line_styles import PURPLE, LineStyle
 from ..figures import Figure, Shape, number
@@ -44,7 +45,7 @@ def _circle(scene: Scene) -> Drawn:
     if abs(curvature) * scene.size < _STRAIGHT:
         line = here + np.outer([-reach, reach], tangent)
         return [Figure(LINE, Shape.LINE, line)], NO_BEND
-    error = float(curvecore.curvature_error(curve, np.clip(scene.scrub, *curve.domain))[0])
+    error = curvature_error(scene.view, np.clip([scene.scrub], *curve.domain)).item()
     if not error < abs(curvature):
         return [], UNCERTAIN
     radius = 1.0 / abs(curvature)

@@ -9,6 +9,7 @@ import curvecore
 from curvecore.arrays import FloatArray
 
 from ....document.words import number
+from ...curve.rounded_parameters import curvature_error
 from ...geometry.plane import size_of
 from ..plot import Plot, Sampled
 from ..plot_lines import PlotData
@@ -35,8 +36,7 @@ def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:
 
 
 def _rounding(sampled: Sampled) -> FloatArray:
-    assert sampled.view.curve is not None
-    error = curvecore.curvature_error(sampled.view.curve, sampled.t)
+    error = curvature_error(sampled.view, sampled.t)
     return np.where(error * size_of(sampled.view.points) < _STRAIGHT, 0.0, error)
 
 

