@@ -229,8 +229,9 @@ def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, Flo
     ends, starts = (curve.joint_derivatives(before=side) for side in (True, False))
     t, powers = curve.parameters, np.arange(JOINT_ORDERS)
     h = np.diff(t)
-    ways = vector_lengths(ends.values[:, 0] - starts.values[:, 0])
-    ways += 0.5 * h * (vector_lengths(starts.values[:, 1]) + vector_lengths(ends.values[:, 1]))
+    chords = vector_lengths(ends.values[:, 0] - starts.values[:, 0])
+    speeds = 0.5 * (vector_lengths(starts.values[:, 1]) + vector_lengths(ends.values[:, 1]))
+    ways = 0.5 * (chords + h * speeds)
     way, time = (each[indices - 1] + each[indices] for each in (ways, h))
     typical = way[:, None] / time[:, None] ** powers
     # A parameter that is off moves the curve as a point does that is off along it.
@@ -291,8 +292,8 @@ class _Jumps(NamedTuple):
     ) -> _Jumps:
         """Return those of direction, curvature and its change along the curve."""
         turns = [_turn_vectors(side.values) for side in (before, after)]
-        slow = np.minimum(before.sizes[:, 1], after.sizes[:, 1])
-        one = np.ones(len(slow))
+        speed = typical[:, 1]
+        one = np.ones(len(speed))
         return cls(
             np.column_stack((angle, np.abs(bends.jump), vector_lengths(turns[1] - turns[0]))),
             np.column_stack(
@@ -302,7 +303,7 @@ class _Jumps(NamedTuple):
                     np.maximum(*map(vector_lengths, turns)),
                 )
             ),
-            np.column_stack((one, typical[:, 2] / slow**2, typical[:, 3] / slow**3)),
+            np.column_stack((one, typical[:, 2] / speed**2, typical[:, 3] / speed**3)),
             before.of_line(before.roundings) + after.of_line(after.roundings),
             before.of_line(before.data_errors) + after.of_line(after.data_errors),
         )

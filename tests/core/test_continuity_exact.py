@@ -179,7 +179,7 @@ def exact_jumps(pieces, t, index):
     way = arb(0)
     for (start, end), h in beside:
         speeds = size(map(arb, start[1])) + size(map(arb, end[1]))
-        way += size(map(arb, less(start[0], end[0]))) + arb(h) / 2 * speeds
+        way += (size(map(arb, less(start[0], end[0]))) + arb(h) / 2 * speeds) / 2
     typical = [way / arb(sum(h for _, h in beside)) ** order for order in range(4)]
     motion = [
         judged(size(less(a, b)), max(map(float, map(size, (a, b)))), typical[order])
@@ -188,7 +188,7 @@ def exact_jumps(pieces, t, index):
     slow = min(float(size(before[1])), float(size(after[1])))
     if slow <= 2 * LIMIT * float(typical[1]):
         return motion, [None] * 3
-    sizes = (1.0, float(typical[2]) / slow**2, float(typical[3]) / slow**3)
+    sizes = (1.0, typical[2] / typical[1] ** 2, typical[3] / typical[1] ** 3)
     line = [
         judged(size(less(a, b)), max(map(float, map(size, (a, b)))), typical_size)
         for a, b, typical_size in zip(line_of(before), line_of(after), sizes, strict=True)
