@@ -387,7 +387,7 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
         data = self.jets.copy()
         data[:, 0] -= origin
         digits = self.difference_digits[order - 1 : order] if order else ()
-        lost = sum(10.0 ** (0.5 - each) for each in digits) / h**order
+        lost = sum(2.0 * 10.0**-each for each in digits) / h**order
         shifts = basis[:, :, 0].sum(axis=1)
         if order:
             roundings = 64.0 * UNIT_ROUNDOFF * np.abs(basis[:, :, 0]).sum(axis=1)
