@@ -196,6 +196,7 @@ def arc_length(
     The bound is proved for the Hermite families, cusps included. A
     `LagrangeCurve` is first replaced by pieces of degree 8; how far their
     derivatives are from its own is measured, with a factor of two to spare.
+    It holds for the parameters of the curve as they are, see `chord_length`.
 
     Examples
     --------

@@ -31,9 +31,13 @@ KINDS = [
     ("hermite", VelocityRule.NATURAL_SPLINE, False),
     ("hermite", VelocityRule.BESSEL, False),
     ("hermite", VelocityRule.FINITE_DIFFERENCE, False),
+    ("hermite", VelocityRule.CATMULL_ROM, False),
+    ("hermite", VelocityRule.AKIMA, False),
+    ("hermite", VelocityRule.MONOTONE, False),
     ("cubic_spline", VelocityRule.NATURAL_SPLINE, False),
     ("cubic_spline", VelocityRule.NATURAL_SPLINE, True),
     ("quintic_hermite", VelocityRule.NATURAL_SPLINE, False),
+    ("b_spline", VelocityRule.NATURAL_SPLINE, False),
 ]
 RULES = [
     Parametrization(ParametrizationKind.CHORD_LENGTH),
@@ -97,14 +101,92 @@ def spline(x, h, slopes, *, closed):
     return [*speeds, slopes[-1] + h[-1] * (bends[-2] + 2 * bends[-1]) / 6], bends
 
 
-def bessel(h, slopes):
-    inner = [(b * s + a * r) / (a + b) for (a, b), (s, r) in zip(pairwise(h), pairwise(slopes), strict=True)]
-    return [2 * slopes[0] - inner[0], *inner, 2 * slopes[-1] - inner[-1]] if inner else 2 * slopes
+def parabolas(h, slopes):
+    return [(b * s + a * r) / (a + b) for (a, b), (s, r) in zip(pairwise(h), pairwise(slopes), strict=True)]
+
+
+def with_ends(inner, slopes):
+    return [2 * slopes[0] - inner[0], *inner, 2 * slopes[-1] - inner[-1]]
+
+
+def catmull_rom(curve, x, h, slopes):
+    rows = [[arb(point.x), arb(point.y)] for point in curve.points]
+    knots = exact_parameters(rows, Parametrization(ParametrizationKind.POWER, curve.parametrization.alpha))
+    k = [b - a for a, b in pairwise(knots)]
+    inner = parabolas(k, [(b - a) / gap for (a, b), gap in zip(pairwise(x), k, strict=True)])
+    scales = ((a + b) / (c + d) for (a, b), (c, d) in zip(pairwise(k), pairwise(h), strict=True))
+    return with_ends([v * scale for v, scale in zip(inner, scales, strict=True)], slopes)
+
+
+def akima(s):
+    before, after = s[1] - s[0], s[-1] - s[-2]
+    s = [s[0] - 2 * before, s[0] - before, *s, s[-1] + after, s[-1] + 2 * after]
+    found = []
+    for a, b, c, d in zip(s, s[1:], s[2:], s[3:], strict=False):
+        turns, is_straight = abs(b - a) + abs(d - c), abs(b - a) + abs(d - c) < 1e-9 * (abs(a) + abs(b))
+        found.append((b + c) / 2 if is_straight else b + abs(b - a) / turns * (c - b))
+    return found
+
+
+def monotone(h, s):
+    means = [
+        3 * (a + b) / ((2 * b + a) / x + (b + 2 * a) / y) if (x > 0) == (y > 0) else arb(0)
+        for (a, b), (x, y) in zip(pairwise(h), pairwise(s), strict=True)
+    ]
+    ends = []
+    for (near, beside), (x, y) in (((h[0], h[1]), (s[0], s[1])), ((h[-1], h[-2]), (s[-1], s[-2]))):
+        end = x + near / (near + beside) * (x - y)
+        steep = 3 * x if (x > 0) != (y > 0) and abs(end) > 3 * abs(x) else end
+        ends.append(steep if (end > 0) == (x > 0) else arb(0))
+    return [ends[0], *means, ends[1]]
+
+
+def velocities(curve, x, h, slopes):
+    """Those of the rules that are no splines."""
+    if len(slopes) == 1:
+        return 2 * slopes
+    match curve.velocity_rule:
+        case VelocityRule.BESSEL:
+            return with_ends(parabolas(h, slopes), slopes)
+        case VelocityRule.FINITE_DIFFERENCE:
+            return [slopes[0], *((a + b) / 2 for a, b in pairwise(slopes)), slopes[-1]]
+        case VelocityRule.CATMULL_ROM:
+            return catmull_rom(curve, x, h, slopes)
+        case VelocityRule.AKIMA:
+            return akima(slopes)
+    return monotone(h, slopes)
+
+
+def b_spline_segments(x, t):
+    """By the recursion of de Boor and Cox, between knots."""
+    degree = min(3, len(x) - 1)
+    knots = [t[0]] * (degree + 1) + t[2:-2] + [t[-1]] * (degree + 1)
+
+    def function(i, order, j):
+        if order == 0:
+            return arb_poly([1] if i == j else [])
+        start, width, found = knots[j], knots[j + 1] - knots[j], arb_poly([])
+        # Of functions whose knots all coincide nothing is left.
+        if i < j + 1 and i + order > j:
+            rising = arb_poly([start - knots[i], width]) * (1 / (knots[i + order] - knots[i]))
+            found = found + rising * function(i, order - 1, j)
+        if i + 1 < j + 1 and i + 1 + order > j:
+            falling = arb_poly([knots[i + order + 1] - start, -width])
+            falling = falling * (1 / (knots[i + order + 1] - knots[i + 1]))
+            found = found + falling * function(i + 1, order - 1, j)
+        return found
+
+    return [
+        sum((function(i, degree, j) * x[i] for i in range(j - degree, j + 1)), arb_poly([]))
+        for j in range(degree, len(knots) - degree - 1)
+    ]
 
 
 def segments(curve, x, t):
     """One coordinate of each segment as a polynomial over [0, 1]."""
     h = [b - a for a, b in pairwise(t)]
+    if curve.family.name == "b_spline":
+        return b_spline_segments(x, t)
     if curve.family.name == "lagrange":
         newton = list(x)
         for k in range(1, len(t)):
@@ -116,10 +198,8 @@ def segments(curve, x, t):
         return [whole(arb_poly([start, k])) for start, k in zip(t, h, strict=False)]
     slopes = [(b - a) / k for (a, b), k in zip(pairwise(x), h, strict=True)]
     v, m = spline(x, h, slopes, closed=curve.is_closed)
-    if curve.velocity_rule is VelocityRule.BESSEL:
-        v = bessel(h, slopes)
-    elif curve.velocity_rule is VelocityRule.FINITE_DIFFERENCE:
-        v = [slopes[0], *((a + b) / 2 for a, b in pairwise(slopes)), slopes[-1]]
+    if curve.velocity_rule is not VelocityRule.NATURAL_SPLINE:
+        v = velocities(curve, x, h, slopes)
     found = []
     for i, k in enumerate(h):
         d, a, b = x[i + 1] - x[i], k * v[i], k * v[i + 1]
@@ -170,7 +250,7 @@ def exact_length(curve):
 
 @pytest.mark.time_limit(1800)
 def test_the_errors_of_lengths_hold_for_the_exact_parameters():
-    """Of 2,000 such documents 663 were off by more than was said."""
+    """Of 2,000 such documents 547 were off by more than was said."""
     curves = [near_points(seed) for seed in range(COUNT)]
     wrong = {}
     for seed, facts in enumerate(facts_of(Document(tuple(curves)))):
@@ -193,16 +273,15 @@ def exact_curvature(x, y, at, start, end):
 def test_the_errors_of_curvatures_hold_for_the_exact_parameters():
     """Four digits are shown, with an error where it shows in them.
 
-    Of 28,034 values on 2,000 curves 1,086 were wrong beyond the error that was shown with them.
+    Of 26,657 values on 2,000 curves 971 were wrong beyond the error that was shown with them.
     """
     wrong, told = [], 0
     for seed in range(COUNT // 5):
         view = view_of(near_points(seed))
         if not view.is_current:
             continue
-        for (x, y), (start, end) in zip(
-            exact_segments(view.source), pairwise(view.parameters.tolist()), strict=True
-        ):
+        places = view.parameters if view.source.family.interpolates else view.curve.breaks
+        for (x, y), (start, end) in zip(exact_segments(view.source), pairwise(places.tolist()), strict=True):
             # In a segment of a few roundings of t they are fewer, and elsewhere.
             t = np.unique(start + np.array([0.1, 0.5, 0.8]) * (end - start))
             t = t[(t > start) & (t < end)]
