@@ -49,11 +49,30 @@ class Steps(NamedTuple):
     slope: FloatArray
 
 
+class Spaced(NamedTuple):
+    """Increasing parameters, given by their distances: sums over turns of a closed curve would be rounded.
+
+    Attributes
+    ----------
+    spacing : ndarray, shape (n - 1,)
+        Distances of consecutive ones.
+    """
+
+    spacing: FloatArray
+
+
 def steps_of(points: ArrayLike, parameters: ArrayLike) -> Steps:
     """Check points, (n, dim), and parameters, (n,), and return their differences."""
     places = point_array(points)
-    t = parameter_array(parameters, len(places))
-    return differences(places, t[1:] - t[:-1])
+    return differences(places, spacing_of(parameters, len(places)))
+
+
+def spacing_of(parameters: ArrayLike, count: int) -> FloatArray:
+    """Check parameters, (count,), and return their distances."""
+    if isinstance(parameters, Spaced):
+        return parameters.spacing
+    t = parameter_array(parameters, count)
+    return t[1:] - t[:-1]
 
 
 def differences(points: FloatArray, spacing: FloatArray) -> Steps:

@@ -23,10 +23,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, parameter_array, point_array, read_only
+from curvecore.arrays import FloatArray, point_array, read_only
 from curvecore.parametrization import relative_spacing
 from curvecore.scaling import SMALLEST
-from curvecore.slopes import Steps, differences, in_range, steps_of
+from curvecore.slopes import Steps, differences, in_range, spacing_of, steps_of
 from curvecore.tridiagonal import solve_dominant
 
 _FEW = 48  # segments, up to which a spline under a hand, its parameters at rest, is a matrix that is kept
@@ -172,7 +172,7 @@ def catmull_rom_velocities(
     [[0.0, 2.0], [2.0, 0.0], [4.0, -2.0]]
     """
     places = point_array(points)
-    h = np.diff(parameter_array(parameters, len(places)))
+    h = spacing_of(parameters, len(places))
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
     apart = places if knots_of is None else point_array(knots_of)
     knots = np.maximum(relative_spacing(apart, alpha, "Catmull-Rom"), SMALLEST)

@@ -12,16 +12,18 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 import curvecore
 from curvecore.arrays import BoolArray, FloatArray, IntArray
+from curvecore.slopes import Spaced
 
 from ...document.derivatives import EstimateRule
 from ...document.model import Curve, Point
 from ..geometry.plane import at_knots
 from .point_arrays import PointArrays
 
-Estimate = Callable[[FloatArray, FloatArray], FloatArray]
+Estimate = Callable[[FloatArray, ArrayLike], FloatArray]
 
 _REACH = 64
 """Knots after which an estimate has forgotten the data: a natural spline forgets half at every knot."""
@@ -100,7 +102,7 @@ def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estim
         return lambda both, t: _estimate_by(rule, curve)(both[:, 2:], t)
     function = getattr(curvecore, rule.changes)
 
-    def changes(both: FloatArray, t: FloatArray) -> FloatArray:
+    def changes(both: FloatArray, t: ArrayLike) -> FloatArray:
         if coordinate is not None:
             one: FloatArray = function(both[:, [coordinate]], t, both[:, 2:], one_sided=True)[:, 0]
             return one
@@ -130,7 +132,7 @@ def _knots_where(holds: BoolArray, count: int) -> list[int]:
 def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:
     function = getattr(curvecore, rule.function)
 
-    def estimate(points: FloatArray, t: FloatArray) -> FloatArray:
+    def estimate(points: FloatArray, t: ArrayLike) -> FloatArray:
         data = (points, t) if "parameters" in rule.takes else (points,)
         found: FloatArray = function(*data, **_further(rule, curve))
         return found
@@ -161,7 +163,7 @@ def _estimate(
         after[:] = before[:] = estimate(points, parameters)
         return
     count = len(points) - closed
-    period = parameters[-1] - parameters[0]
+    spacing = parameters[1:] - parameters[:-1]
     is_endless = closed and not corners
     cuts = sorted({0, count - 1, *corners})
     if is_endless:
@@ -171,10 +173,10 @@ def _estimate(
         cuts.append(cuts[0] + count)
     for start, end in pairwise(cuts):
         places = np.arange(start, end + 1)
-        turns, knots = np.divmod(places, count)
+        knots = places % count
         if is_given is not None and is_given[0][knots[1:]].all() and is_given[1][knots[:-1]].all():
             continue
-        piece = estimate(points[knots], parameters[knots] + turns * period)
+        piece = estimate(points[knots], Spaced(spacing[knots[:-1]]))
         wanted = (places >= 0) & (places < count) | (not is_endless)
         after[knots[:-1][wanted[:-1]]] = piece[:-1][wanted[:-1]]
         before[knots[1:][wanted[1:]]] = piece[1:][wanted[1:]]
