@@ -19,12 +19,14 @@ from curvecore.analysis.curvature import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS
-from curvecore.scaling import UNIT_ROUNDOFF
+from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 from curvecore.vectors import vector_lengths
 
 _BREAK = -1
 _DATA_ROUNDINGS = 48.0 * UNIT_ROUNDOFF
 """Share of the largest coordinate, over powers of a length of t, by which rounded data change derivatives."""
+_UNDERFLOW = SMALLEST / JOINT_ROUNDINGS
+"""Size of terms whose rounding is that of numbers next to 0."""
 
 
 class Joint(NamedTuple):
@@ -215,9 +217,9 @@ class _Side(NamedTuple):
         _, off_speed, off_acceleration, off_jerk = errors.T
         angle = off_speed / speed
         pull = acceleration / speed
-        bend = (off_acceleration + 2.0 * acceleration * angle) / speed**2
+        bend = (off_acceleration + 2.0 * acceleration * angle) / speed / speed
         turn = off_jerk + 6.0 * pull * off_acceleration + (3.0 * jerk + 12.0 * acceleration * pull) * angle
-        return np.column_stack((angle, bend, turn / speed**3))
+        return np.column_stack((angle, bend, turn / speed / speed / speed)) + SMALLEST
 
 
 def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, FloatArray]:
@@ -237,7 +239,7 @@ def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, Flo
     # A parameter that is off moves the curve as a point does that is off along it.
     errors = _DATA_ROUNDINGS * (np.abs(curve.points).max() + np.abs(t).max() * typical[:, 1])
     values = [ends.values[indices - 1], starts.values[indices]]
-    scales = [ends.scale[indices - 1], starts.scale[indices]]
+    scales = [each + _UNDERFLOW for each in (ends.scale[indices - 1], starts.scale[indices])]
     # Where nothing can jump, nothing does, whatever is computed on both sides.
     is_smooth = ~np.isin(t[indices], curve.breaks)
     values[0][is_smooth] = values[1][is_smooth]
@@ -292,18 +294,17 @@ class _Jumps(NamedTuple):
     ) -> _Jumps:
         """Return those of direction, curvature and its change along the curve."""
         turns = [_turn_vectors(side.values) for side in (before, after)]
-        speed = typical[:, 1]
-        one = np.ones(len(speed))
+        way = typical[:, :1]
         return cls(
             np.column_stack((angle, np.abs(bends.jump), vector_lengths(turns[1] - turns[0]))),
             np.column_stack(
                 (
-                    one,
+                    np.ones(len(way)),
                     np.maximum(np.abs(bends.before), np.abs(bends.after)),
                     np.maximum(*map(vector_lengths, turns)),
                 )
             ),
-            np.column_stack((one, typical[:, 2] / speed**2, typical[:, 3] / speed**3)),
+            way ** -np.arange(3.0),
             before.of_line(before.roundings) + after.of_line(after.roundings),
             before.of_line(before.data_errors) + after.of_line(after.data_errors),
         )
@@ -319,7 +320,9 @@ def _verdicts(of: _Jumps, limits: FloatArray) -> IntArray:
     There is none within the limit of the larger value, or where roundings can make it that are within the
     limit of a typical one.
     """
-    is_sure = np.isfinite(of.roundings) & (of.roundings <= limits * np.maximum(of.sizes, of.typical))
+    is_sure = of.roundings <= limits * np.maximum(of.sizes, of.typical)
+    # Of numbers beyond the doubles nothing is certain, but of a curve that goes nowhere.
+    is_sure = (is_sure & np.isfinite(of.typical)) | (of.typical[:, :1] == 0.0)
     invisible = np.minimum(limits * of.typical, of.data_errors)
     is_none = of.jumps <= np.maximum(limits * of.sizes, of.roundings + invisible)
     return np.where(is_none, np.where(is_sure, _NONE, _OPEN), _JUMPS)
@@ -388,6 +391,7 @@ def _turn_vectors(values: FloatArray) -> FloatArray:
     """
     unit, speed = _unit(values[:, 1]), vector_lengths(values[:, 1])[:, None]
     growth = (unit * values[:, 2]).sum(axis=1, keepdims=True)
-    third = (values[:, 3] - 3.0 * (growth / speed) * values[:, 2]) / speed**3
+    # Step by step: the cube of a speed is soon beyond the doubles.
+    third = (values[:, 3] - 3.0 * (growth / speed) * values[:, 2]) / speed / speed / speed
     across: FloatArray = third - (third * unit).sum(axis=1, keepdims=True) * unit
     return across

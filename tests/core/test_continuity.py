@@ -284,6 +284,16 @@ def test_what_rounding_hides_is_not_decided():
 
 
 @each_row(
+    ("size", "duration", "label"),
+    [(1e-100, 1e50, "C2"), (1e100, 1e-50, "C2"), (1e-140, 1e90, "≥C1"), (1e300, 1.0, "C2, ≥G2")],
+)
+def test_beyond_the_range_of_doubles_nothing_is_certain(size, duration, label):
+    """The jerk of the third is 1e-410, and dκ/ds of the last 1e-600: they were C3 and G3."""
+    curve = CubicSplineCurve(size * POINTS, duration * T)
+    assert {joint.label for joint in joint_report(curve)} == {label}
+
+
+@each_row(
     ("orders", "is_open", "label"),
     [
         ((1, 1), (True, True), "≥C1"),
