@@ -308,12 +308,17 @@ def test_a_pair_of_near_points(apart, exact, most):
 
 
 def test_what_is_said_where_rounding_shows():
-    """Once, with the points and the share: that of 1e-12 apart is 2 · 0.51 · 2⁻⁵⁴ over 2.9e-13, 0.02 %."""
+    """Once, with the points and the share: 0.51 (2⁻⁵⁴ + 2⁻⁵³) of 1e-12 / √8, 0.024 %, rounded up."""
     for apart, kind, says in (
-        (1e-12, ParametrizationKind.CHORD_LENGTH, True),
-        (1e-9, ParametrizationKind.CHORD_LENGTH, False),
-        (1e-12, ParametrizationKind.UNIFORM, False),
-        (1e-12, ParametrizationKind.MANUAL, False),
+        (1e-12, ParametrizationKind.CHORD_LENGTH, "0.03 %"),
+        (
+            2.0**-51,
+            ParametrizationKind.CHORD_LENGTH,
+            "200 %",
+        ),  # one unit in the last place of t, off by 1.02 at most
+        (1e-9, ParametrizationKind.CHORD_LENGTH, ""),
+        (1e-12, ParametrizationKind.UNIFORM, ""),
+        (1e-12, ParametrizationKind.MANUAL, ""),
     ):
         curve = made([(0, 0), (1, 1), (1 + apart, 1), (2, 0)], parametrization=Parametrization(kind))
         times = (0.0, 0.5, 0.5 + 1e-13, 1.0)
@@ -321,10 +326,10 @@ def test_what_is_said_where_rounding_shows():
         view = view_of(curve)
         (facts,) = facts_of(Document((curve,)))
         told = [each for each in facts.warnings if "stored t" in each]
-        assert len(told) == says
+        assert len(told) == bool(says)
         assert [each.sentence for each in warnings_of(view, 1.0) if each.topic is Topic.ROUNDING] == told
         if says:
             assert told[0].startswith("Points 1 and 2 are so close together")
-            assert "by up to 0.02 %" in told[0]
+            assert f"by up to {says}:" in told[0]
             assert told[0] in facts_as_text(facts, "")
             assert told[0] in facts_as_json(facts)["warnings"]

@@ -19,6 +19,7 @@ from curvecore.arrays import FloatArray
 from curvecore.parametrization import relative_spacing
 from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
+from ...document.words import number, rounded_up
 from .core_curve import parameters_of
 from .curve_view import CurveView, curve_through
 
@@ -111,10 +112,11 @@ class ParameterRounding:
         if self.shares[knot] < _WORTH_A_WORD:
             return ""
         numbers = "Λ" if np.count_nonzero(self.shares > _PROPORTIONAL) <= _MOST_TINY else "length, Λ"
+        share = number(rounded_up(100.0 * float(self.shares[knot]), 1), 3)
         return (
             f"Points {owner(knot)} and {owner(knot + 1)} are so close together that rounding changes the "
-            f"distance of their t by up to {100.0 * self.shares[knot]:.1g} %: {numbers}, box and crossings "
-            "are those for the stored t."
+            f"distance of their t by up to {share} %: {numbers}, box and crossings are those for the "
+            "stored t."
         )
 
     def is_lost(self, growth: float, accuracy: float) -> bool:
