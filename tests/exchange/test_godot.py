@@ -118,6 +118,11 @@ def test_resources_of_both_versions_are_read(text, tmp_path):
         ("10, 20, 1", "10, 20, nan", "Line 8: a curve has six numbers for each point."),
         ("10, 20, 1", "10, 20, 1e999", "Line 8: a curve has six numbers for each point."),
         ('"Curve2D"', '"Curve3D"', "There is no Curve2D in it."),
+        (
+            SCENE,
+            '[gd_resource type="Curve2D"]\n[resource]\n_data = {"points": PackedVector2Array(0,0,0,0,1,2)}\n',
+            "There is no curve in the file. 1 single point left out: Curve 1.",
+        ),
         ("(0, 0, 10, ", "(10, ", "Line 8: a curve has six numbers for each point."),
     ],
 )

@@ -76,10 +76,15 @@ def test_a_path_is_known_by_its_content_and_what_is_no_curve_is_told(tmp_path):
     """“This JSON is no table”."""
     path = tmp_path / "a.json"
     piece = [[2, 7], [3, 7], [4, 6], [4, 5]]
-    path.write_bytes(b"\xef\xbb\xbf\n" + path_of([piece], eventMarkers=[{}, {}], rotationTargets=[{}]))
+    more = {"eventMarkers": [{}, {}], "rotationTargets": [{}], "pointTowardsZones": [{}, {}]}
+    path.write_bytes(b"\xef\xbb\xbf\n" + path_of([piece], **more))
     assert foreign_file(path).form.title == "PathPlanner path"
     found = import_file(path)
-    assert found.remarks == ("1 rotation target left out.", "2 event markers left out.")
+    assert found.remarks == (
+        "1 rotation target left out.",
+        "2 point towards zones left out.",
+        "2 event markers left out.",
+    )
     (curve,) = found.document.curves
     assert [point.velocity for point in curve.points] == [(3.0, 0.0), (0.0, -3.0)]
 
@@ -94,11 +99,7 @@ def test_paths_of_2023_have_anchor_points():
     ("old", "new", "sentence"),
     [
         ('"x": 3.0', '"x": "a"', "Waypoints[1].anchor.x must be a number, not text."),
-        (
-            '"x": 3.0, ',
-            "",
-            "Waypoints[1].anchor.y is missing" if False else "Waypoints[1].anchor.x is missing.",
-        ),
+        ('"x": 3.0, ', "", "Waypoints[1].anchor.x is missing."),
         ('"prevControl": {"x": 2.0, "y": 1.0}', '"prevControl": null', "Waypoint 2 has no prev control."),
         ('"nextControl": {"x": 1.0, "y": 0.0}', '"nextControl": null', "Waypoint 1 has no next control."),
         ('"anchor": {"x": 3.0, "y": 1.0}', '"anchor": null', "Waypoint 2 has no anchor."),
@@ -148,7 +149,9 @@ def test_a_swerve_drive_moves_as_choreolib_interpolates_it(seed, tmp_path):
     samples = swerve(random)
     path = tmp_path / "a.json"
     path.write_text(traj(samples))
-    (curve,) = import_file(path).document.curves
+    found = import_file(path)
+    (curve,) = found.document.curves
+    assert found.remarks == ("Headings, forces and events are left out.",)
     assert curve.name == "Far"
     assert [(point.t, point.velocity) for point in curve.points] == [
         (s["t"], (s["vx"], s["vy"])) for s in samples

@@ -233,7 +233,7 @@ MISSED = [
     ),
     ("<style>@import url(http://localhost/a.css);</style>", "1 style rule not followed: @import."),
     ("<style>a:::b{fill:red}</style>", "1 style rule not followed: a:::b."),
-    ('<rect width="2vw" height="2"/>', "1 shape with lengths of unknown size left out."),
+    ('<rect width="2vw" height="2"/>', "1 shape with lengths of unknown size left out: Rect 2."),
     ("<script>alert(1)</script>", "1 script not run: alert(1)."),
 ]
 

@@ -113,7 +113,7 @@ TABLES = [
     ),
     ("pairs.json", "[[0, 1], [2, 3]]", {"pairs": PAIR}, FIRST_TWO),
     ("records.json", '[{"y":1,"x":0},{"x":2,"y":3}]', {"records": PAIR}, ("Columns: x = “x”, y = “y”.",)),
-    ("columns.json", '{"x": [0, 2], "y": [1, 3]}', {"columns": PAIR}, ("Columns: x = “x”, y = “y”.",)),
+    ("columns.json", '{"x": [0, 2], "y": [1, 3]}', {"columns": PAIR}, ()),
     ("array.npy", npy(np.array([[0, 1], [2, 3]])), {"array": PAIR}, FIRST_TWO),
     ("complex.npy", npy(np.array([1j, 2 + 3j])), {"complex": PAIR}, FIRST_TWO),
     (

@@ -36,6 +36,20 @@ def test_titles_in_a_comment_say_what_the_columns_are(tmp_path):
     assert said == ("Columns: x = “x”, y = “y”.",)
 
 
+@each_row(
+    ("text", "said"),
+    [
+        ("t,x,y\n0,1,2\n1,3,4\n", ()),
+        ("# x,y,vx,vy\n1,2,0,1\n3,4,0,1\n", ()),
+        ("t,y,x\n0,1,2\n1,3,4\n", ("Columns: t = “t”, x = “x”, y = “y”.",)),
+        ("x,y,z\n1,2,5\n3,4,6\n", ("Columns: x = “x”, y = “y”. Left out: “z”.",)),
+        ("X,Y\n1,2\n3,4\n", ("Columns: x = “X”, y = “Y”.",)),
+    ],
+)
+def test_nothing_is_said_of_columns_that_are_what_they_are_called(text, said, tmp_path):
+    assert read(tmp_path, text)[1] == said
+
+
 def test_a_race_line_has_units_behind_its_titles_and_no_velocities(tmp_path):
     """Its “vx” is the speed along the way: without a “vy” it is no coordinate of a velocity."""
     points, said = read(tmp_path, RACELINE)

@@ -19,6 +19,7 @@ from ..table.table import Table, table_of
 from . import ContentKind, Format
 
 _TITLES = ("curve", "t", "x", "y", "vx", "vy")
+_LEFT_OUT = "Headings, forces and events are left out."
 _MARKS = re.compile(rb'"(?:sampleType|omega|velocityX|vl)"')
 
 
@@ -76,13 +77,13 @@ def read_trajectories(data: bytes) -> Table:
     own = content.trajectory.samples if content.trajectory else content.samples
     paths = {content.name or "Trajectory": own}
     paths |= {name: each.trajectory or [] for name, each in content.paths.items()}
-    found = [samples for samples in paths.values() if samples]
+    found = [(" ".join(name.split())[:200], samples) for name, samples in paths.items() if samples]
     if not found:
         raise ExchangeError("It holds no trajectory. Generate one in Choreo, and import its .traj file.")
-    names = [" ".join(name.split())[:200] for name, samples in paths.items() if samples]
-    words = [name for name, samples in zip(numbered(names), found, strict=True) for _sample in samples]
-    rows = [(np.nan, *each.row(k)) for samples in found for k, each in enumerate(samples, start=1)]
-    return table_of(np.array(rows), _TITLES, words={0: words})
+    names = zip(numbered([name for name, _ in found]), found, strict=True)
+    words = [name for name, (_, samples) in names for _sample in samples]
+    rows = [(np.nan, *each.row(k)) for _, samples in found for k, each in enumerate(samples, start=1)]
+    return table_of(np.array(rows), _TITLES, words={0: words}, said=_LEFT_OUT)
 
 
 FORMATS = (

@@ -28,7 +28,7 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
     Raises
     ------
     ExchangeError
-        With the line of points that are no numbers, or not six for each point.
+        With the line of points that are no numbers, or not six for each point; and where there is no curve.
     """
     text = data.decode("utf-8", "replace")
     sections = list(_SECTION.finditer(text))
@@ -49,7 +49,7 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
         ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
         for number, (key, points) in enumerate(found.items(), start=1)
     ]
-    return imported(paths, missed)
+    return imported(paths, missed).with_curves()
 
 
 def _attribute(head: re.Match[str], name: str) -> str:

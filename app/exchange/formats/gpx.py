@@ -32,18 +32,21 @@ EARTH = 6_371_008.8
 def read_gpx(data: bytes) -> Table:
     """Return the points of all segments of tracks and of routes; t are their times, where these increase.
 
+    What does not come in is said: waypoints, segments of one point, elevations.
+
     Raises
     ------
     ExchangeError
         With the number of a point without a latitude or longitude, and where there is no track.
     """
     root = parsed(data, MOST_ELEMENTS)
-    tracks = [(name, points) for name, points in _tracks(root) if len(points) > 1]
+    found = list(_tracks(root))
+    tracks = [(name, points) for name, points in found if len(points) > 1]
     if not tracks:
         raise ExchangeError("The GPX file has no track or route of two points.")
     sizes = [len(points) for _name, points in tracks]
     starts = np.cumsum([0, *sizes[:-1]])
-    words = np.repeat(numbered([name for name, _points in tracks]), sizes)
+    words = np.repeat(np.array(numbered([name for name, _points in tracks]), dtype=object), sizes)
     points = [point for _name, segment in tracks for point in segment]
     x, y, said = _projected(np.array([_degrees(*each) for each in enumerate(points, start=1)]))
     t = np.array(list(map(_seconds, points)))
@@ -59,6 +62,10 @@ def read_gpx(data: bytes) -> Table:
         del values["t"]
         kept[:] = True
         said += " Times are left out, for not all increase." * bool(np.isfinite(t).any())
+    said += " Elevations are left out." * any(_text(point, "ele") for point in points)
+    waypoints, alone = sum(tag_of(each) == "wpt" for each in root), sum(len(each) == 1 for _, each in found)
+    said += f" {count_of(waypoints, 'waypoint')} left out." if waypoints else ""
+    said += f" {count_of(alone, 'single point')} left out." if alone else ""
     rows = np.column_stack(list(values.values()))[kept]
     return table_of(rows, tuple(values), words={0: words[kept].tolist()}, said=said)
 

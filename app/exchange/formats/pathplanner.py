@@ -28,6 +28,8 @@ class _Waypoint(msgspec.Struct, rename="camel"):
 class _Path(msgspec.Struct, rename="camel"):
     waypoints: list[_Waypoint]
     rotation_targets: list[Any] = []
+    constraint_zones: list[Any] = []
+    point_towards_zones: list[Any] = []
     event_markers: list[Any] = []
 
 

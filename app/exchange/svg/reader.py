@@ -394,7 +394,7 @@ class _Reader:
             with np.errstate(all="ignore"):
                 subpaths, error = outline_of(element, state.viewport, tolerance)
         except UnknownLengthError:
-            self.missed.note_of(element, _NO_LENGTHS)
+            self.missed.note_at(element, _NO_LENGTHS)
             return
         except ExchangeError:
             self.missed.note_at(element, _BEYOND)
@@ -462,18 +462,13 @@ class _Reader:
         self, element: ET.Element, declared: Mapping[str, str], state: State, *, is_many: bool
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
-        found = _effects_on(declared)
+        found = [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
         is_clipped = declared.get("clip-path", "none") != "none"
         if is_clipped and clip_box(self._elements, declared, state.viewport) is None:
             found.append(_CLIPPED)
         if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
         self.missed.note_of(element, *found)
-
-
-def _effects_on(declared: Mapping[str, str]) -> list[Flaw]:
-    """Return what properties of an element do to it that no style here does."""
-    return [flaw for name, flaw in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
 
 
 def _fill_box(path: ImportedPath) -> FloatArray:

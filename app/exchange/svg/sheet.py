@@ -46,15 +46,10 @@ class Sheet:
     @property
     def edges(self) -> tuple[Guide, ...]:
         """The edges of what the file shows, as guides."""
-        if self.frame is None:
+        if (frame := self.frame) is None:
             return ()
-        left, bottom, right, top = (
-            self.frame.left,
-            self.frame.bottom,
-            self.frame.left + self.frame.width,
-            self.frame.top,
-        )
-        return (Guide(Axis.X, left), Guide(Axis.X, right), Guide(Axis.Y, bottom), Guide(Axis.Y, top))
+        across, up = (frame.left, frame.left + frame.width), (frame.bottom, frame.top)
+        return (*(Guide(Axis.X, x) for x in across), *(Guide(Axis.Y, y) for y in up))
 
 
 def sheet_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) -> Sheet:

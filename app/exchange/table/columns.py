@@ -179,10 +179,15 @@ def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
 
 
 def words_on(mapping: ColumnMapping, titles: Sequence[str]) -> str:
-    """Return which columns were taken for what, and which were left out."""
+    """Return which columns were taken for what, and which were left out.
+
+    Nothing is said of columns that are all what they are called, but for a y before x.
+    """
     columns = mapping.columns([field.name for field in fields(ColumnMapping)])
-    order = sorted(columns, key=[*ROLES, *AFTER, *WORDS].index)
-    taken = ", ".join(f"{role} = {_shown(titles, columns[role])}" for role in order)
+    if columns == {title: place for place, title in enumerate(titles)} and columns["x"] < columns["y"]:
+        return ""
+    roles = (role for role in (*ROLES, *AFTER, *WORDS) if role in columns)
+    taken = ", ".join(f"{role} = {_shown(titles, columns[role])}" for role in roles)
     left = [_shown(titles, column) for column in range(len(titles)) if column not in columns.values()]
     return f"Columns: {taken}." + (f" Left out: {', '.join(left)}." if left else "")
 

@@ -102,13 +102,11 @@ def _lines(content: dict[str, Any]) -> Table:
     found = list(_found(content, "Line", lost))
     if not found:
         raise ExchangeError(f"The GeoJSON has no lines. {_lost(lost)}".strip())
-    titles = numbered([name for name, _ in found])
-    names: list[str] = []
-    points: list[list[object]] = []
-    for title, (_, line) in zip(titles, found, strict=True):
-        names += [title] * len(line)
-        points += [point[:2] if isinstance(point, list) else [point] for point in line]
-    values = _numbers(points)
+    titles = zip(numbered([name for name, _ in found]), found, strict=True)
+    names = [title for title, (_, line) in titles for _point in line]
+    values = _numbers(
+        [point[:2] if isinstance(point, list) else [point] for _, line in found for point in line]
+    )
     if values.shape[1] != 2:
         raise ExchangeError("A point of the GeoJSON has no longitude and latitude.")
     whole = np.column_stack([np.full(len(values), np.nan), values])
