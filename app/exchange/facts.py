@@ -247,7 +247,7 @@ def _lengths(shapes: Sequence[_Shape], growths: Sequence[Growth]) -> list[Length
     found = lengths_of([each.pieces for each in shapes], LENGTH_TOLERANCE)
     others = [
         []
-        if shape.rounding.is_lost(growth.points, length.error / max(length.value, SMALLEST))
+        if shape.rounding.is_lost(*growth[:2], length.error / max(length.value, SMALLEST))
         else shape.rounding.disturbed()
         for shape, growth, length in zip(shapes, growths, found, strict=True)
     ]

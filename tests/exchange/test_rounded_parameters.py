@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from numpy.polynomial.polynomial import polyval
 
 from app.cli.printed_facts import facts_as_json, facts_as_text
-from app.document.derivatives import VelocityRule
+from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES
@@ -305,6 +305,14 @@ def test_a_pair_of_near_points(apart, exact, most):
     """1e-8 apart, the length was off by 1e-9, and said to be by 1.2e-14; bounds are no excuses."""
     (facts,) = facts_of(Document((made([(0, 0), (1, 1), (1 + apart, 1), (2, 0)]),)))
     assert abs(facts.length.value - exact) <= facts.length.error + 5e-16 <= most
+
+
+def test_errors_that_estimates_let_grow_beyond_all_digits():
+    """The length was off by 2,928, and said to be by 5e-5: estimated jerks let errors grow 8e18-fold."""
+    points, rules = [(-1, 3), (-3, 0), (-3 + 2.0**-33, 0)], {"acceleration_rule": AccelerationRule.ZERO}
+    curve = made(points, "septic_hermite", velocity_rule=VelocityRule.FINITE_DIFFERENCE, **rules)
+    (facts,) = facts_of(Document((curve,)))
+    assert abs(facts.length.value - 1652680803.4800057) <= facts.length.error <= 1e4
 
 
 def test_what_is_said_where_rounding_shows():

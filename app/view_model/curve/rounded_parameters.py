@@ -119,17 +119,17 @@ class ParameterRounding:
             "stored t."
         )
 
-    def is_lost(self, growth: float, accuracy: float) -> bool:
+    def is_lost(self, of_data: float, growth: float, accuracy: float) -> bool:
         """Whether the effect on the length is lost in another error of it.
 
         Parameters
         ----------
-        growth
-            The Lebesgue constant of the points.
+        of_data, growth
+            The Lebesgue constants of the data and of the points.
         accuracy
             That error, against the length.
         """
-        if growth > 1.0 / UNIT_ROUNDOFF:
+        if of_data > 1.0 / UNIT_ROUNDOFF:
             # The rounding of the pieces, grown by as much, is in that error.
             return True
         lost = accuracy / (_CLEARLY * growth)
