@@ -131,7 +131,7 @@ def read_svg_above(data: bytes, tolerance: float | None = None) -> Imported:
     """Return the same; of a file of others whose corner is the origin it lies above the x axis."""
     found, reader = _read(data, tolerance)
     frame = reader.sheet.frame
-    if reader.is_own or frame is None or (frame.left, frame.top) != (0.0, 0.0):
+    if reader.ours.is_so or frame is None or (frame.left, frame.top) != (0.0, 0.0):
         return found
     return replace(found, document=shifted(found.document, (0.0, frame.height)))
 
@@ -191,15 +191,17 @@ class _Reader:
         Its size.
     missed
         What does not come in as it is.
+    ours
+        What only files of our own say.
     """
 
     def __init__(self, root: ET.Element, tolerance: float | None = None) -> None:
         self._root, self._tolerance = root, tolerance
-        self._ours = OurOwn(root)
+        self.ours = OurOwn(root)
         self.missed = _Missing(root)
         self._cascade = Cascade(root, self.missed)
         font_size = self._cascade.of(root).get("font-size", "")
-        self.sheet = sheet_of(root, font_size, is_nominal=self._ours.has_nominal_size)
+        self.sheet = sheet_of(root, font_size, is_nominal=self.ours.has_nominal_size)
         self._elements = elements = Elements.within(root, self._cascade.of)
         self._paints = Paints(elements)
         self._found = 0
@@ -208,11 +210,6 @@ class _Reader:
         # Shared with those that measure: how many elements were drawn, and how many measured; and boxes.
         self._visits = [0, 0]
         self._extents: dict[tuple[object, ...], FloatArray] = {}
-
-    @property
-    def is_own(self) -> bool:
-        """Whether the file is one of our own."""
-        return self._ours.is_so
 
     def all_paths(self) -> list[ImportedPath]:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
@@ -231,7 +228,7 @@ class _Reader:
         self._visits[self._measuring > 0] += 1
         if max(self._visits) > MAX_ELEMENTS:
             raise ExchangeError(f"The file draws more than {MAX_ELEMENTS} elements.")
-        if element.get("requiredExtensions") or self._ours.is_no_curve(element):
+        if element.get("requiredExtensions") or self.ours.is_no_curve(element):
             return
         declared = self._cascade.of(element)
         state = self._entered(element, declared, self._transformed(element, declared, state, depth))
@@ -449,7 +446,7 @@ class _Reader:
         if state.properties.is_visible:
             self.missed.note_of(element, *flaws)
         visible = state.properties.is_visible
-        return Look(self._ours.restored(style), visible=visible, locked=state.is_locked)
+        return Look(self.ours.restored(style), visible=visible, locked=state.is_locked)
 
     def _length(self, element: ET.Element, name: str, state: State) -> float | None:
         try:

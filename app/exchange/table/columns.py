@@ -183,11 +183,10 @@ def words_on(mapping: ColumnMapping, titles: Sequence[str]) -> str:
 
     Nothing is said of columns that are all what they are called, but for a y before x.
     """
-    columns = mapping.columns([field.name for field in fields(ColumnMapping)])
+    columns = mapping.columns((*ROLES, *AFTER, *WORDS))
     if columns == {title: place for place, title in enumerate(titles)} and columns["x"] < columns["y"]:
         return ""
-    roles = (role for role in (*ROLES, *AFTER, *WORDS) if role in columns)
-    taken = ", ".join(f"{role} = {_shown(titles, columns[role])}" for role in roles)
+    taken = ", ".join(f"{role} = {_shown(titles, column)}" for role, column in columns.items())
     left = [_shown(titles, column) for column in range(len(titles)) if column not in columns.values()]
     return f"Columns: {taken}." + (f" Left out: {', '.join(left)}." if left else "")
 

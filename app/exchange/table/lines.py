@@ -97,8 +97,8 @@ def first_lines(data: bytes) -> FirstLines:
         is_enough = len(found) > 1 or size >= len(data) or (found and len(found[0][1]) >= _HEADS[0])
         if found and is_enough:
             numbers, lines = zip(*found[:SNIFFED_LINES], strict=True)
-            texts = ((number, comment_in(line)) for number, line in head)
-            return FirstLines(list(lines), list(numbers), {number: text for number, text in texts if text})
+            comments = {number: text for number, line in head if (text := comment_in(line))}
+            return FirstLines(list(lines), list(numbers), comments)
     raise ExchangeError("The table has no rows of numbers.")
 
 

@@ -24,6 +24,7 @@ from .layout import (
     is_missing,
     is_number,
     sniffed,
+    titles_in,
     titles_of,
 )
 from .lines import first_lines, is_data, parts_of, plain_utf_8
@@ -50,6 +51,9 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
     cells = tuple(map(tuple, shown[:PREVIEW_ROWS]))
     numbers = tuple(head.numbers[layout.above :][:PREVIEW_ROWS])
     said = _said(head.lines, layout, comments if titles == numbered_titles(len(titles)) else [])
+    later = titles_in([each for each in head.comments.values() if each not in comments], len(titles), layout)
+    if {"x", "y"} <= set(map(role_of, later)) and tuple(later) != titles:
+        said = f"{said} “{', '.join(later)[:40]}” in a comment below the first row is not used.".strip()
     return Preview(layout, titles, cells, numbers, found, said)
 
 
