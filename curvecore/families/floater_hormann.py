@@ -129,8 +129,8 @@ class FloaterHormannCurve(ParametricCurve):
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
         """Return derivatives of several orders at many places, all of them in one pass.
 
-        Where the Lebesgue function stays below 1e3 by sums in double precision: the errors are then up to
-        1e4 times larger than those of `evaluate`.
+        Where the Lebesgue function stays below 1e3, and parameters are not too uneven, by sums in double
+        precision: the errors are then up to 1e4 times larger than those of `evaluate`.
         """
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             found = self._rational_form.quick_derivatives(self.points, t, max(orders)) if len(t) else None

@@ -53,6 +53,10 @@ _MOST_GROWTH = 1e3
 """Largest value of the Lebesgue function at which sums in double precision serve to draw derivatives."""
 
 
+_MOST_UNEVEN = 64.0
+"""Longest distance between parameters over the shortest, up to which they do: its powers multiply errors."""
+
+
 class RationalPart(NamedTuple):
     """Basis functions for a slice of t.
 
@@ -195,8 +199,12 @@ class RationalForm(NamedTuple):
         """Return the curve and its derivatives up to an order at t, (m, dim) each, in double precision.
 
         All of them take little more than one basis. None where more digits would be lost than a drawing may
-        lack: where the Lebesgue function exceeds 1e3 somewhere, or exponents their range.
+        lack: where the Lebesgue function exceeds 1e3 somewhere, parameters are uneven, or exponents exceed
+        their range.
         """
+        gaps = self.parameters[1:] - self.parameters[:-1]
+        if gaps.max() > _MOST_UNEVEN * gaps.min():
+            return None
         centre = points.mean(axis=0)
         found = [np.empty((t.size, points.shape[1])) for _ in range(highest + 1)]
         size = max(1, _CHUNK // len(self.parameters))

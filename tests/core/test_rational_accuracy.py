@@ -14,7 +14,15 @@ import pytest
 from flint import arb, ctx, fmpq
 from scipy.interpolate import FloaterHormannInterpolator
 
-from curvecore import CurveError, FloaterHormannCurve, LagrangeCurve, chebyshev, lebesgue_constant, uniform
+from curvecore import (
+    CurveError,
+    FloaterHormannCurve,
+    LagrangeCurve,
+    chebyshev,
+    curvature,
+    lebesgue_constant,
+    uniform,
+)
 from tests.rows import each_row
 
 NAMES = ["uniform", "random", "clustered", "geometric", "shifted", "small", "large", "chebyshev"]
@@ -172,6 +180,14 @@ def test_derivatives_to_draw_are_off_by_what_is_said(exact, rng, n, degree, name
             off = np.abs(found - curve.evaluate(t, order)) / np.maximum(scale, 1e-300)
             assert np.isfinite(found).all()
             assert np.nanmax(off, initial=0.0) <= 1e4 * LIMIT * 2.0**-53
+
+
+def test_curvature_beside_near_points():
+    """Of the cubic c' = (32, 0) and c'' = (-184, -72), but for 2e-6; 1.4 % were lost to sums in doubles."""
+    points = [(1.0, 2.0), (1.0 + 2.0**-20, 2.0), (1.0, -3.0), (-3.0, -2.0)]
+    curve = FloaterHormannCurve(points, [0.0, 2.0**-25, 0.5, 1.0], degree=2)
+    # Divided differences in fractions.
+    assert curvature(curve, 0.0) == pytest.approx(-0.07031248821294919, rel=1e-12)
 
 
 # Against SciPy, and what the papers say
