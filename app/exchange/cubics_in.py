@@ -311,5 +311,6 @@ def _curve(path: ImportedPath) -> _Found | Flaw:
         )
     except EditError:
         return _TOO_DIFFERENT
+    is_rounding = found.moved <= _ROUNDING * np.abs(pieces).max()
     curve = _made(path, Parametrization(ParametrizationKind.MANUAL), found.points)
-    return _Found(curve, path.deviation + found.moved)
+    return _Found(curve, path.deviation + (0.0 if is_rounding else found.moved))

@@ -413,7 +413,9 @@ class _Reader:
         sizes = [(len(each.controls), each.closed) for each in drawn]
         letters = parted(element.get(NODE_TYPES, ""), sizes)
         for index, subpath in enumerate(drawn):
-            self._count()
+            self._found += 1
+            if self._found > MAX_PATHS:
+                raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
             path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index + 1})",
                 look,
@@ -433,11 +435,6 @@ class _Reader:
             for window in state.windows:
                 if not window.holds(extent, reach):
                     self.missed.note_of(window.element, window.flaw)
-
-    def _count(self) -> None:
-        self._found += 1
-        if self._found > MAX_PATHS:
-            raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
 
     def _look(self, element: ET.Element, state: State, scale: float, *, keeps_width: bool) -> Look:
         style, flaws = style_of(state.properties, self._paints, state.viewport, scale)
