@@ -28,6 +28,7 @@ from curvecore.bezier.bernstein_algebra import (
 )
 from curvecore.bezier.pieces import BezierPieces, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
+from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import ParametricCurve
 from curvecore.scaling import LARGEST, UNIT_ROUNDOFF
 from curvecore.vectors import cross, vector_lengths
@@ -160,8 +161,8 @@ def curvature_error(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray, shape (m,)
-        A bound for the data as they are stored; infinity where rounding may bring the curve to rest, as at a
-        cusp.
+        A bound for the points as they are stored; infinity where rounding may bring the curve to rest, as at
+        a cusp.
 
     See Also
     --------
@@ -169,8 +170,9 @@ def curvature_error(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
 
     Notes
     -----
-    The derivatives are off by 25 u sum |B_ir^(order)(t)| |d_ir| at most, and by what is lost where they are
-    differences; |grad| of the curvature is at most 1 / |c'|**2 by c'' and 2 |c''| / |c'|**3 by c'.
+    The derivatives are off by 25 u sum |B_ir^(order)(t)| |d_ir| at most, velocities counting no less than the
+    chords beside them, and by what is lost where they are differences; |grad| of the curvature is at most
+    1 / |c'|**2 by c'' and 2 |c''| / |c'|**3 by c'.
 
     Examples
     --------
@@ -180,6 +182,11 @@ def curvature_error(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     True
     """
     at, sizes = parameter_row(t), vector_lengths(curve.jets)
+    if sizes.shape[1] > 1:
+        # Velocities that a rule estimates are off as slopes of chords are, which may cancel in them.
+        steps = vector_lengths(np.diff(curve.jets[:, 0], axis=0))
+        slopes = np.nan_to_num(steps / np.diff(curve.parameters[joint_of_row(curve)]))
+        sizes[:, 1] = np.maximum(sizes[:, 1], np.maximum(np.append(slopes, 0.0), np.append(0.0, slopes)))
     velocity, acceleration = map(vector_lengths, curve.derivatives_at(at, (1, 2)))
     shares = (_ROUNDINGS + 10.0**-digits for digits in curve.difference_digits or (np.inf, np.inf))
     pairs = zip(shares, (1, 2), strict=False)
