@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
@@ -137,6 +138,11 @@ class FloaterHormannCurve(ParametricCurve):
         if found is None or not all(np.isfinite(each).all() for each in found):
             return super().derivatives_at(t, orders)
         return [found[order] for order in orders]
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i, shape (m, n, dim), by differences; points about their mean lose no digits."""
+        centred = self.with_jets(self.jets - self.points.mean(axis=0))
+        return super(FloaterHormannCurve, centred).parameter_derivatives(t)
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.zeros((len(self._parameters), t.size))
