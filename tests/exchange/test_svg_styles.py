@@ -233,6 +233,11 @@ MISSED = [
     ),
     ("<style>@import url(http://localhost/a.css);</style>", "1 style rule not followed: @import."),
     ("<style>a:::b{fill:red}</style>", "1 style rule not followed: a:::b."),
+    ("<style>g{fill:red;path{fill:blue}}</style>", "1 style rule not followed: path within another."),
+    (
+        "<style>path{@media print{fill:blue}&amp;.a{x:2px}}</style>",
+        "2 style rules not followed: @media print within another and &.a within another.",
+    ),
     ('<rect width="2vw" height="2"/>', "1 shape with lengths of unknown size left out: Rect 2."),
     ("<script>alert(1)</script>", "1 script not run: alert(1)."),
 ]

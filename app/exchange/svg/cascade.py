@@ -133,7 +133,7 @@ class Cascade:
         """Return the values that rules and the `style` of an element declare."""
         found: dict[str, str] = {}
         inline = element.get("style", "")
-        layers = [self._matched(element), _declarations(inline) if inline else []]
+        layers = [self._matched(element), list(_named(tinycss2.parse_blocks_contents(inline or ())))]
         for is_important in (False, True):
             for layer in layers:
                 found.update({name: value for name, value, important in layer if important == is_important})
@@ -142,9 +142,7 @@ class Cascade:
     def _matched(self, element: ET.Element) -> list[_Declared]:
         """Return what the rules declare for an element, the weakest first."""
         wrapped = self._wrapped.get(element)
-        if wrapped is None:
-            return []
-        matches = self._matcher.match(wrapped)
+        matches = self._matcher.match(wrapped) if wrapped is not None else ()
         return [each for _, _, pseudo, payload in matches if pseudo is None for each in payload]
 
     def _add_sheet(self, text: str) -> None:
@@ -156,7 +154,11 @@ class Cascade:
                 self._add_rule(rule)
 
     def _add_rule(self, rule: tinycss2.ast.QualifiedRule) -> None:
-        declared = list(_named(tinycss2.parse_blocks_contents(rule.content)))
+        nodes = tinycss2.parse_blocks_contents(rule.content)
+        for nested in (each for each in nodes if each.type in ("qualified-rule", "at-rule")):
+            head = tinycss2.serialize([nested]).partition("{")[0].strip()
+            self._missed.note(_RULE, nested, f"{head[:60]} within another")
+        declared = list(_named(nodes))
         if not declared:
             return
         try:
@@ -167,11 +169,6 @@ class Cascade:
         for selector in selectors:
             self._matcher.add_selector(selector, declared)
             self._selectors += 1
-
-
-def _declarations(text: str) -> list[_Declared]:
-    """Return what a ``style`` attribute declares of the known properties."""
-    return list(_named(tinycss2.parse_blocks_contents(text)))
 
 
 def _put_geometry(element: ET.Element, style: Mapping[str, str]) -> None:
