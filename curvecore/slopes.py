@@ -71,8 +71,7 @@ def spacing_of(parameters: ArrayLike, count: int) -> FloatArray:
     """Check parameters, (count,), and return their distances."""
     if isinstance(parameters, Spaced):
         return parameters.spacing
-    t = parameter_array(parameters, count)
-    return t[1:] - t[:-1]
+    return np.diff(parameter_array(parameters, count))
 
 
 def differences(points: FloatArray, spacing: FloatArray) -> Steps:
