@@ -105,7 +105,7 @@ def test_times_that_do_not_increase_or_are_missing_are_left_out(points, tmp_path
     (curve,), said = read(tmp_path, track(points))
     assert [point.t for point in curve.points] == [None] * 4
     has_times = any(len(point) > 2 for point in points)
-    assert ("Times are left out, for not all increase." in said[0]) is has_times
+    assert ("Times are left out, for not every point has a later one." in said[0]) is has_times
 
 
 def test_a_track_goes_on_over_the_date_line(tmp_path):

@@ -240,6 +240,12 @@ MISSED = [
     ),
     ('<rect width="2vw" height="2"/>', "1 shape with lengths of unknown size left out: Rect 2."),
     ("<script>alert(1)</script>", "1 script not run: alert(1)."),
+    ('<g><set attributeName="x"/><path d="M0 0H9V9Z"/></g>', "1 animation not played."),
+    (
+        '<path d="M0 0H9V9Z"><animate attributeName="d"/><animateMotion id="to"/></path>',
+        "2 animations not played: to.",
+    ),
+    ('<use href="#there"><animate attributeName="x"/></use>', "1 animation not played."),
 ]
 
 

@@ -61,7 +61,7 @@ def read_gpx(data: bytes) -> Table:
     else:
         del values["t"]
         kept[:] = True
-        said += " Times are left out, for not all increase." * bool(np.isfinite(t).any())
+        said += " Times are left out, for not every point has a later one." * bool(np.isfinite(t).any())
     said += " Elevations are left out." * any(_text(point, "ele") for point in points)
     waypoints, alone = sum(tag_of(each) == "wpt" for each in root), sum(len(each) == 1 for _, each in found)
     said += f" {count_of(waypoints, 'waypoint')} left out." if waypoints else ""

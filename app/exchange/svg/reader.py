@@ -377,8 +377,7 @@ class _Reader:
             state = self._in_view_box(target, element, state, (0.0, 0.0))
             declared = self._cascade.of(target)
             state = self._transformed(target, declared, state, depth + 1)
-            entered = self._entered(target, declared, state)
-            yield from self._contained(target, "symbol", entered, depth + 1)
+            yield from self._contained(target, "symbol", self._entered(target, declared, state), depth + 1)
         else:
             yield from self._drawn(target, state, depth + 1)
 
@@ -398,8 +397,7 @@ class _Reader:
             return
         if error:
             self.missed.note_at(element, Flaw(tag, "drawn only up to an error in the data"), error)
-        has_dots = state.properties.has_caps
-        drawn = [each for each in subpaths if each.has_length or (has_dots and each.is_line)]
+        drawn = [each for each in subpaths if each.has_length or (state.properties.has_caps and each.is_line)]
         if not drawn:
             return
         self._shapes.append(element)
@@ -463,6 +461,9 @@ class _Reader:
         if is_many and share_of(declared.get("opacity", "1")) < 1:
             found.append(_TRANSPARENT)
         self.missed.note_of(element, *found)
+        for child in element:
+            if _NOT_READ.get(tag_of(child)) is _MOTION:
+                self.missed.note_of(child, _MOTION)
 
 
 def _fill_box(path: ImportedPath) -> FloatArray:
