@@ -89,9 +89,11 @@ def test_a_path_is_known_by_its_content_and_what_is_no_curve_is_told(tmp_path):
     assert [point.velocity for point in curve.points] == [(3.0, 0.0), (0.0, -3.0)]
 
 
-def test_paths_of_2023_have_anchor_points():
-    content = path_of([[[0, 0], [1, 0], [2, 1], [3, 1]]]).replace(b'"anchor"', b'"anchorPoint"')
-    (curve,) = read_path(content).document.curves
+def test_paths_of_2023_have_anchor_points_and_markers():
+    content = path_of([[[0, 0], [1, 0], [2, 1], [3, 1]]], markers=[{"position": 0.5, "names": ["drop"]}])
+    found = read_path(content.replace(b'"anchor"', b'"anchorPoint"'))
+    (curve,) = found.document.curves
+    assert found.remarks == ("1 marker left out.",)
     assert [(point.x, point.y) for point in curve.points] == [(0, 0), (3, 1)]
 
 

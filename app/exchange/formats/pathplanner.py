@@ -31,6 +31,7 @@ class _Path(msgspec.Struct, rename="camel"):
     constraint_zones: list[Any] = []
     point_towards_zones: list[Any] = []
     event_markers: list[Any] = []
+    markers: list[Any] = []  # until 2023
 
 
 def read_path(data: bytes, _tolerance: float | None = None) -> Imported:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ...document.style import PLAIN_STYLE
@@ -65,17 +65,13 @@ def _held(drawn: Sequence[Drawn]) -> dict[Group, set[int]]:
     return held
 
 
-def _is_one(group: Group, elements: Collection[int]) -> bool:
-    return bool(group.name) or len(elements) > 1
-
-
 def settled(drawn: Sequence[Drawn]) -> list[ImportedPath]:
     """Return paths with the names of their groups, another one for each.
 
     A group without a name, around a single shape, is none.
     """
     held = _held(drawn)
-    kept = {group for group, elements in held.items() if _is_one(group, elements)}
+    kept = {group for group, elements in held.items() if group.name or len(elements) > 1}
     names = _Given()
     return [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
 
