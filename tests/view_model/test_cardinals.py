@@ -359,6 +359,17 @@ def test_samples_of_many_points():
     assert np.abs(view.cardinal.basis(np.array([t[0], t[-1]]))[:, 150]).max() < 1e-6
 
 
+def test_a_function_that_is_negative_for_a_short_way_counts():
+    """It was 1.00225: the function of the first point is below 0 for 4 % of the second segment alone."""
+    points = (Point(0.0, 0.0, t=0.0, velocity=(1.0, 0.0)), Point(1.0, 2.0, t=0.8))
+    times, rule = Parametrization(MANUAL, end=1.8), VelocityRule.FINITE_DIFFERENCE
+    view = view_of(Curve("Lens", HERMITE, times, points, velocity_rule=rule, closed=True))
+    # The velocity at t = 0.8 is (1 / 0.8 - 1) / 2 of the step: C = 3 u² - 2 u³ - u (1 - u)² / 8.
+    u = (3.25 - np.sqrt(3.25**2 - 3 * 0.125 * 2.125)) / (3 * 2.125)
+    least = 3 * u**2 - 2 * u**3 - u * (1 - u) ** 2 / 8
+    assert growth_of_points(view) == pytest.approx(1 - 2 * least, rel=1e-12)
+
+
 def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
     """Nothing was said of it, Λ being 1."""
     curve = with_points(frozen(seven()), p4={"t": view_of(seven()).parameters[3] + 1e-3})
