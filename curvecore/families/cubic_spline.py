@@ -179,7 +179,7 @@ class CubicSplineCurve(ParametricCurve):
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         if self._units is None:
             unit = np.eye(len(self._parameters))
-            velocities, _ = spline_derivatives(unit, np.diff(self._parameters), self.ends)
+            velocities, _ = spline_derivatives(unit, self._parameters, self.ends)
             self._units = _Data(unit, read_only(made_finite(velocities)), self._bends_for(unit))
         return self._summed(t, order, self._units)[:, :, None]
 
@@ -295,12 +295,12 @@ class CubicSplineCurve(ParametricCurve):
 
     def _bends_for(self, points: FloatArray) -> FloatArray:
         """Return the second derivatives for any points, (n, k): to the last digit, for they nearly cancel."""
-        _, bends = spline_derivatives(points, np.diff(self._parameters), self.ends)
+        _, bends = spline_derivatives(points, self._parameters, self.ends)
         return read_only(made_finite(refined_bends(points, self._parameters, bends, self.ends)))
 
     def _solve(self) -> None:
         """Compute first and second derivatives at the joints."""
-        velocities, _ = spline_derivatives(self.points, np.diff(self._parameters), self.ends)
+        velocities, _ = spline_derivatives(self.points, self._parameters, self.ends)
         finite = np.isfinite(velocities).all(axis=1)
         if not finite.all():
             index = int(np.argmin(finite))

@@ -57,15 +57,15 @@ class SplineEnds(StrEnum):
 
 
 def spline_derivatives(
-    points: FloatArray, spacing: FloatArray, ends: SplineEnds
+    points: FloatArray, parameters: FloatArray, ends: SplineEnds
 ) -> tuple[FloatArray, FloatArray]:
     """Return the first and the second derivatives at the joints; O(n).
 
     Parameters
     ----------
     points : ndarray, shape (n, dim)
-    spacing : ndarray, shape (n - 1,)
-        Lengths of the segments, positive.
+    parameters : ndarray, shape (n,)
+        Ascending.
     ends : SplineEnds
 
     Returns
@@ -74,8 +74,14 @@ def spline_derivatives(
         Not finite where no double holds them.
     """
     with np.errstate(all="ignore"):
-        spline = _Spline.of(points, spacing, ends)
-        return np.ldexp(spline.velocities, -spline.exponent), np.ldexp(spline.bends, -2 * spline.exponent)
+        spline = _Spline.of(points, np.diff(parameters), ends)
+        velocities, bends = spline.velocities, np.ldexp(spline.bends, -2 * spline.exponent)
+        if ends is SplineEnds.NOT_A_KNOT:
+            # Beside a short segment they depend on a small difference of second derivatives.
+            bends = refined_bends(points, parameters, bends, ends)
+            shares = _Shares(spline.slope, -spline.slope)
+            velocities = _velocities(spline.h, shares, np.ldexp(bends, 2 * spline.exponent), ends)
+        return np.ldexp(velocities, -spline.exponent), bends
 
 
 def velocity_moves(points: FloatArray, spacing: FloatArray, ends: SplineEnds) -> FloatArray:
@@ -83,8 +89,10 @@ def velocity_moves(points: FloatArray, spacing: FloatArray, ends: SplineEnds) ->
 
     Parameters
     ----------
-    points, spacing, ends
+    points, ends
         As for `spline_derivatives`.
+    spacing : ndarray, shape (n - 1,)
+        Lengths of the segments, positive.
 
     Returns
     -------
@@ -210,13 +218,15 @@ class _Spline(NamedTuple):
 
 
 def _velocities(h: FloatArray, shares: _Shares, bends: FloatArray, ends: SplineEnds) -> FloatArray:
-    velocities = np.empty_like(bends)
-    velocities[:-1] = shares.starts - h / 6.0 * (2.0 * bends[:-1] + bends[1:])
-    velocities[-1] = h[-1] / 6.0 * (bends[-2] + 2.0 * bends[-1]) - shares.finishes[-1]
+    at_starts = shares.starts - h / 6.0 * (2.0 * bends[:-1] + bends[1:])
+    at_ends = h / 6.0 * (bends[:-1] + 2.0 * bends[1:]) - shares.finishes
+    # Of two segments the shorter one: in a long one terms may cancel that are large beside the result.
+    inner = np.where(h[:-1] < h[1:], at_ends[:-1], at_starts[1:])
+    velocities = np.concatenate((at_starts[:1], inner, at_ends[-1:]))
     if ends is SplineEnds.CLAMPED:
         velocities[[0, -1]] = 0.0
     elif ends is SplineEnds.PERIODIC:
-        velocities[-1] = velocities[0]
+        velocities[[0, -1]] = at_ends[-1] if h[-1] < h[0] else at_starts[0]
     return velocities
 
 

@@ -124,6 +124,24 @@ def test_bound(exact, rng, name, ends):
 
 
 @each_row("ends", ENDS)
+@each_row("spacing", [[0.6, 6e-9, 0.4], [4e-9, 5e-9, 1.0], [0.5, 2e-9, 0.5, 3e-7], [2e-5, 0.6, 1e-9, 0.02]])
+def test_bound_beside_short_segments(exact, rng, ends, spacing):
+    """c and c' missed it by c = 1e15 not a knot, 2e3 else: accelerations of long segments cancelled."""
+    parameters = np.cumsum([0.0, *spacing])
+    points = rng.standard_normal((len(parameters), 1))
+    if ends is SplineEnds.PERIODIC:
+        points[-1] = points[0]
+    curve = CubicSplineCurve(points, parameters, ends=ends)
+    nodes = [exact.rational(x) for x in parameters]
+    seconds = exact_system(nodes, ends)
+    data = exact.enclosed(map(exact.rational, curve.points[:, 0]))
+    for t in np.concatenate((parameters, 0.5 * (parameters[1:] + parameters[:-1]))):
+        for order, functions in enumerate(exact_terms(exact.rational(t), nodes, seconds, range(2))):
+            constant = exact.worst_constant(curve.evaluate(t, order)[0], exact.products(functions, data))
+            assert constant is None or constant <= LIMIT
+
+
+@each_row("ends", ENDS)
 @each_row("n", [2, 3, 4, 5, 9, 60, 300])
 def test_scipy_agrees(rng, n, ends):
     t = np.sort(rng.random(n))
