@@ -64,14 +64,9 @@ class Spaced(NamedTuple):
 def steps_of(points: ArrayLike, parameters: ArrayLike) -> Steps:
     """Check points, (n, dim), and parameters, (n,), and return their differences."""
     places = point_array(points)
-    return differences(places, spacing_of(parameters, len(places)))
-
-
-def spacing_of(parameters: ArrayLike, count: int) -> FloatArray:
-    """Check parameters, (count,), and return their distances."""
     if isinstance(parameters, Spaced):
-        return parameters.spacing
-    return np.diff(parameter_array(parameters, count))
+        return differences(places, parameters.spacing)
+    return differences(places, np.diff(parameter_array(parameters, len(places))))
 
 
 def differences(points: FloatArray, spacing: FloatArray) -> Steps:

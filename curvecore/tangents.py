@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, point_array, read_only
 from curvecore.parametrization import relative_spacing
 from curvecore.scaling import SMALLEST
-from curvecore.slopes import Steps, differences, in_range, spacing_of, steps_of
+from curvecore.slopes import Steps, differences, in_range, steps_of
 from curvecore.tridiagonal import solve_dominant
 
 _FEW = 48  # segments, up to which a spline under a hand, its parameters at rest, is a matrix that is kept
@@ -172,13 +172,13 @@ def catmull_rom_velocities(
     [[0.0, 2.0], [2.0, 0.0], [4.0, -2.0]]
     """
     places = point_array(points)
-    h = spacing_of(parameters, len(places))
+    h, slope = steps_of(places, parameters)
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
     apart = places if knots_of is None else point_array(knots_of)
     knots = np.maximum(relative_spacing(apart, alpha, "Catmull-Rom"), SMALLEST)
     inner = _parabola_velocities(differences(places, knots))
-    inner *= ((knots[:-1] + knots[1:]) / (h[:-1] + h[1:]))[:, None]
-    return _with_ends(inner, differences(places, h).slope)
+    inner *= (knots[:-1] + knots[1:])[:, None] / (h[:-1] + h[1:])
+    return _with_ends(inner, slope)
 
 
 def catmull_rom_changes(

@@ -270,7 +270,7 @@ class CubicSplineCurve(ParametricCurve):
         at = parameter_row(t)
         result = self._pieces.parameter_derivatives(at)
         segment, functions = self._pieces.local_basis(at)
-        moves = velocity_moves(self.points, np.diff(self._parameters), self.ends)
+        moves = velocity_moves(self.points, self._parameters, self.ends)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             for side in (0, 1):
                 result += functions[:, side, 1, None, None] * moves[segment + side]

@@ -74,25 +74,17 @@ def spline_derivatives(
         Not finite where no double holds them.
     """
     with np.errstate(all="ignore"):
-        spline = _Spline.of(points, np.diff(parameters), ends)
-        velocities, bends = spline.velocities, np.ldexp(spline.bends, -2 * spline.exponent)
-        if ends is SplineEnds.NOT_A_KNOT:
-            # Beside a short segment they depend on a small difference of second derivatives.
-            bends = refined_bends(points, parameters, bends, ends)
-            shares = _Shares(spline.slope, -spline.slope)
-            velocities = _velocities(spline.h, shares, np.ldexp(bends, 2 * spline.exponent), ends)
-        return np.ldexp(velocities, -spline.exponent), bends
+        spline = _Spline.of(points, parameters, ends)
+        return np.ldexp(spline.velocities, -spline.exponent), np.ldexp(spline.bends, -2 * spline.exponent)
 
 
-def velocity_moves(points: FloatArray, spacing: FloatArray, ends: SplineEnds) -> FloatArray:
+def velocity_moves(points: FloatArray, parameters: FloatArray, ends: SplineEnds) -> FloatArray:
     """Return what the velocities change by per unit of each parameter, the points at rest; O(n**2).
 
     Parameters
     ----------
-    points, ends
+    points, parameters, ends
         As for `spline_derivatives`.
-    spacing : ndarray, shape (n - 1,)
-        Lengths of the segments, positive.
 
     Returns
     -------
@@ -106,7 +98,7 @@ def velocity_moves(points: FloatArray, spacing: FloatArray, ends: SplineEnds) ->
     """
     n, dim = points.shape
     with np.errstate(all="ignore"):
-        spline = _Spline.of(points, spacing, ends)
+        spline = _Spline.of(points, parameters, ends)
         h, double = spline.h, 2.0 * spline.slope
         starts, finishes = (double - spline.velocities[:-1]) / h, (double - spline.velocities[1:]) / h
         # A segment becomes shorter by what its beginning moves, and longer by what its end does.
@@ -207,13 +199,17 @@ class _Spline(NamedTuple):
     bends: FloatArray
 
     @classmethod
-    def of(cls, points: FloatArray, spacing: FloatArray, ends: SplineEnds) -> _Spline:
+    def of(cls, points: FloatArray, parameters: FloatArray, ends: SplineEnds) -> _Spline:
         # For lengths near 1, so that their squares stay in range.
+        spacing = np.diff(parameters)
         exponent = int(np.frexp(spacing.max())[1])
         h = np.ldexp(spacing, -exponent)[:, None]
         slope = np.diff(points, axis=0) / h
         shares = _Shares(slope, -slope)
         bends = _bends(h, shares, ends)
+        if ends is SplineEnds.NOT_A_KNOT:
+            # Beside a short segment all depends on a small difference of second derivatives.
+            bends = refined_bends(points, np.ldexp(parameters, -exponent), bends, ends)
         return cls(exponent, h, slope, _velocities(h, shares, bends, ends), bends)
 
 

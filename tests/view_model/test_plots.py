@@ -17,7 +17,7 @@ from app.view_model.analysis.plot import PLOTS
 from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_of
 from app.view_model.analysis.plot_samples import is_slow, samples_over
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
-from app.view_model.analysis.plotted import plots_of, uncertain_values_at, values_at
+from app.view_model.analysis.plotted import plots_of, uncertain_values_at
 from app.view_model.basis.basis_view import basis_view
 from app.view_model.basis.growth import growth_of_points
 from app.view_model.curve.curve_view import view_of
@@ -149,7 +149,8 @@ def test_a_spike_of_the_curvature_does_not_flatten_the_rest():
 
 def test_values_at_the_scrub_line_are_exact():
     view = wave(8, LAGRANGE)
-    values = values_at(view, frozenset(PLOTS), 0.3)
+    found = uncertain_values_at(view, frozenset(PLOTS), 0.3)
+    values = {plot: value for plot, (value, _) in found.items()}
     c1, c2 = (view.curve.evaluate(0.3, order) for order in (1, 2))
     assert values[lengths.SPEED] == pytest.approx(np.linalg.norm(c1))
     assert values[curvature.CURVATURE] == pytest.approx(
@@ -171,7 +172,7 @@ def difference_alone(plot):
     (whole,) = plots(view, plot, columns=300)
     (part,) = plots(view, plot, columns=300, t_range=(0.31, 0.47))
     pairs = [(t, value) for each in (whole, part) for t, value in zip(*_of(each), strict=True)]
-    alone = [values_at(view, {plot}, t)[plot] for t, _ in pairs]
+    alone = [uncertain_values_at(view, {plot}, t)[plot][0] for t, _ in pairs]
     return max(abs(one - value) for one, (_, value) in zip(alone, pairs, strict=True)) / whole.extent[1]
 
 
@@ -195,7 +196,7 @@ def test_a_plot_that_adds_up_what_is_in_sight_is_found_out():
 def test_without_a_curve_there_is_nothing_to_plot():
     view = view_of(Curve("One", LAGRANGE, Parametrization(), (Point(0.0, 0.0),)))
     assert plots_of(view, frozenset(PLOTS), (0.0, 1.0), 100) == []
-    assert values_at(view, frozenset(PLOTS), 0.5) == {}
+    assert uncertain_values_at(view, frozenset(PLOTS), 0.5) == {}
 
 
 def test_huge_numbers_stay_quiet():

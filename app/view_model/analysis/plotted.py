@@ -33,15 +33,10 @@ def orders_of(plots: Collection[Plot]) -> tuple[int, ...]:
     return tuple(sorted({order for plot in plots for order in plot.orders}))
 
 
-def values_at(view: CurveView, plots: Collection[Plot], t: float) -> dict[Plot, float]:
-    """Return the value of each plot at one t; at a joint, that of the segment after it."""
-    return {plot: value for plot, (value, _error) in uncertain_values_at(view, plots, t).items()}
-
-
 def uncertain_values_at(
     view: CurveView, plots: Collection[Plot], t: float
 ) -> dict[Plot, tuple[float, float]]:
-    """Return the same values with bounds of their errors by rounding."""
+    """Return values at one t, at a joint those of the segment after it, and their errors by rounding."""
     if not view.is_current:
         return {}
     at = np.array([t])
