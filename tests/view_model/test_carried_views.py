@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.derivatives import VelocityRule
-from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import Affine, flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
@@ -143,3 +143,14 @@ def test_some_points_are_no_whole_curve_and_derivatives_may_stay():
     changed = views_after((some.curves[0], *document.curves[1:3], *turned), views)
     assert [view.carry is not None for view in changed] == [False, True, True, False, False]
     assert_right(changed)
+
+
+def test_a_dot_that_is_scaled_to_nothing_is_drawn():
+    """A tolerance of 0 was asked for, while the canvas was painted."""
+    points = tuple(Point(1.0, 1.0, t, (0.0, 0.0)) for t in (0.0, 1.0))
+    dot = Curve("Dot", HERMITE, Parametrization(ParametrizationKind.MANUAL), points)
+    before = seen(Document((dot,)))
+    before[0].flattened(0.1)
+    after = mapped(Document((dot,)), whole_curves(Document((dot,)), [0]), scaling(0.0, 0.0, (1.0, 1.0)))
+    (view,) = views_after(after.curves, before)
+    assert view.flattened(0.1).points.tolist() == [[1.0, 1.0]] * 2

@@ -165,6 +165,13 @@ def test_a_straight_line_has_no_curvature_to_be_uncertain_about():
     assert uncertain(round(value, 12), error) == "0"
 
 
+def test_the_curvature_of_a_dot_is_no_number_and_warns_of_nothing():
+    points = tuple(Point(1.0, 1.0, t, (0.0, 0.0)) for t in (0.0, 1.0))
+    view = view_of(Curve("Dot", HERMITE, Parametrization(ParametrizationKind.MANUAL), points))
+    (_, error) = uncertain_values_at(view, {curvature.CURVATURE}, 0.37)[curvature.CURVATURE]
+    assert error == np.inf
+
+
 def difference_alone(plot):
     """How far a value of a plot in sight is from the one of that t alone, against the greatest of all."""
     # The snap of cubics is 0, the greatest of all too.

@@ -60,7 +60,7 @@ class ImportCommands:
 
     @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
     def _ask_and_import(self) -> None:
-        """Take in curves from SVG, DXF, a table or another document, and a picture to trace."""
+        """Import curves from SVG, DXF, tables, GPX, robot paths or documents, or a picture to trace."""
         folder, kinds = str(self._preferences.last_folder), file_filters(PICTURES)
         names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, kinds)
         paths = [Path(name) for name in names]

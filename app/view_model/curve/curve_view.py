@@ -190,7 +190,7 @@ def _carried(carry: Carry[CurveView], tolerance: float) -> Polyline | None:
     """Return a carried curve as a polyline; None where it is better flattened as far as it is seen."""
     own = tolerance / carry.stretch if carry.stretch > 0.0 else 0.0
     low, high = carry.root.drawn_box
-    if not float((high - low).max()) <= _MOST_TOLERANCES * own:
+    if not 0.0 < own >= float((high - low).max()) / _MOST_TOLERANCES:
         return None
     return carry.mapped(carry.root.flattened(own))
 

@@ -7,6 +7,7 @@ from msgspec.structs import replace
 
 import curvecore
 from curvecore.arrays import FloatArray
+from curvecore.scaling import SMALLEST
 
 from ....document.words import number
 from ...curve.rounded_parameters import curvature_error
@@ -37,7 +38,7 @@ def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:
 
 def _rounding(sampled: Sampled) -> FloatArray:
     error = curvature_error(sampled.view, sampled.t)
-    return np.where(error * size_of(sampled.view.points) < _STRAIGHT, 0.0, error)
+    return np.where(error < _STRAIGHT / max(size_of(sampled.view.points), SMALLEST), 0.0, error)
 
 
 CURVATURE = Plot(
