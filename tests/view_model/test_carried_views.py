@@ -149,8 +149,7 @@ def test_a_dot_that_is_scaled_to_nothing_is_drawn():
     """A tolerance of 0 was asked for, while the canvas was painted."""
     points = tuple(Point(1.0, 1.0, t, (0.0, 0.0)) for t in (0.0, 1.0))
     dot = Curve("Dot", HERMITE, Parametrization(ParametrizationKind.MANUAL), points)
-    before = seen(Document((dot,)))
-    before[0].flattened(0.1)
-    after = mapped(Document((dot,)), whole_curves(Document((dot,)), [0]), scaling(0.0, 0.0, (1.0, 1.0)))
-    (view,) = views_after(after.curves, before)
-    assert view.flattened(0.1).points.tolist() == [[1.0, 1.0]] * 2
+    document = Document((dot, dot))
+    _, views = after(document, scaling(0.0, 0.0, (1.0, 1.0)), seen(document))
+    assert all(view.carry for view in views)
+    assert [view.flattened(0.1).points.tolist() for view in views] == [[[1.0, 1.0]] * 2] * 2
