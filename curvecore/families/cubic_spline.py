@@ -77,9 +77,10 @@ class CubicSplineCurve(ParametricCurve):
     Notes
     -----
     It is the cubic Hermite curve with the velocities that make c'' continuous. Values and derivatives up to
-    order 3 have errors of at most a small multiple of u sum |B_i^(order)(t) p_i|, u = 2**-53. Periodic
-    curves should end where they begin; else the last point is the first one moved, and c is periodic but for
-    that move.
+    order 3 have errors of at most a small multiple of u sum |B_i^(order)(t) p_i|, u = 2**-53; but c''' of a
+    not-a-knot spline on the last or the second segment loses as many digits as this is shorter than its
+    neighbour. Periodic curves should end where they begin; else the last point is the first one moved, and c
+    is periodic but for that move.
 
     References
     ----------
