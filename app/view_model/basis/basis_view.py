@@ -8,13 +8,11 @@ from functools import cached_property, reduce
 import msgspec
 import numpy as np
 
-from curvecore import CardinalBasis, lebesgue_constant
 from curvecore.analysis.cardinal import by_point
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
 from ...families import Family
-from ..curve.cardinals import unbounded
 from ..curve.curve_view import CurveView, ParametricCurve
 from ..geometry.sampling import OneSided, crowded_at_ends, one_sided
 
@@ -28,6 +26,9 @@ _MOST_FINE = 400
 """Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
 
 _FINE = 33
+
+_ROUNDS, _FINER, _PEAKS = 3, 9, 16
+"""Rounds of finer samples of Λ(t), their number beside each of the highest, and how many these are."""
 
 _MOST_UNEVEN = 65
 """Knots up to which a segment has samples in proportion to its length; above, all have the same number."""
@@ -191,14 +192,17 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @cached_property
     def lebesgue_constant(self) -> float:
-        """Λ of the points, infinite where it is beyond all floats; of many as far as samples show it."""
+        """Λ of the points, by finer and finer samples beside the highest; infinite beyond all floats."""
         assert not self.curve.is_local
-        if self.count < _MANY:
-            return unbounded(
-                lebesgue_constant(CardinalBasis(self.curve, closed=self.point_count < self.count))
-            )
+        t, functions = self.t, self.values
         with np.errstate(over="ignore"):
-            return float(np.abs(self.values[:, : self.point_count, 0]).sum(axis=1).max())
+            for _ in range(_ROUNDS):
+                sums = np.abs(functions[:, : self.point_count, 0]).sum(axis=1)
+                highest = np.argsort(sums)[-_PEAKS:]
+                middle = np.clip(highest, 1, len(t) - 2)
+                t = np.unique(np.linspace(t[middle - 1], t[middle + 1], _FINER))
+                functions = _functions(self.curve, t, self.owners)
+            return float(np.abs(functions[:, : self.point_count, 0]).sum(axis=1).max())
 
     def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the scaled functions of one kind at `t`, one for each knot."""
