@@ -74,9 +74,9 @@ class Toolbar(Guarded, QToolBar):
         self._in_words: list[QAction] = []
         self._widgets: list[ToolbarWidget] = []
         self._has_style = False
-        self._widths: list[int] = []
-        # The step that is shown, and the names of actions with words that are on.
-        self._shown: tuple[_Step, list[str]] | None = None
+        # By step and the names of actions with words that are on.
+        self._widths: dict[tuple[_Step, tuple[str, ...]], int] = {}
+        self._shown: tuple[_Step, tuple[str, ...]] | None = None
         actions.redeclared.connect(self._follow_actions)
         actions.switched.connect(self._fit)
 
@@ -159,18 +159,21 @@ class Toolbar(Guarded, QToolBar):
             self._show_step(next((step for step in _STEPS[:-1] if self._has_room(step)), _STEPS[-1]))
 
     def _has_room(self, step: _Step) -> bool:
-        at = _STEPS.index(step)
-        if at == len(self._widths):
+        if (key := (step, self._in_use)) not in self._widths:
             self._show_step(step)
             if (layout := self.layout()) is not None:
                 # Buttons that are new tell it only later.
                 layout.invalidate()
-            self._widths.append(self.sizeHint().width())
-        return self._widths[at] <= self.width()
+            self._widths[key] = self.sizeHint().width()
+        return self._widths[key] <= self.width()
+
+    @property
+    def _in_use(self) -> tuple[str, ...]:
+        names = (each.objectName() for each in self._in_words)
+        return tuple(name for name in names if self._actions.is_on(name))
 
     def _show_step(self, step: _Step) -> None:
-        names = [each.objectName() for each in self._in_words]
-        in_use = [each for each in names if self._actions.is_on(each)]
+        in_use = self._in_use
         if self._shown == (step, in_use):
             return
         before, self._shown = self._shown, (step, in_use)

@@ -241,3 +241,19 @@ def test_it_is_as_wide_with_nothing_to_tell_of_as_with_a_curve(editor):
     bar.render_view(None)
     # A pixel less, and words come back into the toolbar of a window that just has no room for them.
     assert bar.sizeHint().width() == width
+
+
+@pytest.mark.parametrize("width", [1020, 1026, 1160, 1200])
+def test_neither_a_rule_nor_a_family_pushes_a_button_out(editor_with, width):
+    """Widths measured without the slider of α, or with a shorter family in use, counted for all others."""
+    editor = editor_with(8, 1440)
+    for family, kind in (
+        (HERMITE, ParametrizationKind.CHEBYSHEV),
+        (LAGRANGE, ParametrizationKind.CHORD_LENGTH),
+    ):
+        editor.choose_family(family)
+        editor.choose_parametrization(kind)
+        editor.window.resize(width, 800)
+        editor.settle()
+        assert editor.window.toolbar.sizeHint().width() <= width
+        assert button_of(editor, "playMotion").isVisible()

@@ -83,8 +83,6 @@ class ParametrizationBar(ToolbarWidget):
         self.box.setFixedWidth(width - self._excess if has_alpha else width)
         slider = _COMPACT_SLIDER_WIDTH if self._is_compact else _SLIDER_WIDTH
         self.slider.setFixedWidth(slider if has_alpha else max(slider - self._excess, 1))
-        for part in (self.slider, self._alpha):
-            part.setVisible(has_alpha or not self._is_compact)
 
     @property
     def _excess(self) -> int:
