@@ -169,8 +169,7 @@ class Toolbar(Guarded, QToolBar):
 
     @property
     def _in_use(self) -> tuple[str, ...]:
-        names = (each.objectName() for each in self._in_words)
-        return tuple(name for name in names if self._actions.is_on(name))
+        return tuple(filter(self._actions.is_on, (each.objectName() for each in self._in_words)))
 
     def _show_step(self, step: _Step) -> None:
         in_use = self._in_use

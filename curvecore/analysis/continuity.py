@@ -296,10 +296,9 @@ class _Jumps(NamedTuple):
         turns = [_turn_vectors(side.values) for side in (before, after)]
         way = typical[:, :1]
         bend = np.maximum(np.abs(bends.before), np.abs(bends.after))
-        turn = np.maximum(*map(vector_lengths, turns))
         return cls(
             np.column_stack((angle, np.abs(bends.jump), vector_lengths(turns[1] - turns[0]))),
-            np.column_stack((np.ones(len(way)), bend, turn)),
+            np.column_stack((np.ones(len(way)), bend, np.maximum(*map(vector_lengths, turns)))),
             way ** -np.arange(3.0),
             before.of_line(before.roundings) + after.of_line(after.roundings),
             before.of_line(before.data_errors) + after.of_line(after.data_errors),

@@ -54,6 +54,9 @@ class ParametrizationBar(ToolbarWidget):
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._label = Label("Parameters")
         self.slider = self._make_slider()
+        policy = self.slider.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.slider.setSizePolicy(policy)
         self._alpha = Label("α 0.00", name="alphaValue")
         # Of its words, not of their advance: with none it would be a pixel narrower, and the toolbar with it.
         self._alpha.setMinimumWidth(self._alpha.sizeHint().width())
@@ -83,6 +86,7 @@ class ParametrizationBar(ToolbarWidget):
         self.box.setFixedWidth(width - self._excess if has_alpha else width)
         slider = _COMPACT_SLIDER_WIDTH if self._is_compact else _SLIDER_WIDTH
         self.slider.setFixedWidth(slider if has_alpha else max(slider - self._excess, 1))
+        self.slider.setVisible(has_alpha or not self._is_compact)
 
     @property
     def _excess(self) -> int:

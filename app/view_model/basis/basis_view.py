@@ -198,8 +198,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         with np.errstate(over="ignore"):
             for _ in range(_ROUNDS):
                 sums = np.abs(functions[:, : self.point_count, 0]).sum(axis=1)
-                highest = np.argsort(sums)[-_PEAKS:]
-                middle = np.clip(highest, 1, len(t) - 2)
+                middle = np.clip(np.argsort(sums)[-_PEAKS:], 1, len(t) - 2)
                 t = np.unique(np.linspace(t[middle - 1], t[middle + 1], _FINER))
                 functions = _functions(self.curve, t, self.owners)
             return float(np.abs(functions[:, : self.point_count, 0]).sum(axis=1).max())
