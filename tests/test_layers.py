@@ -47,7 +47,7 @@ def packages() -> list[Path]:
     listed = {
         name.rpartition(".")[0] + found
         for name, text in sources.items()
-        for found in re.findall(r'Records\(\w+, f"\{__package__\}(.+)"\)', text)
+        for found in re.findall(r'Registry\(\w+, f"\{__package__\}(.+)"\)', text)
     }
     listed |= {name for name, text in sources.items() if "iter_modules(__path__)" in text}
     # What is not named in `FEATURES` the test above tells.

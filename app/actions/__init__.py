@@ -2,7 +2,7 @@
 
 - ``declaration``: the decorators `action` and `action_for_each`, and what they say of an action.
 - ``sections``: the menus, and the sections in which actions stand.
-- ``strips``: where else they stand: toolbar, context menus, buttons.
+- ``action_bars``: where else they stand: toolbar, context menus, buttons.
 - ``state``: the facts that actions are enabled, checked and named by.
 - ``needs``: what must be there before an action can be used, in words and as a predicate of these facts.
 - ``derived``: values of these predicates, computed again only where a fact that they read has changed.

@@ -28,13 +28,13 @@ from msgspec.structs import replace
 
 from ..session import Session
 from ..state.window_state import WindowState
+from .action_bars import ActionBar, BarPosition
 from .needs import NOTHING, Need
-from .sections import Section
+from .sections import MenuSection
 from .state import ActionState
-from .strips import Place, Strip
 
 _DECLARED, _AT_PLACE = "declared_actions", "place_action"
-_ALSO, _WIDGET = "places_in_strips", "widget_in_strip"
+_ALSO, _WIDGET = "positions_in_bars", "widget_in_bar"
 
 _Handler = TypeVar("_Handler", bound=Callable[..., object])
 _Record = TypeVar("_Record")
@@ -86,7 +86,7 @@ class Action(msgspec.Struct, frozen=True):
     field
         The field of the window's state that it turns on and off; empty for none.
     choices
-        The strip of switches that the arrow beside its button in the toolbar offers; None for no arrow.
+        The bar of switches that the arrow beside its button in the toolbar offers; None for no arrow.
     group
         Name of the group of which one is on; empty for a switch of its own.
     title
@@ -103,7 +103,7 @@ class Action(msgspec.Struct, frozen=True):
 
     name: str
     text: str
-    section: Section
+    section: MenuSection
     key: str = ""
     icon: str = ""
     tip: str = ""
@@ -118,7 +118,7 @@ class Action(msgspec.Struct, frozen=True):
     keywords: str = ""
     when_opened: Callable[[Session], Opened] | None = None
     field: str = ""
-    choices: Strip | None = None
+    choices: ActionBar | None = None
 
     def missing(self, state: ActionState) -> Need | None:
         """Return the first of its needs that is not met, those of its section before its own."""
@@ -151,7 +151,7 @@ class Declared(msgspec.Struct, frozen=True):
     record: tuple[object, ...] = ()
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[BarPosition, ...]:
         """Places of the action besides its menu."""
         places = getattr(self.handler, _ALSO, ())
         return tuple(places(*self.record)) if callable(places) else places
@@ -203,18 +203,18 @@ The decorated method does what comes after that, often nothing: then it has a do
 """
 
 
-def also(*places: Place) -> Callable[[_Handler], _Handler]:
-    """Let the actions of the decorated handler stand in strips, too: toolbar, context menus, buttons."""
+def also(*places: BarPosition) -> Callable[[_Handler], _Handler]:
+    """Let the actions of the decorated handler stand in bars, too: toolbar, context menus, buttons."""
     return _also(places)
 
 
-def also_for_each(places: Callable[[Any], Iterable[Place]]) -> Callable[[_Handler], _Handler]:
+def also_for_each(places: Callable[[Any], Iterable[BarPosition]]) -> Callable[[_Handler], _Handler]:
     """Let each action of the decorated handler stand where `places` says of its record."""
     return _also(places)
 
 
-def widget_at(place: Place) -> Callable[[_Handler], _Handler]:
-    """Let what the decorated method returns stand in a strip."""
+def widget_at(place: BarPosition) -> Callable[[_Handler], _Handler]:
+    """Let what the decorated method returns stand in a bar."""
 
     def mark(build: _Handler) -> _Handler:
         setattr(build, _WIDGET, place)
@@ -223,8 +223,8 @@ def widget_at(place: Place) -> Callable[[_Handler], _Handler]:
     return mark
 
 
-def declared_widgets(kind: type, commands: object) -> Iterator[tuple[Place, Any]]:
-    """Yield what a command set puts into strips besides actions, with its place."""
+def declared_widgets(kind: type, commands: object) -> Iterator[tuple[BarPosition, Any]]:
+    """Yield what a command set puts into bars besides actions, with its place."""
     for build, place in marked(kind, _WIDGET):
         yield place, build(commands)
 

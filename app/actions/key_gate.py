@@ -5,12 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QAction
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from .needs import Need
 from .state import ActionFacts
 
 
-class KeyGate(Guarded, QObject):
+class KeyGate(SafeOverrides, QObject):
     """Lets the keys of actions pass, or says why not."""
 
     def __init__(self, facts: ActionFacts) -> None:

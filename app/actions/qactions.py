@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..view_model.curve.curve_view import CurveView
+from .action_bars import ActionBar, BarPosition
 from .declaration import Action, Declared, Opened, all_declared
 from .derived import DerivedValues, changed_facts
 from .key_gate import KeyGate
@@ -27,9 +28,8 @@ from .keymap import (
     tool_tip,
 )
 from .needs import NOTHING, Need
-from .sections import MENUS, Menu, Section
+from .sections import MENUS, Menu, MenuSection
 from .state import ActionFacts, ActionState
-from .strips import Place, Strip
 
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
@@ -104,19 +104,19 @@ class Actions(QObject):
         self._whys_not = DerivedValues({needs: partial(_why_not, needs) for needs in self._alike})
         self._missing = {}
         self._rendered: ActionState | None = None
-        self._by_section: dict[Section, list[QAction]] = {}
+        self._by_section: dict[MenuSection, list[QAction]] = {}
         for each, action in declared:
             self._by_section.setdefault(each.section, []).append(action)
-        self._by_strip = self._sorted_by_strip()
+        self._by_bar = self._sorted_by_bar()
 
-    def _sorted_by_strip(self) -> dict[Strip, dict[int, list[QAction | Section]]]:
-        """Return what stands in strips, in the order of their places there and by the tens of these."""
-        places: list[tuple[Place, QAction | Section]]
+    def _sorted_by_bar(self) -> dict[ActionBar, dict[int, list[QAction | MenuSection]]]:
+        """Return what stands in bars, in the order of their places there and by the tens of these."""
+        places: list[tuple[BarPosition, QAction | MenuSection]]
         places = [(place, self[each.action.name]) for each in self._handlers for place in each.places]
         places += [(place, each) for menu in MENUS for each in menu.sections for place in each.also]
-        found: dict[Strip, dict[int, list[QAction | Section]]] = {}
+        found: dict[ActionBar, dict[int, list[QAction | MenuSection]]] = {}
         for place, entry in sorted(places, key=lambda pair: pair[0].number):
-            found.setdefault(place.strip, {}).setdefault(place.number // 10, []).append(entry)
+            found.setdefault(place.bar, {}).setdefault(place.number // 10, []).append(entry)
         return found
 
     def bind(self, commands: object, run: _Run) -> None:
@@ -192,23 +192,23 @@ class Actions(QObject):
         """Return the actions that a command set declares."""
         return [self[each.action.name] for each in self._handlers if each.commands is commands]
 
-    def in_section(self, section: Section) -> list[QAction]:
+    def in_section(self, section: MenuSection) -> list[QAction]:
         """Return the actions of a section of a menu, in order."""
         return self._by_section.get(section, [])
 
-    def in_strip(self, strip: Strip) -> dict[int, list[QAction]]:
-        """Return the actions of a strip by the tens of their places, in order."""
-        groups = self.with_sections(strip).items()
+    def in_bar(self, bar: ActionBar) -> dict[int, list[QAction]]:
+        """Return the actions of a bar by the tens of their places, in order."""
+        groups = self.with_sections(bar).items()
         return {ten: [each for each in group if isinstance(each, QAction)] for ten, group in groups}
 
-    def choices_of(self, action: QAction) -> Strip | None:
-        """Return the strip of switches that the button of an action offers; None where it has none."""
+    def choices_of(self, action: QAction) -> ActionBar | None:
+        """Return the bar of switches that the button of an action offers; None where it has none."""
         declared = self._declared.get(action.objectName())
         return declared.choices if declared is not None else None
 
-    def with_sections(self, strip: Strip) -> dict[int, list[QAction | Section]]:
-        """Return the actions of a strip, and the sections that are submenus there, by their tens."""
-        return self._by_strip.get(strip, {})
+    def with_sections(self, bar: ActionBar) -> dict[int, list[QAction | MenuSection]]:
+        """Return the actions of a bar, and the sections that are submenus there, by their tens."""
+        return self._by_bar.get(bar, {})
 
     def of_menu(self, menu: Menu) -> Iterator[tuple[Action, QAction]]:
         """Yield the actions that stand in `menu`, in order."""
@@ -274,7 +274,7 @@ class Actions(QObject):
         if others:
             self.switched.emit()
 
-    def open_section(self, section: Section) -> None:
+    def open_section(self, section: MenuSection) -> None:
         """Say of the actions of a section what is asked when their menu opens.
 
         It holds until actions are rendered for other facts or another curve.

@@ -12,8 +12,8 @@ from itertools import count
 import msgspec
 
 from ..view_model.analysis.overlay import Group
+from .action_bars import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, BarPosition
 from .needs import CHOSEN, NOTHING, Need
-from .strips import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, Place
 
 MENUS: list[Menu] = []
 """The menus of the menu bar, in order."""
@@ -21,7 +21,7 @@ MENUS: list[Menu] = []
 _places = count()
 
 
-class Section(msgspec.Struct, frozen=True):
+class MenuSection(msgspec.Struct, frozen=True):
     """Entries that stand together in a menu, or in a submenu of it.
 
     Attributes
@@ -37,7 +37,7 @@ class Section(msgspec.Struct, frozen=True):
     also
         Where in context menus it stands, too: there as a submenu.
     called
-        The title of that submenu; sections of one title that follow each other in a strip share it.
+        The title of that submenu; sections of one title that follow each other in a bar share it.
     """
 
     menu: Menu
@@ -45,7 +45,7 @@ class Section(msgspec.Struct, frozen=True):
     is_separated: bool
     place: int
     needs: Need
-    also: tuple[Place, ...] = ()
+    also: tuple[BarPosition, ...] = ()
     called: str = ""
 
 
@@ -66,7 +66,7 @@ class Menu:
 
     def __init__(self, title: str, *, interrupts: bool = False, needs: Need = NOTHING) -> None:
         self.title, self.interrupts, self.needs = title, interrupts, needs
-        self.sections: list[Section] = []
+        self.sections: list[MenuSection] = []
         MENUS.append(self)
 
     def section(
@@ -75,12 +75,12 @@ class Menu:
         *,
         is_separated: bool = True,
         needs: Need | None = None,
-        also: Collection[Place] = (),
+        also: Collection[BarPosition] = (),
         called: str = "",
-    ) -> Section:
+    ) -> MenuSection:
         """Return a new section at the end of the menu; in context menus it is called as its submenu is."""
         needs = self.needs if needs is None else needs
-        made = Section(self, submenu, is_separated, next(_places), needs, tuple(also), called or submenu)
+        made = MenuSection(self, submenu, is_separated, next(_places), needs, tuple(also), called or submenu)
         self.sections.append(made)
         return self.sections[-1]
 

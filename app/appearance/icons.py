@@ -11,7 +11,7 @@ from PySide6.QtCore import QByteArray, QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QIconEngine, QImage, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..storage.resources import resource
 from .theme import Theme, mix
 
@@ -52,7 +52,7 @@ def _files() -> dict[str, str]:
     return {path.name.removesuffix(".svg"): path.path for path in os.scandir(resource("icons"))}
 
 
-class _IconEngine(Guarded, QIconEngine):
+class _IconEngine(SafeOverrides, QIconEngine):
     """Draws an icon when a size of it is first asked for: at the start most never are."""
 
     def __init__(self, path: str, theme: Theme) -> None:

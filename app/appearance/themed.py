@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
 
-from ..qt.overrides import Guarded, guard
+from ..qt.overrides import SafeOverrides, guard
 from .theme import LIGHT, Theme, theme_of
 
 
-class FollowsTheme(Guarded):
+class FollowsTheme(SafeOverrides):
     """Mixin for widgets, named before Qt's class: `set_theme` is called whenever there is another theme.
 
     It begins with `follow_theme`, called when the widget is built.

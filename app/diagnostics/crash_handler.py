@@ -133,7 +133,7 @@ class CrashHandler(QObject):
 
 
 def _keeps_window_open(problem: BaseException) -> bool:
-    """Whether a window was asked to close and has failed to; see `overrides.Guarded`."""
+    """Whether a window was asked to close and has failed to; see `overrides.SafeOverrides`."""
     return any(
         frame.f_code.co_name == "closeEvent" for frame, _line in traceback.walk_tb(problem.__traceback__)
     )

@@ -7,12 +7,12 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from .graphs import pg
 from .pixel_map import PixelMap
 
 
-class ViewBox(Guarded, pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
+class ViewBox(SafeOverrides, pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
     """pyqtgraph's view box without its menu.
 
     Attributes

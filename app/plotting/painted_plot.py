@@ -9,7 +9,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsView, QSizePolicy, QWidget
 
 from ..appearance.theme import Theme, theme_of
-from ..qt.overrides import Guarded, guard_library
+from ..qt.overrides import SafeOverrides, guard_library
 from .axes import Axes, Axis
 from .camera import Camera, ViewBox
 from .graphs import ChildGroup, pg
@@ -23,7 +23,7 @@ _FOCUS_WIDTH = 2
 guard_library(pg.GraphicsView, pg.GraphicsScene, pg.ViewBox, ChildGroup)
 
 
-class PaintedPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph has no types
+class PaintedPlot(SafeOverrides, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph has no types
     """A plot of layers, beside its axes.
 
     Attributes

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QWidget
 
-from .overrides import Guarded, guard
+from .overrides import SafeOverrides, guard
 
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
@@ -15,7 +15,7 @@ PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReas
 """Ways to lose the focus of somebody who comes back to go on typing: another window, the field's own menu."""
 
 
-class ClaimsKeys(Guarded):
+class ClaimsKeys(SafeOverrides):
     """Mixin for widgets, named before Qt's class: keys that `claims` knows do not go to the window."""
 
     def claims(self, event: QKeyEvent) -> bool:
@@ -38,7 +38,7 @@ _OF_TEXT = frozenset(map(Qt.Key, map(ord, "ACVXYZ")))
 _SHIFT, _CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 
 
-class FieldShortcuts(Guarded, QObject):
+class FieldShortcuts(SafeOverrides, QObject):
     """Lets the shortcuts of a window act while one of its fields has the focus: Ctrl and a letter.
 
     On X11 Qt's fields claim some of these, Ctrl+E for the end of the line. Where no shortcut has the keys

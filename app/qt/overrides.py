@@ -1,4 +1,4 @@
-"""Guarded overrides: an exception in a method that Qt calls is reported there, and the program goes on.
+"""SafeOverrides overrides: an exception in a method that Qt calls is reported there, and the program goes on.
 
 PySide6 hands an exception of an override on to whichever Python code called Qt last, if any did: that code
 stops halfway, though nothing of it failed. Until Python 3.12 it even ends the process with a segmentation
@@ -24,12 +24,12 @@ from PySide6.QtCore import QEvent
 _Method = TypeVar("_Method", bound=Callable[..., object])
 
 
-class Guarded:
+class SafeOverrides:
     """Mixin for classes derived from Qt's: every method that overrides one of Qt's is guarded.
 
-    It is named before Qt's class, ``class Canvas(Guarded, QWidget)``, and serves the subclasses too. Where
-    an override fails, the exception goes to `sys.excepthook` and Qt gets an empty value of the type that
-    the override declares to return. A window that failed to close stays open.
+    It is named before Qt's class, ``class Canvas(SafeOverrides, QWidget)``, and serves the subclasses too.
+    Where an override fails, the exception goes to `sys.excepthook` and Qt gets an empty value of the type
+    that the override declares to return. A window that failed to close stays open.
     """
 
     __slots__ = ()

@@ -14,7 +14,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from ..document.model import Document
 from ..document.selection import Choice
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 
 _RUN_SECONDS = 1.0
 """Changes of the same run that follow each other as quickly as this are one step."""
@@ -60,7 +60,7 @@ class State(msgspec.Struct, frozen=True):
     choice: Choice | None = None
 
 
-class UndoStep(Guarded, QUndoCommand):
+class UndoStep(SafeOverrides, QUndoCommand):
     """A step from one state to the next; the values are computed before it is made.
 
     One that `joins` becomes a part of the step before it. `restore` brings a state back.

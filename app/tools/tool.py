@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from ..document.model import Vector
 from ..document.point_group import points_of
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.records import Records
+from ..view_model.registry import Registry
 from .background import Background
 from .drag_machine import DragMachine, EditingHost
 from .drags import NudgePoints
@@ -132,10 +132,10 @@ class ToolContext(msgspec.Struct, frozen=True):
         hit = self.surface.hit(self.pointer, self.tool) if self.pointer.is_there else None
         return self.at(replace(self.pointer, hit=hit))
 
-    def preview_snap(self, place: int) -> None:
-        """Show where a press would put the point of index `place`, −1 for none in particular."""
+    def preview_snap(self, index: int) -> None:
+        """Show where a press would put the point of `index`, −1 for none in particular."""
         if self.settings.snapping.on and self.pointer.is_there:
-            self.snappers.show_before_press(self.pointer, place)
+            self.snappers.show_before_press(self.pointer, index)
 
     def step_of(self, stride: Stride) -> float:
         """Return how far an arrow key goes: a step of the grid that snaps, or a round number."""
@@ -343,7 +343,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         What the canvas says while it is empty; empty where another tool has to be chosen first.
     doing, gestures
         What a person does who uses it, such as "measuring", and how: what the sheet of keys and mouse says.
-    place
+    rank
         Where it stands among the tools of menu and toolbar.
     action, title, full_name, key, icon, tip
         What the action has by which it is selected: object name, text in a menu and where no menu stands
@@ -361,7 +361,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     beginning: str = ""
     doing: str = ""
     gestures: tuple[GestureRow, ...] = ()
-    place: int = 1000
+    rank: int = 1000
     action: str = ""
     title: str = ""
     full_name: str = ""
@@ -373,12 +373,12 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     keywords: str = ""
 
     @property
-    def order(self) -> tuple[int, ...]:
-        """The place among the others."""
-        return (self.place,)
+    def sort_key(self) -> tuple[int, ...]:
+        """The key by which records are sorted in menus and panels."""
+        return (self.rank,)
 
 
-TOOLS = Records(ToolRecord, f"{__package__}.canvas")
+TOOLS = Registry(ToolRecord, f"{__package__}.canvas")
 """The tools that a person chooses for the canvas.
 
 To add one: a file in ``canvas`` with a subclass of `Tool` and its `ToolRecord`. The action with its key and

@@ -17,7 +17,7 @@ The rooms, each of which imports from those further down alone:
 - ``look``: lines, marks and colours.
 - ``geometry``: vectors, samples and lengths of the plane.
 
-And ``records``: registries that read their records off the modules of a package.
+And ``registry``: registries that read their records off the modules of a package.
 """
 
 import lazy_loader as lazy

@@ -7,7 +7,7 @@ from PySide6.QtGui import QCloseEvent, QColor, QKeyEvent
 from PySide6.QtWidgets import QColorDialog, QFrame, QPushButton, QWidget
 
 from ..qt.keys import ENTER
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from .boxes import column_of
 from .controls import named
 
@@ -19,7 +19,7 @@ _OPTIONS = (
 )
 
 
-class ColourPopup(Guarded, QFrame):
+class ColourPopup(SafeOverrides, QFrame):
     """Qt's choice of colours without a dialog around it: Enter or a click elsewhere takes the colour.
 
     Signals

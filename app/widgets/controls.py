@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QProgressBar, QPushButton, QWidget
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 
 _Named = TypeVar("_Named", bound=QWidget)
 
@@ -38,7 +38,7 @@ def check_box(name: str, text: str, tip: str, label: str = "") -> QCheckBox:
     return named(QCheckBox(text), name, label, tip)
 
 
-class ChoiceBox(Guarded, QComboBox):
+class ChoiceBox(SafeOverrides, QComboBox):
     """A box of choices that the wheel turns while it has the focus; else what lies around it scrolls."""
 
     def __init__(self) -> None:

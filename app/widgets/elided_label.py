@@ -13,7 +13,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy
 
 from ..qt.labels import Label, set_tip, tip_of
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 
 _STEP = 16
 """Pixels by which the room of a label grows, so that a digit more or less moves nothing."""
@@ -22,7 +22,7 @@ _SPARE = 3 * _STEP
 """Pixels of unused room that a label keeps."""
 
 
-class SteadyLabel(Guarded, Label):
+class SteadyLabel(SafeOverrides, Label):
     """A line of plain text that asks for more or less room only when it needs it.
 
     Attributes

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QPaintEvent, QScreen, QShowEvent
 from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QScrollBar, QWidget
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from .boxes import column_of
 
 FRAME = QSize(16, 48)
@@ -27,7 +27,7 @@ def room_on(screen: QScreen) -> QSize:
     return screen.availableSize() - FRAME
 
 
-class _QuietBar(Guarded, QScrollBar):
+class _QuietBar(SafeOverrides, QScrollBar):
     """A scroll bar that is not seen where there is nothing to scroll, though it has its room."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -35,7 +35,7 @@ class _QuietBar(Guarded, QScrollBar):
             super().paintEvent(event)
 
 
-class Scrolled(Guarded, QScrollArea, Generic[Content]):
+class Scrolled(SafeOverrides, QScrollArea, Generic[Content]):
     """Content that has the size it likes where there is room, and scrolls where there is not.
 
     Parameters
@@ -105,7 +105,7 @@ class Scrolled(Guarded, QScrollArea, Generic[Content]):
             self.updateGeometry()
 
 
-class FittedDialog(Guarded, QDialog):
+class FittedDialog(SafeOverrides, QDialog):
     """A dialog that is never larger than the screen; its buttons stay in sight.
 
     Attributes

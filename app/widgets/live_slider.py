@@ -6,12 +6,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QAbstractSlider, QSlider
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 
 _MOVE = QAbstractSlider.SliderAction.SliderMove.value
 
 
-class LiveSlider(Guarded, QSlider):
+class LiveSlider(SafeOverrides, QSlider):
     """A slider whose drag can be cancelled with Escape.
 
     Signals

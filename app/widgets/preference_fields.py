@@ -15,7 +15,7 @@ from ..appearance.theme import theme_of
 from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
 from ..qt.labels import Label
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..settings.kinds import Choice, Distance, Setting, Several, Text, Value
 from .controls import check_box, choice_box
 from .field_edit import NumberEdit, read_number
@@ -90,7 +90,7 @@ class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
             check.setChecked(each in value)
 
 
-class _WholeTextEdit(Guarded, QLineEdit):
+class _WholeTextEdit(SafeOverrides, QLineEdit):
     """A line whose whole text is selected by the click that enters it: what is typed replaces it.
 
     In a box, of which one word is chosen, typing would go on from the word that is there.

@@ -10,7 +10,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox
 
 from ..document.words import number
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from .controls import named
 
 _FAR = 999_999_999
@@ -43,7 +43,7 @@ def _describe(box: RangedSpinBox | RangedDoubleSpinBox, name: str, label: str, t
     named(box, name, label, tip)
 
 
-class RangedSpinBox(Guarded, QSpinBox):
+class RangedSpinBox(SafeOverrides, QSpinBox):
     """A whole number between two limits, typed or stepped; the arrows stay between them.
 
     Attributes
@@ -58,13 +58,13 @@ class RangedSpinBox(Guarded, QSpinBox):
         self.setLocale(QLocale.c())
         _describe(self, name, label, tip)
 
-    # In the body of each class, where `Guarded` finds what overrides Qt's.
+    # In the body of each class, where `SafeOverrides` finds what overrides Qt's.
     stepBy = _step_between  # noqa: N815 - as Qt calls it
     wheelEvent = _turn
     problem = property(_problem_of)
 
 
-class RangedDoubleSpinBox(Guarded, QDoubleSpinBox):
+class RangedDoubleSpinBox(SafeOverrides, QDoubleSpinBox):
     """As `RangedSpinBox`, with decimals."""
 
     def __init__(self, name: str, label: str, tip: str, limits: tuple[float, float]) -> None:

@@ -33,7 +33,7 @@ from ..actions.keymap import full_name_of, keywords_of, native, why_not
 from ..appearance.theme import Theme, mix, theme_of
 from ..qt.keys import ENTER
 from ..qt.labels import Label
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..widgets.boxes import column_of
 from ..widgets.controls import named
 from ..widgets.overlay_frame import OverlayFrame
@@ -203,7 +203,7 @@ def _ranked(commands: Sequence[tuple[Command, SearchEntry]], typed: str) -> list
     return sorted(found, key=lambda command: not command.action.isEnabled())
 
 
-class _CommandModel(Guarded, QAbstractListModel):
+class _CommandModel(SafeOverrides, QAbstractListModel):
     """The commands found; made anew at every letter, so it holds nothing but a list."""
 
     def __init__(self, parent: QObject) -> None:
@@ -228,7 +228,7 @@ class _CommandModel(Guarded, QAbstractListModel):
         return command.action.statusTip() if role == Qt.ItemDataRole.ToolTipRole else None
 
 
-class _SearchField(Guarded, QLineEdit):
+class _SearchField(SafeOverrides, QLineEdit):
     """The field; the keys that walk a list are the list's."""
 
     def __init__(self, palette: CommandPalette) -> None:
@@ -271,7 +271,7 @@ def _command_list() -> QListView:
     return view
 
 
-class _CommandDelegate(Guarded, QStyledItemDelegate):
+class _CommandDelegate(SafeOverrides, QStyledItemDelegate):
     """Draws icon, name, menu path and keys of a command; muted where it is of no use now."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:

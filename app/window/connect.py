@@ -7,8 +7,8 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
+from ..actions.action_bars import BarPosition
 from ..actions.declaration import Action, all_declared, declared_widgets
-from ..actions.strips import Place
 from ..appearance.theme import Theme
 from ..document.edits import EditError
 from ..features import command_sets
@@ -84,7 +84,7 @@ class Commands:
         self._context.actions.take_back_click(action.name)
         self.wake()
 
-    def widgets(self) -> dict[Place, ToolbarWidget]:
+    def widgets(self) -> dict[BarPosition, ToolbarWidget]:
         """Return what stands in the toolbar besides actions."""
         return dict(pair for kind, each in self._sets.items() for pair in declared_widgets(kind, each))
 

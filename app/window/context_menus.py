@@ -8,12 +8,12 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu
 
+from ..actions.action_bars import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, POINT_MENU
 from ..actions.declaration import place_actions
-from ..actions.strips import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, POINT_MENU
 from ..document.shape_edits import pressed
 from ..tools.pointer import Hit, Part
+from ..workbench.bar_menu import bar_menu
 from ..workbench.context import WindowContext
-from ..workbench.strip_menu import strip_menu
 
 
 class ContextMenus:
@@ -46,9 +46,9 @@ class ContextMenus:
         elif hit is not None and hit.part is not Part.GUIDE:
             if hit.index not in session.selection:
                 session.selected.set_points([hit.index])
-            strip_menu(self._context, POINT_MENU).popup(place)
+            bar_menu(self._context, POINT_MENU).popup(place)
         else:
-            strip_menu(self._context, CANVAS_MENU).popup(place)
+            bar_menu(self._context, CANVAS_MENU).popup(place)
 
     def _as_own(self, hit: Hit) -> Hit:
         """Make the curve of a point or handle the active one; one that was chosen whole is meant whole."""
@@ -70,11 +70,11 @@ class ContextMenus:
     def _open_on_curves(self, place: QPoint) -> None:
         """Open the menu of what is chosen as a whole; of a curve that is edited, its own."""
         is_whole = bool(self._context.session.selected.chosen)
-        strip_menu(self._context, CHOSEN_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(place)
+        bar_menu(self._context, CHOSEN_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(place)
 
     def _curve_menu(self, t: float) -> QMenu:
         """Return the menu for a place on the active curve."""
-        menu = strip_menu(self._context, CURVE_MENU)
+        menu = bar_menu(self._context, CURVE_MENU)
         top = menu.actions()[0]
         for entry, act in self._at_place:
             known = self._context.actions[entry.like]

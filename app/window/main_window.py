@@ -31,7 +31,7 @@ from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector
 from ..plotting.tool_plot import ToolPlot
 from ..qt.keys import ENTER, FieldShortcuts
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..state.analysis import Analysis
@@ -52,7 +52,7 @@ from .toolbar import Toolbar
 from .window_layout import hide_floating, restore_layout, when_first_shown
 
 
-class MainWindow(Guarded, QMainWindow):
+class MainWindow(SafeOverrides, QMainWindow):
     """One document in one window.
 
     Attributes

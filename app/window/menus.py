@@ -21,7 +21,7 @@ from ..actions.sections import (
     POINTS_KINDS,
     VIEW_PANELS,
     Menu,
-    Section,
+    MenuSection,
 )
 from ..qt.labels import menu_text
 from ..settings.preferences import Preferences
@@ -41,7 +41,7 @@ class Menus:
         self._actions = actions
         self._window = window
         self._submenus: dict[tuple[Menu, str], QMenu] = {}
-        self._places: dict[Section, QMenu] = {}
+        self._places: dict[MenuSection, QMenu] = {}
         titles = with_mnemonics([menu.title for menu in MENUS])
         for menu, marked in zip(MENUS, titles, strict=True):
             self._fill(window.menuBar().addMenu(marked), menu)
@@ -52,7 +52,7 @@ class Menus:
         self._submenu(CURVE_CONVERT).aboutToShow.connect(lambda: actions.open_section(CURVE_CONVERT))
         actions.redeclared.connect(self._follow_actions)
 
-    def _submenu(self, section: Section) -> QMenu:
+    def _submenu(self, section: MenuSection) -> QMenu:
         return self._submenus[section.menu, section.submenu]
 
     def _fill(self, bar_menu: QMenu, menu: Menu) -> None:
@@ -68,7 +68,7 @@ class Menus:
         for section, place in self._places.items():
             put_in(place, self._actions.in_section(section))
 
-    def _place_of(self, section: Section, menu: QMenu) -> QMenu:
+    def _place_of(self, section: MenuSection, menu: QMenu) -> QMenu:
         """Return the menu of a section; a submenu is made with its first one."""
         title, key = section.submenu, (section.menu, section.submenu)
         if title and key not in self._submenus:

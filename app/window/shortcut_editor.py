@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from ..actions.keymap import Keymap, keys_text, native, refusal
 from ..appearance.theme import theme_of
 from ..qt.labels import Label
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..widgets.boxes import column_of, row_of
 from ..widgets.controls import named, push_button
 from .fuzzy import SearchEntry, ranked
@@ -26,7 +26,7 @@ _NAME = Qt.ItemDataRole.UserRole
 _HEADERS = ("Action", "Keys", "Menu")
 
 
-class ShortcutEditor(Guarded, QWidget):
+class ShortcutEditor(SafeOverrides, QWidget):
     """A table of actions and keys; what is recorded there is in force at once.
 
     Keys that another action has are not taken from it until the person says so.

@@ -9,15 +9,15 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QAction, QActionEvent, QKeyEvent, QMouseEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidget, QWidgetAction
 
+from ..actions.action_bars import TOOLBAR, BarPosition
 from ..actions.qactions import Actions
-from ..actions.strips import TOOLBAR, Place
 from ..qt.keys import ENTER
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..widgets.controls import ToolbarWidget, named
 from .menus import put_in
 
 
-class ChoicesMenu(Guarded, QMenu):
+class ChoicesMenu(SafeOverrides, QMenu):
     """Menu of switches: a click or Space on one leaves it open; Escape closes it."""
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -62,7 +62,7 @@ _STEPS = (
 _ICON_SIZE = QSize(20, 20)
 
 
-class Toolbar(Guarded, QToolBar):
+class Toolbar(SafeOverrides, QToolBar):
     """Says less in a narrow window, so that as much as can be is not behind its arrow."""
 
     def __init__(self, actions: Actions, parent: QWidget) -> None:
@@ -80,8 +80,8 @@ class Toolbar(Guarded, QToolBar):
         actions.redeclared.connect(self._follow_actions)
         actions.switched.connect(self._fit)
 
-    def fill(self, widgets: Mapping[Place, ToolbarWidget]) -> None:
-        """Add the actions of the strip, and `widgets` at their places."""
+    def fill(self, widgets: Mapping[BarPosition, ToolbarWidget]) -> None:
+        """Add the actions of the bar, and `widgets` at their places."""
         self._widgets = list(widgets.values())
         for _, group in sorted(self._groups(widgets).items()):
             self.addActions([_separator(self), *group] if self.actions() else group)
@@ -92,18 +92,18 @@ class Toolbar(Guarded, QToolBar):
     def _add_choices(self) -> None:
         """Give an arrow to each button whose action comes with choices."""
         for action in self.actions():
-            button, strip = self.widgetForAction(action), self._actions.choices_of(action)
-            if strip is not None and isinstance(button, QToolButton):
-                menu = named(ChoicesMenu(button), f"{action.objectName()}Menu", strip.name)
+            button, bar = self.widgetForAction(action), self._actions.choices_of(action)
+            if bar is not None and isinstance(button, QToolButton):
+                menu = named(ChoicesMenu(button), f"{action.objectName()}Menu", bar.name)
                 menu.setToolTipsVisible(True)
-                for ten in self._actions.in_strip(strip).values():
+                for ten in self._actions.in_bar(bar).values():
                     menu.addActions(ten)
                 button.setMenu(menu)
                 button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
 
-    def _groups(self, widgets: Mapping[Place, ToolbarWidget]) -> dict[int, list[QAction]]:
-        """Return what stands in the strip by the tens of its places; of each ten, the widgets come last."""
-        groups = self._actions.in_strip(TOOLBAR)
+    def _groups(self, widgets: Mapping[BarPosition, ToolbarWidget]) -> dict[int, list[QAction]]:
+        """Return what stands in the bar by the tens of its places; of each ten, the widgets come last."""
+        groups = self._actions.in_bar(TOOLBAR)
         for place, widget in widgets.items():
             holder = QWidgetAction(self)
             holder.setDefaultWidget(widget)
@@ -119,7 +119,7 @@ class Toolbar(Guarded, QToolBar):
         """Put in what has come, and leave out what is gone."""
         self._in_words = [each for each in self._in_words if each.objectName()]
         known = set(self.actions())
-        for entries in self._actions.in_strip(TOOLBAR).values():
+        for entries in self._actions.in_bar(TOOLBAR).values():
             put_in(self, entries)
             self._follow(each for each in entries if each not in known)
         self._widths.clear()

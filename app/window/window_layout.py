@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, QTimer
 from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..settings.preferences import Preferences
 from ..widgets.fitting import room_on
 from ..workbench.dock_room import hide_idle_docks
@@ -63,7 +63,7 @@ def when_first_shown(window: QMainWindow, act: Callable[[], None]) -> None:
     _FirstShow(window, act)
 
 
-class _FirstShow(Guarded, QObject):
+class _FirstShow(SafeOverrides, QObject):
     """Waits for a window to be shown."""
 
     def __init__(self, window: QMainWindow, act: Callable[[], None]) -> None:

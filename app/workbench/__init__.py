@@ -10,6 +10,6 @@
   ``file_work``: files beside the window.  ``disk_watch``: notices that a file may have changed.
 - ``status_line``: hints and messages; ``readouts``: numbers beside them.  ``clipboard``: what is put there.
 - ``highlight``: what is highlighted, by selection and focus, and its removal.
-- ``strip_menu``: context menus.
+- ``bar_menu``: context menus.
 - ``form_edits``: changes of the document by a form, live by its sliders.
 """

@@ -8,7 +8,7 @@ from PySide6.QtCore import QSize, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
 
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..widgets.fitting import Scrolled
 from .dock_title import DockTitle
 
@@ -16,7 +16,7 @@ _IN_DOCK = QSize(350, 96)
 """Largest minimum size of the content of a dock: two of them, one on the other, fit a small screen."""
 
 
-class Dock(Guarded, QDockWidget):
+class Dock(SafeOverrides, QDockWidget):
     """A dock that is empty until it is filled; `build` makes its content in the parent that it gets.
 
     Attributes

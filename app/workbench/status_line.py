@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QStatusBar, QStyle, QStyleOption, QWidget
 
 from ..appearance.theme import theme_of
-from ..qt.overrides import Guarded
+from ..qt.overrides import SafeOverrides
 from ..widgets.elided_label import ElidedLabel
 from .readouts import Readouts
 
@@ -19,7 +19,7 @@ _SOON_MS = 33
 """Milliseconds after which words are written that change with every move: nobody reads faster."""
 
 
-class StatusLine(Guarded, QStatusBar):
+class StatusLine(SafeOverrides, QStatusBar):
     """Shows a sentence at the left, numbers at the right.
 
     The sentence is one of four, the first that there is: how far a gesture has come; the tip of the menu

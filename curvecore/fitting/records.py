@@ -1,4 +1,4 @@
-"""Records of a fit: the data, and the curve that came of them."""
+"""Registry of a fit: the data, and the curve that came of them."""
 
 from __future__ import annotations
 

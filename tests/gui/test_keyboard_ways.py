@@ -13,7 +13,7 @@ from app.actions.mnemonics import plain, with_mnemonics
 from app.appearance.theme import theme_of
 from app.features.curve_list.commands import CurveListCommands
 from app.features.lessons.panel import LessonPanel
-from app.qt.overrides import Guarded
+from app.qt.overrides import SafeOverrides
 from app.window.focus_commands import first_in
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -199,7 +199,7 @@ def test_a_panel_in_which_nothing_takes_the_focus_does_not_own_the_rest_of_the_w
     assert owner.endswith(f"at {hex(id(view))}>")
 
 
-class GreedyField(Guarded, QLineEdit):
+class GreedyField(SafeOverrides, QLineEdit):
     """Claims every key, as Qt's fields do with Ctrl+E and others on X11 alone."""
 
     def event(self, event: QEvent) -> bool:

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 import app
 from app.document.edits import set_position
-from app.qt.overrides import Guarded, empty_result, is_guarded
+from app.qt.overrides import SafeOverrides, empty_result, is_guarded
 
 ROOT = Path(__file__).resolve().parents[2]
 LEAST_PLACES = 30
@@ -72,7 +72,7 @@ def test_every_override_of_the_program_is_guarded():
     classes = qt_classes(app)
     of_ours = {own for cls in classes for own in cls.__mro__ if own.__module__.startswith("app.")}
     assert sum(len(list(overrides(cls, own))) for cls in classes for own in of_ours & {*cls.__mro__}) > 180
-    assert unguarded(classes) == [], "name `Guarded` before Qt's class"
+    assert unguarded(classes) == [], "name `SafeOverrides` before Qt's class"
 
 
 def test_an_override_without_a_guard_is_found():
@@ -80,7 +80,7 @@ def test_an_override_without_a_guard_is_found():
         def paintEvent(self, event):
             pass
 
-    class Later(Guarded, QWidget):
+    class Later(SafeOverrides, QWidget):
         pass
 
     class Sub(Later):
@@ -166,7 +166,7 @@ def faults(monkeypatch):
     return found
 
 
-class FailsToPaint(Guarded, QWidget):
+class FailsToPaint(SafeOverrides, QWidget):
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         painter.drawPoint(0, int("x"))
@@ -175,12 +175,12 @@ class FailsToPaint(Guarded, QWidget):
         return [QSize(1, 2)][int("x")]
 
 
-class FailsToClose(Guarded, QWidget):
+class FailsToClose(SafeOverrides, QWidget):
     def closeEvent(self, event) -> None:
         int("x")
 
 
-class Child(Guarded, QLabel):
+class Child(SafeOverrides, QLabel):
     painted = 0
 
     def paintEvent(self, event) -> None:
@@ -257,11 +257,11 @@ def test_document_and_history_agree_after_a_step_that_failed(editor, faults, mon
 
 
 def test_a_failed_filter_lets_the_event_pass(qtbot, faults):
-    class Filter(Guarded, QObject):
+    class Filter(SafeOverrides, QObject):
         def eventFilter(self, watched, event) -> bool:
             return bool(1 / 0)
 
-    class Model(Guarded, QAbstractListModel):
+    class Model(SafeOverrides, QAbstractListModel):
         def rowCount(self, parent=None) -> int:
             return [1][int("x")]
 

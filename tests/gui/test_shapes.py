@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from app.actions.strips import CURVE_MENU
+from app.actions.action_bars import CURVE_MENU
 from app.appearance.theme import LIGHT
 from app.cli import main
 from app.document.model import Document, make_curve
@@ -18,7 +18,7 @@ from app.document.style import FillRule, Style
 from app.families import HERMITE
 from app.features.curve_list.dragging import OPENS_MS
 from app.features.curve_list.row_parts import Spot, spot_rect
-from app.workbench.strip_menu import strip_menu
+from app.workbench.bar_menu import bar_menu
 from tests.gui.curve_rows import click_row, heard, place_in, row_named, rows, view_of
 from tests.gui.editor_facts import undo_text
 from tests.waiting import until
@@ -840,7 +840,7 @@ def test_style_calls_a_shape_by_its_name_and_the_menu_of_a_curve_raises_it(ring)
     ring.show_dock("styleDock")
     name = ring.session.document.curves[0].shape
     assert ring.window.findChild(QLabel, "styleSubject").text() == name != ring.curve.name
-    menu = strip_menu(ring.window.context, CURVE_MENU)
+    menu = bar_menu(ring.window.context, CURVE_MENU)
     (order,) = [each.menu() for each in menu.actions() if each.text() == "Order"]
     assert {"raiseCurve", "lowerCurve"} <= {each.objectName() for each in order.actions()}
     assert "groupCurves" in {each.objectName() for each in menu.actions()}

@@ -114,7 +114,7 @@ class Format(FileKind):
     ----------
     description
         The title in a sentence; a format without one is not offered there.
-    place
+    rank
         Where it stands in lists: they are in ascending order.
     options
         Those that it has.
@@ -137,7 +137,7 @@ class Format(FileKind):
     """
 
     description: str = ""
-    place: int = 1000
+    rank: int = 1000
     options: tuple[Option[Any], ...] = ()
     hidden: Callable[[Mapping[str, Any]], Sequence[Option[Any]]] = lambda _values: ()
     write: Callable[[Document, Options], Written] | None = None
@@ -159,7 +159,7 @@ class Registry:
             names = [each.name for each in iter_modules(__path__)]
             found = [each for name in names for each in import_module(f"{__name__}.{name}").FORMATS]
             self._found = _unambiguous(found)
-        return iter(sorted(self._found, key=lambda each: each.place))
+        return iter(sorted(self._found, key=lambda each: each.rank))
 
     def add(self, new: Format) -> None:
         """Add a format that no module of this package lists.

@@ -90,7 +90,7 @@ FORMATS = (
     Format(
         endings=(".traj", ".chor"),
         title="Choreo trajectory",
-        place=77,
+        rank=77,
         kind=ContentKind.TABLE,
         plural="Choreo trajectories",
         read=read_trajectories,

@@ -181,14 +181,14 @@ FORMATS = (
         endings=(".py",),
         title="Python with NumPy",
         description="A program that computes the curves; it needs NumPy alone.",
-        place=80,
+        rank=80,
         write=python_code,
     ),
     Format(
         endings=(".scipy.py",),
         title="Python with SciPy",
         description="The curves as objects of scipy.interpolate.",
-        place=90,
+        rank=90,
         write=scipy_code,
     ),
 )

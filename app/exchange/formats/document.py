@@ -24,7 +24,7 @@ FORMATS = (
     Format(
         endings=(DOCUMENT_ENDING,),
         title="Curvebench document",
-        place=0,
+        rank=0,
         write=_write,
         kind=ContentKind.DOCUMENT,
         plural="Curvebench documents",

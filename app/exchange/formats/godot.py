@@ -79,7 +79,7 @@ FORMATS = (
     Format(
         endings=(".tres", ".tscn"),
         title="Godot curve",
-        place=78,
+        rank=78,
         kind=ContentKind.DRAWING,
         plural="Godot curves",
         read=read_curves,

@@ -122,7 +122,7 @@ FORMATS = (
     Format(
         endings=(".gpx",),
         title="GPX track",
-        place=79,
+        rank=79,
         kind=ContentKind.TABLE,
         plural="GPX tracks",
         read=read_gpx,

@@ -66,7 +66,7 @@ FORMATS = (
     Format(
         endings=(".path",),
         title="PathPlanner path",
-        place=76,
+        rank=76,
         kind=ContentKind.DRAWING,
         plural="PathPlanner paths",
         read=read_path,

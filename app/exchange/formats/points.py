@@ -73,7 +73,7 @@ FORMATS = (
         endings=(".points.csv", ".points.tsv"),
         title="Table of points (CSV)",
         description="The points with their derivatives. Imported again, they give the same curves.",
-        place=70,
+        rank=70,
         write=points_table,
     ),
 )

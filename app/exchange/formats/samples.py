@@ -215,7 +215,7 @@ FORMATS = tuple(
         endings=(ending,),
         title=f"Table of samples ({ending[1:].upper()})",
         description=f"Numbers along each curve, with {words} between them.",
-        place=50,
+        rank=50,
         options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
         hidden=_hidden,
         write=partial(sampled_table, separator=separator),

@@ -10,14 +10,14 @@ FORMATS = (
     Format(
         endings=(".csv", ".tsv", ".txt", ".dat"),
         title="Table",
-        place=60,
+        rank=60,
         kind=ContentKind.TABLE,
         plural="Tables",
     ),
     Format(
         endings=(".npy",),
         title="NumPy array",
-        place=60,
+        rank=60,
         kind=ContentKind.TABLE,
         plural="NumPy arrays",
         read=read_array,
@@ -25,7 +25,7 @@ FORMATS = (
     Format(
         endings=(".json", ".geojson"),
         title="JSON or GeoJSON",
-        place=60,
+        rank=60,
         kind=ContentKind.TABLE,
         plural="JSON and GeoJSON",
         read=read_json,

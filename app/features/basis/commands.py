@@ -6,11 +6,11 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
+from ...actions.action_bars import RAIL_MENU
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.keymap import action_name
 from ...actions.needs import TWO_POINTS, Need
 from ...actions.sections import CURVE_STARTS, POINTS_TYPED
-from ...actions.strips import RAIL_MENU
 from ...document import edits
 from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState
@@ -19,9 +19,9 @@ from ...tools.toolbox import Toolbox
 from ...view_model.basis.basis_findings import findings_of, remark_on
 from ...view_model.basis.growth import growth_of_points
 from ...view_model.curve.curve_view import CurveView, view_of
+from ...workbench.bar_menu import bar_menu
 from ...workbench.central_pane import Pane
 from ...workbench.context import WindowContext
-from ...workbench.strip_menu import strip_menu
 from .pane import BasisPane
 from .panel import BasisPanel
 
@@ -116,7 +116,7 @@ class BasisCommands:
             self._session.selected.set_points([point])
 
     def _show_menu(self, place: QPoint) -> None:
-        strip_menu(self._context, RAIL_MENU, "railMenu").popup(place)
+        bar_menu(self._context, RAIL_MENU, "railMenu").popup(place)
 
     @action_for_each(
         _STARTS,

@@ -10,7 +10,7 @@ from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...qt.keys import ENTER, PASSING
 from ...qt.labels import Label
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...widgets.boxes import column_of
 from ...widgets.controls import named
 from ...widgets.field_edit import read_number
@@ -92,7 +92,7 @@ class TickEdit(OverlayFrame):
         self.set_sheet(f"#tickProblem {{ color: {theme.warning.name()} }}")
 
 
-class _TickLine(Guarded, QLineEdit):
+class _TickLine(SafeOverrides, QLineEdit):
     def __init__(self, owner: TickEdit) -> None:
         super().__init__(owner)
         self._owner = owner

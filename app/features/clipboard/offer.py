@@ -13,7 +13,7 @@ from ...document.model import Document
 from ...document.shapes import tidy_shapes
 from ...exchange.errors import ExchangeError
 from ...exchange.formats import Written
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...storage.format import encode
 from ...workbench.clipboard import SVG
 
@@ -22,7 +22,7 @@ _PNG, _IMAGE = "image/png", "application/x-qt-image"
 _WIDTH = 1600
 
 
-class Offer(Guarded, QMimeData):
+class Offer(SafeOverrides, QMimeData):
     """Curves, or points of one, for this program and for others.
 
     Pictures of them are drawn when a program asks: most of what is copied is pasted here.

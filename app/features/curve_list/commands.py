@@ -5,6 +5,13 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
+from ...actions.action_bars import (
+    CANVAS_MENU,
+    CHOSEN_MENU,
+    CURVE_LIST_BUTTONS,
+    CURVE_LIST_MENU,
+    CURVE_MENU,
+)
 from ...actions.declaration import action, also
 from ...actions.needs import SOME_CURVE, Need
 from ...actions.sections import (
@@ -14,13 +21,6 @@ from ...actions.sections import (
     CURVE_NUMBER,
     CURVE_PROPERTIES,
     EDIT_SELECT,
-)
-from ...actions.strips import (
-    CANVAS_MENU,
-    CHOSEN_MENU,
-    CURVE_LIST_BUTTONS,
-    CURVE_LIST_MENU,
-    CURVE_MENU,
 )
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
@@ -36,10 +36,10 @@ from ...document.several_curves import (
     what_stays,
 )
 from ...view_model.curve.curve_view import CurveView
+from ...workbench.bar_menu import bar_menu
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.highlight import highlighted_curves
-from ...workbench.strip_menu import strip_menu
 from .entries import Marks
 from .panel import CurveList
 from .row_edits import RowEdits
@@ -67,7 +67,7 @@ class CurveListCommands:
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the list."""
         self.panel = CurveList(parent)
-        self.panel.add_buttons(self._actions.in_strip(CURVE_LIST_BUTTONS)[1])
+        self.panel.add_buttons(self._actions.in_bar(CURVE_LIST_BUTTONS)[1])
         self.panel.view.deletion_wanted.connect(self._delete_all)
         self.panel.view.all_wanted.connect(self._choose_all)
         self.panel.menu_requested.connect(self._open_menu)
@@ -78,7 +78,7 @@ class CurveListCommands:
         return self.panel
 
     def _open_menu(self, place: QPoint) -> None:
-        strip_menu(self._context, CURVE_LIST_MENU, is_short=True).popup(place)
+        bar_menu(self._context, CURVE_LIST_MENU, is_short=True).popup(place)
 
     def render(self, view: CurveView) -> None:
         """Show the curves of the document."""

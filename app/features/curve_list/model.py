@@ -16,14 +16,14 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 from ...document.curve_tree import Node, NodeKind, counted_nodes, tree_of
 from ...document.model import Document
 from ...document.steps import changed_besides_points
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from .entries import Entry, Key, Marks, Row, entries_of, row_of_curve, rows_around, state_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
 
 
-class CurveListModel(Guarded, QAbstractListModel):
+class CurveListModel(SafeOverrides, QAbstractListModel):
     """Rows are curves, shapes and groups; the text is the name, and setting it asks for another one.
 
     Signals

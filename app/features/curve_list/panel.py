@@ -13,7 +13,7 @@ from ...appearance.theme import theme_of
 from ...document.curve_tree import Node
 from ...document.model import Document
 from ...document.style import Style
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
 from ...widgets.tool_buttons import action_button
@@ -24,7 +24,7 @@ from .row_parts import Spot
 from .view import CurveListView
 
 
-class CurveList(Guarded, QWidget):
+class CurveList(SafeOverrides, QWidget):
     """The list, and buttons for what can be done with a curve.
 
     Signals

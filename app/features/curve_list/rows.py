@@ -10,7 +10,7 @@ from ...appearance.icons import icon
 from ...appearance.swatches import draw_style
 from ...appearance.theme import Theme, mix, theme_of
 from ...document.curve_tree import NodeKind
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...widgets.controls import named
 from .entries import Entry, Row
 from .model import CurveListModel
@@ -21,7 +21,7 @@ Index = QModelIndex | QPersistentModelIndex
 _BAR, _DOT = 3, 3.0
 
 
-class RowDelegate(Guarded, QStyledItemDelegate):
+class RowDelegate(SafeOverrides, QStyledItemDelegate):
     """Paints a row, and edits its name in place."""
 
     def __init__(self, view: QListView, model: CurveListModel, parts: RowParts) -> None:

@@ -6,17 +6,17 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from ...actions.declaration import PlaceAction, action, also
-from ...actions.keymap import key_or_name
-from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE
-from ...actions.sections import CURVE_NEW, CURVE_SHAPE, POINTS_NUMBER
-from ...actions.strips import (
+from ...actions.action_bars import (
     CANVAS_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
     POINT_MENU,
 )
+from ...actions.declaration import PlaceAction, action, also
+from ...actions.keymap import key_or_name
+from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE
+from ...actions.sections import CURVE_NEW, CURVE_SHAPE, POINTS_NUMBER
 from ...document import curve_edits
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import NO_POINTS, some_points

@@ -6,16 +6,16 @@ from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 
-from ...actions.declaration import action, also
-from ...actions.needs import SECOND_CURVE, Need
-from ...actions.sections import CURVE_SHAPE, POINTS_NUMBER
-from ...actions.strips import (
+from ...actions.action_bars import (
     CHOSEN_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
     POINT_MENU,
 )
+from ...actions.declaration import action, also
+from ...actions.needs import SECOND_CURVE, Need
+from ...actions.sections import CURVE_SHAPE, POINTS_NUMBER
 from ...document import curve_edits
 from ...document.model import Document
 from ...document.several_curves import remove_curves

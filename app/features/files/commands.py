@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QApplication, QMainWindow
 
+from ...actions.action_bars import TOOLBAR
 from ...actions.declaration import action, also
 from ...actions.sections import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE
-from ...actions.strips import TOOLBAR
 from ...document.edits import EditError
 from ...workbench.context import WindowContext
 from .work_commands import WorkCommands

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 from ...document.words import NamedEnum
 from ...families import FAMILIES, Family
 from ...qt.labels import Label
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box, push_button
 from ...widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
@@ -35,7 +35,7 @@ class FitWish(msgspec.Struct, frozen=True):
     keeps_times: bool
 
 
-class FitPanel(Guarded, QScrollArea):
+class FitPanel(SafeOverrides, QScrollArea):
     """Form of a fit.
 
     Signals

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
+from ...actions.action_bars import TOOLBAR
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import EDIT_BACK, EDIT_HISTORY
-from ...actions.strips import TOOLBAR
 from ...qt.labels import menu_text
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel

@@ -7,7 +7,7 @@ from PySide6.QtGui import QPalette, QUndoStack
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem, QUndoView, QWidget
 
 from ...appearance.theme import mix, theme_of
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...widgets.boxes import column_of
 from ...widgets.controls import named
 
@@ -15,7 +15,7 @@ _MARGIN = 6
 """Pixels between the edge and the text of a row, besides what the style leaves."""
 
 
-class _StepDelegate(Guarded, QStyledItemDelegate):
+class _StepDelegate(SafeOverrides, QStyledItemDelegate):
     """Draws what was taken back in muted italics: it is there to be done again."""
 
     def __init__(self, view: QUndoView) -> None:

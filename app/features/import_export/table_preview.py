@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from ...appearance.theme import mix, theme_of
 from ...qt.labels import tip_of
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...widgets.controls import choice_box, named
 
 _FITTING = 12
@@ -120,7 +120,7 @@ def _short(text: str) -> str:
     return f"{value:.6g}".replace(".", mark) if isfinite(value) else text
 
 
-class RoleHeader(Guarded, QHeaderView):
+class RoleHeader(SafeOverrides, QHeaderView):
     """A horizontal head with titles, and a box above each.
 
     Signals

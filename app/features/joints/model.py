@@ -10,7 +10,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersisten
 
 from ...appearance.theme import LIGHT, Theme
 from ...document.words import number
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.joints import JointKind, JointRow
 from ...widgets.number_text import decimal_mark
 
@@ -31,7 +31,7 @@ _DIGITS = 3
 _Index = QModelIndex | QPersistentModelIndex
 
 
-class JointsModel(Guarded, QAbstractTableModel):
+class JointsModel(SafeOverrides, QAbstractTableModel):
     """Joints for a table view; read only."""
 
     def __init__(self, parent: QObject | None = None) -> None:

@@ -12,7 +12,7 @@ from ...actions.declaration import action, switch
 from ...actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from ...canvas.trace_layer import Trace
 from ...document.words import number
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...tasks.debounced_task import DebouncedTask
 from ...view_model import analysis
 from ...view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
@@ -34,7 +34,7 @@ _HEIGHT = 480
 """Pixels of the side that the laboratory needs for its controls and its table."""
 
 
-class LaboratoryCommands(Guarded, QObject):
+class LaboratoryCommands(SafeOverrides, QObject):
     """Keeps the laboratory in step with curve and settings, while it is on.
 
     It is on from the moment its dock is looked at until the dock is closed: with another tab in front the

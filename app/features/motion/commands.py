@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from ...actions.action_bars import TOOLBAR
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.keymap import action_name
 from ...actions.needs import CURVE_THROUGH_TWO, Need
-from ...actions.sections import MOTION_COMPARE, MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN, Section
-from ...actions.strips import TOOLBAR
+from ...actions.sections import (
+    MOTION_COMPARE,
+    MOTION_MORE,
+    MOTION_PACE,
+    MOTION_REPEAT,
+    MOTION_RUN,
+    MenuSection,
+)
 from ...families import Family
 from ...view_model.animation.motion_settings import Pace, Repeat, timed_families
 from ...view_model.curve.curve_view import CurveView
@@ -45,7 +52,7 @@ _PACES = (
 )
 
 
-def _chosen_of(each: _Choice, prefix: str, section: Section, group: str, field: str) -> Action:
+def _chosen_of(each: _Choice, prefix: str, section: MenuSection, group: str, field: str) -> Action:
     """Return the action that gives the setting `field` a value."""
     return Action(
         action_name(prefix, each.value),

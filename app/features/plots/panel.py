@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...workbench.central_pane import CentralPane
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 USUAL_HEIGHT = 170
 
 
-class PlotPanel(Guarded, CentralPane):
+class PlotPanel(SafeOverrides, CentralPane):
     """Holds the plots with their header once they are wanted.
 
     Attributes

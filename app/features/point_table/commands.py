@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
+from ...actions.action_bars import POINT_BUTTONS, POINT_MENU
 from ...actions.declaration import action, also
 from ...actions.needs import Need
 from ...actions.sections import POINTS_TYPED
-from ...actions.strips import POINT_BUTTONS, POINT_MENU
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
@@ -33,7 +33,7 @@ class PointTableCommands:
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the table."""
         self.panel = PointTable(parent)
-        self.panel.add_buttons(self._context.actions.in_strip(POINT_BUTTONS)[1])
+        self.panel.add_buttons(self._context.actions.in_bar(POINT_BUTTONS)[1])
         self._controller = PointTableController(self._session, self.panel, self._show_points)
         self._session.selection_changed.connect(self.panel.set_selection)
         return self.panel

@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 
 from ...appearance.theme import LIGHT, Theme, mix
 from ...qt.keys import ENTER, PASSING
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...widgets.number_text import (
     ColumnNumbers,
     Extent,
@@ -122,7 +122,7 @@ class CellEditor(QLineEdit):
         self.opened_with = ""
 
 
-class PointTableDelegate(Guarded, QStyledItemDelegate):
+class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
     """Draws numbers in columns and keeps an editor open until its text is a number or is given up.
 
     Only Enter and Tab set a number. An editor that is left by a click elsewhere gives up what was typed: a

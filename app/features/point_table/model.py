@@ -18,7 +18,7 @@ from ...document.edits import EditError, checked
 from ...document.expression import ExpressionError, parse_number
 from ...document.model import Point
 from ...document.words import number, with_minus
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.points.point_columns import Column, columns_of
 from ...view_model.points.point_kinds import CORNER, POINT_KINDS, PointKind, kinds_of
@@ -51,7 +51,7 @@ def _no_values(columns: Sequence[Column]) -> TableValues:
     return TableValues(np.empty((0, len(columns))), np.empty((0, len(columns)), dtype=bool))
 
 
-class PointTableModel(Guarded, QAbstractTableModel):
+class PointTableModel(SafeOverrides, QAbstractTableModel):
     """Rows are points, columns what `columns_of` the family gives.
 
     ``EditRole`` is the exact number, ``DisplayRole`` a rounded text. `setData` takes a number or the text of

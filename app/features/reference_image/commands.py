@@ -9,10 +9,10 @@ from pathlib import Path
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDockWidget, QFileDialog, QWidget
 
+from ...actions.action_bars import IMAGE_BUTTONS
 from ...actions.declaration import action, also, switch
 from ...actions.needs import Need
 from ...actions.sections import FILE_IMAGE
-from ...actions.strips import IMAGE_BUTTONS
 from ...canvas.image_file import ImageFileError, read_image
 from ...document.image_edits import set_image, set_image_file, set_image_opacity
 from ...document.model import ReferenceImage
@@ -65,7 +65,7 @@ class ImageCommands:
     @LatePanel("imageDock", "Image")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form of the picture, with its buttons."""
-        panel = self.panel = ImagePanel(self._actions.in_strip(IMAGE_BUTTONS)[1], parent)
+        panel = self.panel = ImagePanel(self._actions.in_bar(IMAGE_BUTTONS)[1], parent)
         self._edits = FormEdits(self._session, panel)
         self._opacity = SliderGesture(
             self._session,

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 
 from ... import view_model
+from ...actions.action_bars import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, BarPosition
 from ...actions.declaration import Action, Opened, action, action_for_each, also, also_for_each, widget_at
 from ...actions.keymap import key_or_name
 from ...actions.needs import UNLOCKED_CURVE, Need
@@ -16,10 +17,9 @@ from ...actions.sections import (
     CURVE_FAMILY,
     CURVE_PARAMETERS,
     CURVE_RULES,
-    Section,
+    MenuSection,
 )
 from ...actions.state import ActionState
-from ...actions.strips import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, Place
 from ...document import edits
 from ...document.curve_edits import replace_curve
 from ...document.edits import EditError
@@ -56,12 +56,12 @@ def _icon_of(family: Family) -> str:
     return own if has_resource("icons", f"{own}.svg") else "spline"
 
 
-def _section_of(family: Family) -> Section:
+def _section_of(family: Family) -> MenuSection:
     """Return the section of the menu Curve that a family stands in."""
     return CURVE_FAMILY if family in FAMILIES[:_BUTTONS] else CURVE_FAMILIES
 
 
-def _place_of(family: Family) -> Place:
+def _place_of(family: Family) -> BarPosition:
     """Return where a family stands in the toolbar."""
     return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
 
@@ -104,7 +104,7 @@ class RuleCommands:
 
     def _further(self) -> list[tuple[QAction, str]]:
         """Return the actions of families without a button of their own, with a short word for each."""
-        further = [each for group in self._actions.in_strip(FAMILIES_MENU).values() for each in group]
+        further = [each for group in self._actions.in_bar(FAMILIES_MENU).values() for each in group]
         return [(each, self._actions.words_of(each, short=True)) for each in further]
 
     def render(self, view: CurveView) -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from ...actions.action_bars import CANVAS_MENU, SNAP_MENU, TOOLBAR
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.sections import VIEW_SNAP, VIEW_SNAP_TO
-from ...actions.strips import CANVAS_MENU, SNAP_MENU, TOOLBAR
 from ...state.window_state import WindowState
 from ...tools.snapping import SnapKind
 from ...workbench.context import WindowContext

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QPushButton, QToolButton
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme
 from ...qt.labels import Label, set_tip, tip_of
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.teaching import Warned
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import push_button
@@ -71,7 +71,7 @@ class TeachingBadge(FollowsTheme, QToolButton):
         self.setStyleSheet(f"QToolButton {{ color: {theme.warning.name()}; padding: 0px 8px }}")
 
 
-class _Popup(Guarded, QFrame):
+class _Popup(SafeOverrides, QFrame):
     """The sentence, two links and a way to put it away."""
 
     def __init__(self, badge: TeachingBadge) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ...actions.action_bars import ALIGN_BUTTONS
 from ...actions.declaration import Action, action_for_each, also_for_each
 from ...actions.keymap import action_name
 from ...actions.needs import Need
@@ -12,10 +13,9 @@ from ...actions.sections import (
     ARRANGE_ALIGN_TO,
     ARRANGE_ALIGN_UP,
     ARRANGE_DISTRIBUTE,
-    Section,
+    MenuSection,
 )
 from ...actions.state import ActionState
-from ...actions.strips import ALIGN_BUTTONS
 from ...document.model import Document
 from ...document.several_curves import changeable, named, what_stays
 from ...document.shapes import whole_shapes
@@ -29,7 +29,7 @@ class _Alignment(NamedTuple):
     """Alignment, and the words of its action."""
 
     edge: Edge
-    section: Section
+    section: MenuSection
     tip: str
     place: int
 

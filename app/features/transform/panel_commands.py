@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
+from ...actions.action_bars import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...actions.declaration import action
 from ...actions.sections import ARRANGE_PANEL
-from ...actions.strips import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
@@ -52,8 +52,8 @@ class TransformPanelCommands(QObject):
         actions = self._context.actions
         self._panel = panel = transform.panel.TransformPanel(
             transform.panel.PanelActions(
-                actions.in_strip(TRANSFORM_BUTTONS)[1],
-                list(actions.in_strip(ALIGN_BUTTONS).values()),
+                actions.in_bar(TRANSFORM_BUTTONS)[1],
+                list(actions.in_bar(ALIGN_BUTTONS).values()),
                 actions["keepProportions"],
             ),
             parent,

@@ -7,14 +7,14 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QToolButton, QWidget
 
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...view_model.boxes.bounds import NINE, name_of_place
 from ...widgets.controls import named
 
 _SIDE = 17
 
 
-class PivotChooser(Guarded, QWidget):
+class PivotChooser(SafeOverrides, QWidget):
     """Nine buttons, of which the one where the pivot lies is down; none where it lies elsewhere.
 
     Tab leads to that one, and the arrows from there to the others.

@@ -7,6 +7,7 @@ from collections.abc import Collection
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
+from ...actions.action_bars import CANVAS_MENU, MORE_TOOLS_MENU, TOOLBAR
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch, widget_at
 from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...actions.sections import (
@@ -17,7 +18,6 @@ from ...actions.sections import (
     VIEW_SIZE,
     VIEW_THEME,
 )
-from ...actions.strips import CANVAS_MENU, MORE_TOOLS_MENU, TOOLBAR
 from ...appearance.theme import ThemeMode
 from ...document.several_curves import name_of, named
 from ...state.window_state import WindowState
@@ -111,7 +111,7 @@ class ViewCommands:
     @widget_at(TOOLBAR(35))
     def build_more_tools(self) -> ToolbarWidget:
         """Return the button of the toolbar for the tools without one of their own."""
-        tools = self._context.actions.in_strip(MORE_TOOLS_MENU).values()
+        tools = self._context.actions.in_bar(MORE_TOOLS_MENU).values()
         self._more_tools.offer([each for ten in tools for each in ten])
         return self._more_tools
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import Qt
 
+from ...actions.action_bars import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...actions.declaration import action, also
 from ...actions.needs import CURVE_WITH_POINTS
 from ...actions.sections import VIEW_ZOOM, VIEW_ZOOM_STEPS
-from ...actions.strips import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...plotting.scrolling import ZOOM_STEP
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -27,7 +27,7 @@ class ZoomCommands:
         self.field = ZoomField(context.status_line)
         self.field.zoom_entered.connect(self._take_zoom)
         self.field.refused.connect(context.session.refuse)
-        self.field.offer([*context.actions.in_strip(ZOOM_MENU).values()])
+        self.field.offer([*context.actions.in_bar(ZOOM_MENU).values()])
         context.status_line.addPermanentWidget(self.field)
         self._canvas.camera.changed.connect(self._show_zoom)
         self._unit_shown = self._unit

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QWi
 
 from ...document.words import number
 from ...qt.labels import Label
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.cures import CURES, Cure, Cures
 from ...view_model.analysis.wiggle import Explanation
 from ...view_model.analysis.wording import short
@@ -21,7 +21,7 @@ from .weight_bars import WeightBars
 _NOWHERE = "Click on the curve where it swings out."
 
 
-class CureButton(Guarded, QPushButton):
+class CureButton(SafeOverrides, QPushButton):
     """A cure: shows what it would do while the pointer or the focus is on it.
 
     Signals

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from ...appearance.colours import point_colours
 from ...appearance.theme import theme_of
 from ...document.derivatives import DERIVATIVES
-from ...qt.overrides import Guarded
+from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.wiggle import MOST_PULLS, Pull
 from ...view_model.analysis.wording import short
 from ...widgets.controls import named
@@ -19,7 +19,7 @@ from ...widgets.controls import named
 _ROW = 19
 
 
-class WeightBars(Guarded, QWidget):
+class WeightBars(SafeOverrides, QWidget):
     """A bar for each datum that pulls, the strongest at the top."""
 
     def __init__(self) -> None:

@@ -331,7 +331,7 @@ ADD = ToolRecord(
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
         *GESTURES,
     ),
-    place=20,
+    rank=20,
     action="addTool",
     title="Add Points",
     key="P",

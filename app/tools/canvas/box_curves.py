@@ -223,7 +223,7 @@ class BoxCurveTool(Tool):
         return replace(marks, note=Note(pointer.position, drag.readout(pointer), drag.start))
 
 
-def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) -> ToolRecord:
+def _tool(drawn: BoxCurve, *, rank: int, key: str, icon: str, keywords: str) -> ToolRecord:
     """Return the tool that draws a curve in a box."""
     title = drawn.name.title()
     return ToolRecord(
@@ -237,7 +237,7 @@ def _tool(drawn: BoxCurve, *, place: int, key: str, icon: str, keywords: str) ->
             GestureRow("Ctrl, Shift", f"{drawn.regular}; about the centre"),
             GestureRow("Digits, Tab while dragging", f"type {words.enumerated(_SIDES)}"),
         ),
-        place=place,
+        rank=rank,
         action=f"{drawn.name}Tool",
         title=title,
         full_name=f"{title} Tool",
@@ -258,7 +258,7 @@ RECTANGLE = _tool(
         regular="a square",
         pieces=rectangle_in,
     ),
-    place=26,
+    rank=26,
     key="B",
     icon="rectangle-horizontal",
     keywords="box square quadrilateral",
@@ -271,7 +271,7 @@ ELLIPSE = _tool(
         regular="a circle",
         pieces=ellipse_in,
     ),
-    place=27,
+    rank=27,
     key="O",
     icon="ellipse",
     keywords="circle oval round",

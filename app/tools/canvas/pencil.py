@@ -182,7 +182,7 @@ PENCIL = ToolRecord(
         GestureRow("Drag back to the beginning", "the same, closed"),
         GestureRow("Escape", "take the line back"),
     ),
-    place=25,
+    rank=25,
     action="pencilTool",
     title="Pencil",
     full_name="Pencil Tool",

@@ -294,7 +294,7 @@ SELECT = ToolRecord(
         GestureRow("Click within a fill", "as on the line around it; the topmost is meant"),
         GestureRow("Rubber band, no curve edited", "choose curves inside"),
     ),
-    place=10,
+    rank=10,
     action="selectTool",
     title="Select",
     full_name="Select Tool",

@@ -63,7 +63,7 @@ def legend_rows(
     """
     if not view.is_current:
         return []
-    shown = sorted(settings.overlays, key=lambda each: each.order)
+    shown = sorted(settings.overlays, key=lambda each: each.sort_key)
     drawn = {id(figure.style) for figure in figures}
     rows = [
         LegendRow(style, text, is_muted=each not in busy and id(style) not in drawn)

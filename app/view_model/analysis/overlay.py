@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from ..look.line_styles import LineStyle
-from ..records import Records
+from ..registry import Registry
 from .figures import Figure
 from .overlay_settings import OverlaySetting, SettingValues
 
@@ -45,7 +45,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         A word in lower case, of which its object names are made.
     text, tip, key, icon, full_name
         Those of its action.
-    group, place
+    group, rank
         Its place in the menu and the dock.
     layer
         Those with larger numbers are drawn over the others.
@@ -70,7 +70,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     text: str
     tip: str
     group: Group
-    place: int
+    rank: int
     layer: int
     draw: Callable[[Scene], Drawn]
     settles: Callable[[CurveView], bool] = lambda _view: False
@@ -84,9 +84,9 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     finds: Sequence[Entry] = ()
 
     @property
-    def order(self) -> tuple[int, ...]:
-        """The place among the others."""
-        return self.group, self.place
+    def sort_key(self) -> tuple[int, ...]:
+        """The key by which records are sorted in menus and panels."""
+        return self.group, self.rank
 
     @property
     def action_name(self) -> str:
@@ -94,5 +94,5 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         return f"overlay{self.name.capitalize()}"
 
 
-OVERLAYS = Records(Overlay, f"{__package__}.overlays")
+OVERLAYS = Registry(Overlay, f"{__package__}.overlays")
 """All overlays, in the order of the menu."""

@@ -14,7 +14,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..records import Records
+from ..registry import Registry
 from .plot_lines import PlotData, Scale
 
 if TYPE_CHECKING:
@@ -51,8 +51,8 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         Those of its action.
     title, symbol
         The words beside the plot, and before its value.
-    place
-        The place among the others.
+    rank
+        The key by which records are sorted in menus and panels.
     orders
         Orders of the derivatives that it needs.
     values
@@ -71,7 +71,7 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     tip: str
     title: str
     symbol: str
-    place: int
+    rank: int
     values: Callable[[Sampled], FloatArray]
     icon: str = ""
     orders: tuple[int, ...] = ()
@@ -81,9 +81,9 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     finish: Callable[[PlotData, Sampled], PlotData] = lambda plot, _sampled: plot
 
     @property
-    def order(self) -> tuple[int, ...]:
-        """The place among the others."""
-        return (self.place,)
+    def sort_key(self) -> tuple[int, ...]:
+        """The key by which records are sorted in menus and panels."""
+        return (self.rank,)
 
     @property
     def action_name(self) -> str:
@@ -91,5 +91,5 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         return f"plot{self.name.capitalize()}"
 
 
-PLOTS = Records(Plot, f"{__package__}.plots")
+PLOTS = Registry(Plot, f"{__package__}.plots")
 """All plots over t, in the order in which they stand below each other."""

@@ -51,4 +51,4 @@ def _plotted(plot: Plot, sampled: Sampled, samples: PlotSamples) -> PlotData:
 
 
 def _in_order(plots: Collection[Plot]) -> list[Plot]:
-    return sorted(plots, key=lambda plot: plot.order)
+    return sorted(plots, key=lambda plot: plot.sort_key)

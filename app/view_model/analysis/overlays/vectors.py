@@ -79,7 +79,7 @@ def _overlay(
         key=f"Ctrl+Alt+{order + 1}",
         icon=name.lower(),
         group=Group.SHAPE,
-        place=10 + 10 * order,
+        rank=10 + 10 * order,
         layer=60 + 10 * order,
         draw=partial(_vectors, order, style, scale, f"|{symbol}|"),
         settings=(scale,),

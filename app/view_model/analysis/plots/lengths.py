@@ -16,7 +16,7 @@ def _length_of(order: int, title: str, symbol: str, tip: str) -> Plot:
         icon=f"plot-{title.lower()}",
         title=f"{title} {symbol}",
         symbol=symbol,
-        place=9 * order,
+        rank=9 * order,
         orders=(order,),
         values=lambda sampled: vector_lengths(sampled.derivatives[order]),
     )

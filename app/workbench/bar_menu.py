@@ -1,4 +1,4 @@
-"""Context menus, made of the actions of a strip and of the sections that are submenus there."""
+"""Context menus, made of the actions of a bar and of the sections that are submenus there."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
-from ..actions.strips import Strip
+from ..actions.action_bars import ActionBar
 from .context import WindowContext
 
 
-def strip_menu(
-    context: WindowContext, strip: Strip, name: str = "contextMenu", *, is_short: bool = False
+def bar_menu(
+    context: WindowContext, bar: ActionBar, name: str = "contextMenu", *, is_short: bool = False
 ) -> QMenu:
-    """Return a menu with the actions of `strip`, which goes when it is closed.
+    """Return a menu with the actions of `bar`, which goes when it is closed.
 
     One that `is_short` has those alone that can be done now; so do its submenus.
     """
@@ -24,7 +24,7 @@ def strip_menu(
     menu.setToolTipsVisible(True)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     submenus: dict[str, QMenu] = {}
-    for group in context.actions.with_sections(strip).values():
+    for group in context.actions.with_sections(bar).values():
         menu.addSeparator()
         for entry in group:
             if isinstance(entry, QAction):

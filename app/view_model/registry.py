@@ -19,15 +19,15 @@ class Record(Protocol):
         ...
 
     @property
-    def order(self) -> tuple[int, ...]:
-        """The place among the others, in menus and panels."""
+    def sort_key(self) -> tuple[int, ...]:
+        """The key by which records are sorted in menus and panels."""
         ...
 
 
 _Record = TypeVar("_Record", bound=Record)
 
 
-class Records(Collection[_Record]):
+class Registry(Collection[_Record]):
     """All records of a kind, in their order.
 
     Parameters
@@ -70,4 +70,4 @@ class Records(Collection[_Record]):
     @staticmethod
     def _sorted(records: Iterable[_Record]) -> list[_Record]:
         # Each once, also where another module imports it.
-        return sorted(set(records), key=lambda each: (each.order, each.name))
+        return sorted(set(records), key=lambda record: (record.sort_key, record.name))
