@@ -103,6 +103,20 @@ def test_licences_are_there_and_name_their_owners():
     assert "ISC License" in icons
 
 
+@pytest.mark.parametrize("origin", ["Lucide", "After Lucide"])
+def test_the_licence_of_the_icons_lists_every_icon_that_names_an_original(origin):
+    """Where they differ, put the list of the failure into the licence; all other icons are our own."""
+    icons = ROOT / "resources/icons"
+    named = [
+        path.relative_to(icons).with_suffix("").as_posix()
+        for path in sorted(icons.rglob("*.svg"))
+        if f"<!-- {origin}: " in path.read_text(encoding="utf-8")
+    ]
+    heading = "From Lucide:" if origin == "Lucide" else "After Lucide:"
+    text = text_of("resources/icons/LICENSE").partition(f"\n{heading}\n")[2].partition(".\n\n")[0]
+    assert ", ".join(text.split(",")).split() == ", ".join(named).split()
+
+
 def test_the_wheel_carries_the_resources_but_no_screenshots():
     folders = {path.name for path in (ROOT / "resources").iterdir()} - {"screenshots"}
     assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"] == {
