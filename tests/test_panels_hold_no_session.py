@@ -97,7 +97,7 @@ def test_a_panel_holds_no_session(path):
         "def __init__(self, session): pass",
         "self._session.commit(document, text)",
         "panel = Panel(session=owner)",
-        "self.tools.context.host.selected.set_points([1])",
+        "self.tools.event.session.selected.set_points([1])",
     ],
 )
 def test_one_that_holds_a_session_is_found(code):

@@ -236,7 +236,7 @@ class Actions(QObject):
 
     def follow(self) -> None:
         """Render, when all is told of which there is news."""
-        self._facts.session.telling.then(self.render)
+        self._facts.session.batch.then(self.render)
 
     def render(self) -> None:
         """Enable, check and name all actions, where the facts that decide about them have changed."""

@@ -13,9 +13,9 @@ from ..plotting.edge_scroll import EdgeScroll
 from ..plotting.rulers import Extent
 from ..plotting.tool_plot import ToolPlot
 from ..tools.guides import GuideTool, hint_on_ruler
-from ..tools.marks import GestureMarks
+from ..tools.marks import Marks
 from ..tools.pointer import Hint, Hit, Part, Pointer
-from ..tools.tool import Finder, Surface, ToolRecord
+from ..tools.tool import CanvasQueries, Finder, ToolRecord
 from ..tools.toolbox import Toolbox
 from ..tools.transform import TransformKind
 from .fitting import Framing
@@ -54,7 +54,7 @@ class SteadyView:
         self._remember()
 
 
-class CanvasSurface(Surface):
+class DrawnCanvas(CanvasQueries):
     """The drawing as tools see it.
 
     Parameters
@@ -107,7 +107,7 @@ class Canvas(ToolPlot):
         self.setAccessibleDescription("The curve with its points; drag points to change it.")
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
-        tools.surface = CanvasSurface(self, self.drawing)
+        tools.surface = DrawnCanvas(self, self.drawing)
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
@@ -117,7 +117,7 @@ class Canvas(ToolPlot):
     # What is shown
 
     @property
-    def marks(self) -> GestureMarks:
+    def marks(self) -> Marks:
         """The marks of the gestures over the drawing."""
         return self.drawing.marks.marks
 
@@ -245,7 +245,7 @@ class Canvas(ToolPlot):
             middle = self.tools.target.bounds.centre
             pixel = self.camera.to_pixel(*middle)
             place = QPointF(pixel) if self.viewport().rect().contains(pixel) else None
-            hit = Hit(Part.OTHER_CURVE, self.tools.context.host.active_index, middle)
+            hit = Hit(Part.OTHER_CURVE, self.tools.event.session.active_index, middle)
         corner = (place or self.camera.centre()).toPoint()
         self._asked_at = self.pointer_at(QPointF(corner))
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))

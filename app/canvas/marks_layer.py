@@ -13,14 +13,14 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import beyond, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
-from ..tools.marks import GestureMarks, Note, Ruler
+from ..tools.marks import Marks, Note, Ruler
 from ..tools.snapping import Snap
 from ..tools.transform import TransformKind
 from ..tools.transform_box import Grip, TransformBox
 from .label_place import Surroundings, free_corner
 from .selected_curves_layer import BESIDE
 
-_NOTHING = GestureMarks()
+_NOTHING = Marks()
 
 _GRIP, _FAR = 3.5, 1e6
 _SLANT = 0.8
@@ -46,7 +46,7 @@ _CLEAR = 18.0
 
 
 class MarksLayer(Layer):
-    """Layer of `GestureMarks`, on top of everything.
+    """Layer of `Marks`, on top of everything.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class MarksLayer(Layer):
         self._halo = Halo()
         self.set_visible(False)
 
-    def render(self, marks: GestureMarks) -> None:
+    def render(self, marks: Marks) -> None:
         """Draw `marks` from the next paint on."""
         if marks != self.marks:
             self.marks = marks

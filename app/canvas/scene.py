@@ -17,7 +17,7 @@ from ..document.model import ReferenceImage, Vector
 from ..document.point_group import PointGroup
 from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.tool_plot import ToolPlot
-from ..tools.marks import GestureMarks
+from ..tools.marks import Marks
 from ..tools.pointer import Hit, Pointer
 from ..tools.tool import Finder
 from ..view_model.basis.basis_view import weights_at
@@ -215,7 +215,7 @@ class CanvasScene:
         if not self._plot.is_dragging:
             self._plot.show_marks()
 
-    def show_marks(self, marks: GestureMarks) -> None:
+    def show_marks(self, marks: Marks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""
         self.marks.render(marks)
         self.guides.light(marks.guide)

@@ -24,7 +24,7 @@ from ..diagnostics.slow_frames import SlowFrames
 from ..document.model import Document
 from ..features.recovery.autosave import Autosave, snapshot_folder, state_folder
 from ..features.recovery.commands import RecoveryCommands
-from ..session import Beginning, Session
+from ..session import DocumentOrigin, Session
 from ..tasks.garbage import collect_between_events
 from ..window.main_window import MainWindow
 from ..workbench.document_files import DocumentFiles
@@ -81,7 +81,7 @@ class Lifecycle(QObject):
         # Who goes on working has called the end of the system off.
         window.session.history_changed.connect(window.ask_before_closing)
 
-    def _open_beside(self, document: Document, path: Path | None, beginning: Beginning) -> Autosave:
+    def _open_beside(self, document: Document, path: Path | None, beginning: DocumentOrigin) -> Autosave:
         """Go on with unsaved work in another window, and return what keeps it."""
         session = Session()
         session.files.restore(document, path, beginning)

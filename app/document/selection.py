@@ -19,7 +19,7 @@ NONE_FREE = "Everything is hidden or locked; the list of curves shows and unlock
 """What is said where all curves are asked for, and none is seen and free."""
 
 
-class Choice(msgspec.Struct, frozen=True):
+class SelectionState(msgspec.Struct, frozen=True):
     """All that is selected at a moment, for a gesture that is taken back.
 
     Attributes
@@ -131,7 +131,9 @@ def _within(indices: frozenset[int], count: int) -> frozenset[int]:
     return frozenset(index for index in indices if 0 <= index < count)
 
 
-def followed_choice(choice: Choice, before: Sequence[Curve], after: Sequence[Curve]) -> Choice:
+def followed_choice(
+    choice: SelectionState, before: Sequence[Curve], after: Sequence[Curve]
+) -> SelectionState:
     """Return what is selected after a change: the same curves and points, where they are now.
 
     The active curve is one of `after`. Where what was edited is gone, and no curve has come in its place,
@@ -151,7 +153,7 @@ def followed_choice(choice: Choice, before: Sequence[Curve], after: Sequence[Cur
         kept = frozenset({active} if is_editing or len(after) > len(before) else ())
     curves = kept or frozenset({active})
     chosen = kept if not is_editing or len(kept) > 1 else frozenset()
-    return Choice(active, points, curves, chosen, is_editing)
+    return SelectionState(active, points, curves, chosen, is_editing)
 
 
 def _are_left(edited: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]) -> bool:

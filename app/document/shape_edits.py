@@ -16,7 +16,7 @@ from .curve_edits import free_copy_name, with_each
 from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, tree_of, whole_nodes
 from .edits import EditError
 from .model import Curve, Document
-from .selection import Choice
+from .selection import SelectionState
 from .shapes import SHARED, shape_of, shared_start, whole_shapes, with_values
 from .style import NO_PAINT, FillRule
 
@@ -238,7 +238,7 @@ def _without_group(curve: Curve, depth: int) -> Curve:
     return replace(curve, groups=(*curve.groups[:depth], *curve.groups[depth + 1 :]))
 
 
-def pressed(document: Document, curve: int, choice: Choice) -> frozenset[int]:
+def pressed(document: Document, curve: int, choice: SelectionState) -> frozenset[int]:
     """Return the curves that a press on one of them means: its outermost group, or else its shape.
 
     A group is entered, and what is in it meant, while a curve of it is edited, or chosen but not all of them.

@@ -102,7 +102,7 @@ class ToolPlot(PlotWidget):
         How far the gesture in flight has come (a sentence); empty when it has ended.
     gesture_began, gesture_ended
         A press begins a gesture; none is in flight any more.
-    errands_changed
+    background_changed
         A tool has something more, or less, done beside the window.
     pointed_at
         The place under the pointer, or None when it has left: the position on a canvas, t over t.
@@ -112,7 +112,7 @@ class ToolPlot(PlotWidget):
     progress_changed = Signal(str)
     gesture_began = Signal()
     gesture_ended = Signal()
-    errands_changed = Signal()
+    background_changed = Signal()
     pointed_at = Signal(object)
     _hover_wanted = Signal()
 
@@ -122,7 +122,7 @@ class ToolPlot(PlotWidget):
         self.jobs = SingleTask(self)
         self.jobs.progressed.connect(self._show_share)
         self.jobs.ended.connect(self._show_progress)
-        tools.background.jobs, tools.background.changed = self.jobs, self._show_errands
+        tools.background.jobs, tools.background.changed = self.jobs, self._show_background
         # Later: whoever has ended it may be within a change of the document.
         self.gesture_ended.connect(tools.background.hand_over, Qt.ConnectionType.QueuedConnection)
         # Words that wait; at first they come at once, then as the timer runs out.
@@ -150,9 +150,9 @@ class ToolPlot(PlotWidget):
         """Go to the next thing with Tab, or to the one before; return whether there is one."""
         return False
 
-    def _show_errands(self) -> None:
+    def _show_background(self) -> None:
         self.show_marks()
-        self.errands_changed.emit()
+        self.background_changed.emit()
 
     # Gestures
 

@@ -13,8 +13,8 @@
 """
 
 from .change import Change
-from .history import Beginning
+from .history import DocumentOrigin
 from .session import Session
 from .signals import Message, MessageKind
 
-__all__ = ["Beginning", "Change", "Message", "MessageKind", "Session"]
+__all__ = ["Change", "DocumentOrigin", "Message", "MessageKind", "Session"]

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from ..view_model.boxes.pivot import Pivot
 
 
-class SelectionBox:
+class BoxState:
     """What a person has chosen of the box around what is selected; neither saved nor undone.
 
     Parameters

@@ -20,7 +20,7 @@ from ..storage.open_file import FileChange, OpenFile, Reading
 from ..storage.resources import is_resource
 from ..view_model.curve.curve_view import CurveView
 from .change import why_not_kept
-from .history import Beginning, State
+from .history import DocumentOrigin, HistoryState
 
 if TYPE_CHECKING:
     from .session import Session
@@ -48,9 +48,9 @@ class Files:
         self._session = session
         self.path: Path | None = None
         self.file: OpenFile | None = None
-        self.beginning = Beginning(gives_way=True)
+        self.beginning = DocumentOrigin(gives_way=True)
         # By the beginnings of the documents that undo and redo go to.
-        self._exports: dict[Beginning, Export] = {}
+        self._exports: dict[DocumentOrigin, Export] = {}
         self.blank: Callable[[], Document] = empty_document
 
     @property
@@ -103,7 +103,7 @@ class Files:
 
     def begin(self, document: Document) -> None:
         """Begin with the first sketch, or with an empty document."""
-        self.replace(plain(document), None, beginning=Beginning(gives_way=True))
+        self.replace(plain(document), None, beginning=DocumentOrigin(gives_way=True))
 
     def begin_imported(
         self,
@@ -124,13 +124,13 @@ class Files:
         document = tidy_shapes(plain(document))
         if reason := why_not_kept(self.blank(), document):
             raise EditError(reason)
-        session, beginning = self._session, Beginning(title=name, file_stem=name)
+        session, beginning = self._session, DocumentOrigin(title=name, file_stem=name)
         if not step:
             self.replace(document, None, beginning=beginning, views=views)
             return
         session.cancel()
         session.expect(views)
-        session.history.push(session.state, State(document, 0, beginning), step)
+        session.history.push(session.state, HistoryState(document, 0, beginning), step)
         self.note_export(document.export)
 
     def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
@@ -157,9 +157,9 @@ class Files:
         title = template_title(path, document)
         session.cancel()
         if self.path is not None or not (session.undo_stack.count() or self.is_modified):
-            self.replace(document, None, beginning=Beginning(path, title))
+            self.replace(document, None, beginning=DocumentOrigin(path, title))
             return
-        after = State(document, 0, Beginning(path, title, self.beginning))
+        after = HistoryState(document, 0, DocumentOrigin(path, title, self.beginning))
         session.history.push(session.state, after, text)
         self.note_export(document.export)
         # What is in front now is as it came; the work that was left is told of by `left`.
@@ -167,7 +167,7 @@ class Files:
         session.file_changed.emit()
         session.opened.emit()
 
-    def restore(self, document: Document, path: Path | None, beginning: Beginning | None = None) -> None:
+    def restore(self, document: Document, path: Path | None, beginning: DocumentOrigin | None = None) -> None:
         """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
         self.replace(plain(document), path, beginning=beginning)
         self._session.undo_stack.resetClean()
@@ -177,7 +177,7 @@ class Files:
         document: Document,
         path: Path | None,
         file: OpenFile | None = None,
-        beginning: Beginning | None = None,
+        beginning: DocumentOrigin | None = None,
         views: Sequence[CurveView] = (),
     ) -> None:
         """Begin a history with `document`; its views may be given."""
@@ -185,9 +185,9 @@ class Files:
             file = OpenFile.adopt(path, self.file)
         # The path comes later: what is put away of the document before leaves this file alone.
         self._take(None, file)
-        beginning = beginning or Beginning()
+        beginning = beginning or DocumentOrigin()
         self._exports = {beginning: document.export}
-        self._session.begin(State(document, 0, beginning), path, views)
+        self._session.begin(HistoryState(document, 0, beginning), path, views)
 
     # The file of this one
 
@@ -216,7 +216,7 @@ class Files:
         session.cancel()
         if replace(document, export=session.committed.export) != session.committed:
             active = session.active_index if session.active_index < len(document.curves) else 0
-            session.history.push(session.state, State(document, active, self.beginning), "Reload")
+            session.history.push(session.state, HistoryState(document, active, self.beginning), "Reload")
         self.note_export(document.export)
         session.undo_stack.setClean()
         session.file_changed.emit()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ..document.model import Document
 from ..document.point_group import NO_POINTS
 from ..document.selection import (
-    Choice,
+    SelectionState,
     followed_choice,
     followed_curves,
     returned_curves,
@@ -106,7 +106,7 @@ class Following:
         if (new.curves, new.chosen, new.is_editing) != (old.curves, old.chosen, old.is_editing):
             session.selected_curves_changed.emit(selected.curves)
 
-    def select_returned(self, document: Document, then: Choice | None) -> None:
+    def select_returned(self, document: Document, then: SelectionState | None) -> None:
         """Select points, or curves, that undo or redo has brought back; edit or choose what was `then`.
 
         That is so, too, where what was edited or chosen since goes with the step, as copies do.
@@ -123,7 +123,7 @@ class Following:
             selected.keep_group(returned_points(selected.edited, before, curves))
 
 
-def _comes_back(then: Choice, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
+def _comes_back(then: SelectionState, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
     """Whether what was selected before a step is selected again, for undo has brought back some of it.
 
     Likewise where nothing is selected any more, for what the step has made is gone: then points of what was

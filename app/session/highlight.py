@@ -9,7 +9,7 @@ from ..document.point_group import NO_POINTS, PointGroup, PointsEdit
 from ..document.several_curves import changeable, name_of, named, remove_curves, what_stays
 
 
-class Highlight(msgspec.Struct, frozen=True):
+class ClipboardSelection(msgspec.Struct, frozen=True):
     """Points or curves that Copy, Cut, Duplicate and Delete act on.
 
     Attributes
@@ -26,11 +26,11 @@ class Highlight(msgspec.Struct, frozen=True):
     points: PointGroup = NO_POINTS
     stays: str = ""
 
-    def changeable(self, document: Document) -> Highlight:
+    def changeable(self, document: Document) -> ClipboardSelection:
         """Return it without the curves that are locked, unless all are; points stay as they are."""
         if self.points.parts:
             return self
-        return Highlight(changeable(document, self.curves), stays=what_stays(document, self.curves))
+        return ClipboardSelection(changeable(document, self.curves), stays=what_stays(document, self.curves))
 
     def curves_of(self, document: Document) -> frozenset[int]:
         """Return the curves that are meant as a whole: also those of which all points are.

@@ -13,14 +13,14 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from ..document.model import Document
-from ..document.selection import Choice
+from ..document.selection import SelectionState
 from ..qt.overrides import SafeOverrides
 
 _RUN_SECONDS = 1.0
 """Changes of the same run that follow each other as quickly as this are one step."""
 
 
-class Beginning(msgspec.Struct, frozen=True, eq=False):
+class DocumentOrigin(msgspec.Struct, frozen=True, eq=False):
     """Origin of a document: one more of them each time something is opened, or begun again.
 
     Attributes
@@ -40,13 +40,13 @@ class Beginning(msgspec.Struct, frozen=True, eq=False):
 
     copied: Path | None = None
     title: str = ""
-    before: Beginning | None = None
+    before: DocumentOrigin | None = None
     file_stem: str = ""
     gives_way: bool = False
 
 
-class State(msgspec.Struct, frozen=True):
-    """State of the session in the history: a document, the curve that was edited, and its beginning.
+class HistoryState(msgspec.Struct, frozen=True):
+    """HistoryState of the session in the history: a document, the curve that was edited, and its beginning.
 
     Attributes
     ----------
@@ -56,8 +56,8 @@ class State(msgspec.Struct, frozen=True):
 
     document: Document
     active: int
-    beginning: Beginning
-    choice: Choice | None = None
+    beginning: DocumentOrigin
+    choice: SelectionState | None = None
 
 
 class UndoStep(SafeOverrides, QUndoCommand):
@@ -68,9 +68,9 @@ class UndoStep(SafeOverrides, QUndoCommand):
 
     def __init__(
         self,
-        restore: Callable[[State], None],
-        before: State,
-        after: State,
+        restore: Callable[[HistoryState], None],
+        before: HistoryState,
+        after: HistoryState,
         text: str,
         *,
         joins: bool = False,
@@ -118,7 +118,7 @@ class History:
         Whether a step is being made, not undone or redone.
     """
 
-    def __init__(self, parent: QObject, restore: Callable[[State], None]) -> None:
+    def __init__(self, parent: QObject, restore: Callable[[HistoryState], None]) -> None:
         self.stack = QUndoStack(parent)
         self.clock: Callable[[], float] = time.monotonic
         self.is_pushing = False
@@ -126,7 +126,7 @@ class History:
         # The run that the last step belongs to, and when that was.
         self._run: tuple[Hashable, float] | None = None
 
-    def push(self, before: State, after: State, text: str, run: Hashable = None) -> None:
+    def push(self, before: HistoryState, after: HistoryState, text: str, run: Hashable = None) -> None:
         """Make the step `text`; one that goes on the `run` of the last step becomes a part of it."""
         joins, steps = self._goes_on(run), self.stack.index()
         self.is_pushing = True
@@ -155,8 +155,8 @@ class History:
         self._run = None
 
     @property
-    def state(self) -> State | None:
-        """State that the last step led to, hence the one that is there now; None where there is no step."""
+    def state(self) -> HistoryState | None:
+        """State after the last step, hence the present one; None where there is no step."""
         index = self.stack.index()
         step = self.stack.command(index - 1 if index else 0) if self.stack.count() else None
         if not isinstance(step, UndoStep):

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..document.point_group import NO_POINTS
-from ..document.selection import Choice
+from ..document.selection import SelectionState
 from ..document.shapes import whole_shapes
 from ..document.style import Style
-from .highlight import Highlight
+from .highlight import ClipboardSelection
 
 if TYPE_CHECKING:
     from .session import Session
@@ -82,15 +82,15 @@ class Selected:
         """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
         return self.curves if self.is_editing else self._chosen
 
-    def highlight(self, *, whole_curves: bool = False) -> Highlight:
+    def highlight(self, *, whole_curves: bool = False) -> ClipboardSelection:
         """Return the selected points, or else the chosen curves, or the edited one with all of its shape.
 
         `whole_curves` passes over the points, as where the list of curves has the focus.
         """
         if self.group.parts and not whole_curves:
-            return Highlight(self.group.curves, self.group)
+            return ClipboardSelection(self.group.curves, self.group)
         # One curve of a shape can be chosen alone, in the list.
-        return Highlight(self.whole if self.is_editing else self._chosen)
+        return ClipboardSelection(self.whole if self.is_editing else self._chosen)
 
     @property
     def whole(self) -> frozenset[int]:
@@ -98,7 +98,7 @@ class Selected:
         return whole_shapes(self._session.document, self.curves)
 
     @property
-    def choice(self) -> Choice:
+    def choice(self) -> SelectionState:
         """All that is selected now."""
         active = self._session.active_index
-        return Choice(active, self.group, self.curves, self.chosen, self.is_editing)
+        return SelectionState(active, self.group, self.curves, self.chosen, self.is_editing)

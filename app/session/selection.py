@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from ..document.point_group import NO_POINTS, PointGroup, some_points
-from ..document.selection import Choice, existing_points
+from ..document.selection import SelectionState, existing_points
 from ..document.shapes import whole_shapes
 from ..document.style import Style
 from .selected import Selected
@@ -144,7 +144,7 @@ class Selection(Selected):
             self._session.box.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
 
-    def restore(self, choice: Choice) -> None:
+    def restore(self, choice: SelectionState) -> None:
         """Select what was selected before; the active curve is the one of then already."""
         self._take(choice.curves if choice.is_editing else choice.chosen, is_editing=choice.is_editing)
         self.set_group(choice.points)

@@ -12,7 +12,7 @@ from PySide6.QtGui import QUndoStack
 from ..document.edits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain import plain
-from ..document.selection import Choice
+from ..document.selection import SelectionState
 from ..document.several_curves import is_blank
 from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE
@@ -20,11 +20,11 @@ from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import Reading
 from ..view_model.curve.curve_view import CurveView
-from .box import SelectionBox
+from .box import BoxState
 from .change import Change, raiser_of, why_not_kept, why_safe
 from .files import Files
 from .following import Following
-from .history import Beginning, History, State
+from .history import DocumentOrigin, History, HistoryState
 from .scrub_line import ScrubLine
 from .selection import Selection
 from .signals import SessionSignals
@@ -61,11 +61,11 @@ class Session(SessionSignals):
         self.active_index = 0
         self.selected = Selection(self)
         self._following = Following(self)
-        self.box = SelectionBox(self.pivot_changed.emit, self.grips_changed.emit)
+        self.box = BoxState(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
         self._committed = self._shown = plain(first_sketch())
-        self._home: Choice | None = None
+        self._home: SelectionState | None = None
         # The document that a gesture gave to be shown; `_shown` is what came of it.
         self._asked: Document | None = None
 
@@ -113,10 +113,10 @@ class Session(SessionSignals):
         return self._committed
 
     @property
-    def state(self) -> State:
-        """State that the next step of the history begins with."""
+    def state(self) -> HistoryState:
+        """HistoryState that the next step of the history begins with."""
         choice = self.selected.choice if self._home is None else self._home
-        return State(self._committed, choice.active, self.files.beginning, choice)
+        return HistoryState(self._committed, choice.active, self.files.beginning, choice)
 
     @property
     def is_previewing(self) -> bool:
@@ -193,7 +193,7 @@ class Session(SessionSignals):
         run
             Changes of one run within a second, with nothing between them, are one step: arrow keys.
         """
-        with self.telling:
+        with self.batch:
             self.interrupt()
             try:
                 document = edit(self._committed)
@@ -224,7 +224,7 @@ class Session(SessionSignals):
 
     def commit(self, document: Document, text: str, *, active: int | None = None) -> Change:
         """End the gesture in flight with `document`, as the step `text` of the history; see `change`."""
-        with self.telling:
+        with self.batch:
             return self._make_step(document, text, active)
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
@@ -240,7 +240,7 @@ class Session(SessionSignals):
             return self._refused(reason, "the file format")
         before = self.state
         self._home = self._asked = None
-        after = State(document, self.active_index if active is None else active, self.files.beginning)
+        after = HistoryState(document, self.active_index if active is None else active, self.files.beginning)
         self.history.push(before, after, text, run)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
         return Change(is_done=True)
@@ -250,7 +250,7 @@ class Session(SessionSignals):
         home, self._home, self._asked = self._home, None, None
         if home is None:
             return
-        with self.telling:
+        with self.batch:
             if home.active != self.active_index:
                 self.selected.enter(home.active)
             if self.is_previewing:
@@ -260,7 +260,7 @@ class Session(SessionSignals):
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
         was_previewing = self.is_previewing
-        with self.telling:
+        with self.batch:
             self.interrupted.emit()
             self.cancel()
             self._following.settle()
@@ -276,11 +276,11 @@ class Session(SessionSignals):
 
     # From state to state
 
-    def _restore_step(self, state: State) -> None:
+    def _restore_step(self, state: HistoryState) -> None:
         before, is_other = self._committed, state.beginning is not self.files.beginning
         if is_other and self.files.is_modified and self.files.path is None:
             self.left.emit(before)
-        with self.telling:
+        with self.batch:
             if is_other:
                 self._turn_to(state.beginning)
             self._restore(state)
@@ -292,7 +292,7 @@ class Session(SessionSignals):
             self.file_changed.emit()
             self.opened.emit()
 
-    def _turn_to(self, beginning: Beginning) -> None:
+    def _turn_to(self, beginning: DocumentOrigin) -> None:
         """Put away what belonged to the document before this one."""
         self.files.beginning = beginning
         if self.files.path is not None:
@@ -305,7 +305,7 @@ class Session(SessionSignals):
         # Another document's curves are nobody's last good shape.
         self._views.take()
 
-    def _restore(self, state: State, views: Sequence[CurveView] | None = None) -> None:
+    def _restore(self, state: HistoryState, views: Sequence[CurveView] | None = None) -> None:
         self.history.end_run()
         if not self.is_previewing:
             self._views.leave()
@@ -344,9 +344,9 @@ class Session(SessionSignals):
         """Write the document to `path`, or to the file it came from; see `Files.save`."""
         self.files.save(path, overwrite=overwrite)
 
-    def begin(self, state: State, path: Path | None, views: Sequence[CurveView] = ()) -> None:
+    def begin(self, state: HistoryState, path: Path | None, views: Sequence[CurveView] = ()) -> None:
         """Go on with another document, whose history begins here; its views may be given."""
-        with self.telling:
+        with self.batch:
             self._turn_to(state.beginning)
             self.files.path = path
             self._restore(state, views)

@@ -9,7 +9,7 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 
 
-class Telling:
+class Batch:
     """Whether a session is about to tell more of what it does.
 
     A step changes the document, what is selected and the history, and each has a signal of its own. Who shows
@@ -129,7 +129,7 @@ class SessionSignals(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self.telling = Telling()
+        self.batch = Batch()
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""

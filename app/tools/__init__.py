@@ -1,6 +1,6 @@
 """Press, move and release turned into edits. No Qt: a tool is tested with plain `Pointer` records.
 
-- ``tool``: the base class of the tools, the context of an event with its settings, and the registry of those
+- ``tool``: the base class of the tools, the event of an event with its settings, and the registry of those
   in ``canvas``, which a person chooses; what a tool can ask of the plot.  ``toolbox``: those of one plot.
 - ``explain``, ``move_image``: tools of the canvas that belong to features.
   ``rail``: those over t, and the drag of ticks.

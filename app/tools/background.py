@@ -12,7 +12,7 @@ from ..tasks.progress import Report, silent
 
 
 class Jobs(Protocol):
-    """Beginning and end of work beside the window."""
+    """DocumentOrigin and end of work beside the window."""
 
     @property
     def is_busy(self) -> bool:
@@ -31,7 +31,7 @@ class Jobs(Protocol):
         """Take the work back."""
 
 
-class Errand(msgspec.Struct, frozen=True):
+class BackgroundTask(msgspec.Struct, frozen=True):
     """A piece of work of a tool.
 
     Attributes
@@ -63,32 +63,32 @@ class Background:
         self.jobs: Jobs | None = None
         self.changed: Callable[[], object] = lambda: None
         self._is_free = is_free
-        self._errands: list[Errand] = []
+        self._tasks: list[BackgroundTask] = []
         self._results: list[Any] = []
 
     @property
     def is_busy(self) -> bool:
-        """Whether there are errands."""
-        return bool(self._errands)
+        """Whether there are tasks."""
+        return bool(self._tasks)
 
     @property
     def lines(self) -> tuple[tuple[Vector, ...], ...]:
-        """The lines of the errands, to be seen meanwhile."""
-        return tuple([errand.line for errand in self._errands]) if self._errands else ()
+        """The lines of the tasks, to be seen meanwhile."""
+        return tuple([task.line for task in self._tasks]) if self._tasks else ()
 
-    def do(self, errand: Errand) -> None:
+    def do(self, task: BackgroundTask) -> None:
         """Do this after those that there are."""
         if self.jobs is None:
-            errand.done(errand.work(silent))
+            task.done(task.work(silent))
             return
-        self._errands.append(errand)
+        self._tasks.append(task)
         self.changed()
         self._begin()
 
     def cancel(self) -> bool:
         """Drop all of them; return whether there were any."""
-        found = bool(self._errands)
-        self._errands, self._results = [], []
+        found = bool(self._tasks)
+        self._tasks, self._results = [], []
         if self.jobs is not None and found:
             self.jobs.cancel()
             self.changed()
@@ -96,35 +96,35 @@ class Background:
 
     def cancel_last(self) -> str:
         """Drop the one that was begun last; return its title, empty where there is none."""
-        if not self._errands:
+        if not self._tasks:
             return ""
-        title = self._errands[-1].title
-        if len(self._errands) == 1:
+        title = self._tasks[-1].title
+        if len(self._tasks) == 1:
             self.cancel()
         else:
-            self._errands.pop()
+            self._tasks.pop()
             self.changed()
         return title
 
     def hand_over(self) -> None:
         """Hand the result to whom it is for, unless a gesture is in flight; then begin the next."""
         if self._results and self._is_free():
-            errand, result = self._errands.pop(0), self._results.pop()
+            task, result = self._tasks.pop(0), self._results.pop()
             self.changed()
-            errand.done(result)
+            task.done(result)
             self._begin()
 
     def _begin(self) -> None:
-        if self.jobs is not None and self._errands and not self._results and not self.jobs.is_busy:
-            errand = self._errands[0]
-            self.jobs.start(errand.title, errand.work, self._take, self._fail)
+        if self.jobs is not None and self._tasks and not self._results and not self.jobs.is_busy:
+            task = self._tasks[0]
+            self.jobs.start(task.title, task.work, self._take, self._fail)
 
     def _take(self, result: object) -> None:
         self._results.append(result)
         self.hand_over()
 
     def _fail(self, problem: Exception) -> None:
-        self._errands.pop(0)
+        self._tasks.pop(0)
         self.changed()
         self._begin()
         raise problem

@@ -11,7 +11,7 @@ import msgspec
 from ..document.edits import EditError
 from ..document.model import Curve, Document, Vector
 from ..document.point_group import PointGroup
-from ..document.selection import Choice
+from ..document.selection import SelectionState
 from ..view_model.boxes.pivot import Pivot
 from ..view_model.curve.curve_view import CurveView
 from .drag import Drag
@@ -24,7 +24,7 @@ CANCELLED = "Cancelled."
 """The sentence when Escape has taken a gesture back."""
 
 
-class SelectionHost(Protocol):
+class EditingSelection(Protocol):
     """Selection of a session, as the tools use it."""
 
     group: PointGroup
@@ -44,10 +44,10 @@ class SelectionHost(Protocol):
         """The curves that are acted on as wholes."""
 
     @property
-    def choice(self) -> Choice:
+    def choice(self) -> SelectionState:
         """All that is selected now."""
 
-    def restore(self, choice: Choice) -> None:
+    def restore(self, choice: SelectionState) -> None:
         """Select what was selected before."""
 
     def choose(self, indices: Collection[int]) -> None:
@@ -84,7 +84,7 @@ class SelectionHost(Protocol):
         """Edit what is chosen."""
 
 
-class BoxHost(Protocol):
+class EditingBox(Protocol):
     """Box around what is selected in a session, as the tools use it."""
 
     pivot: Pivot | None
@@ -97,7 +97,7 @@ class BoxHost(Protocol):
         """Have grips that rotate and skew, or such that scale."""
 
 
-class ScrubHost(Protocol):
+class EditingScrub(Protocol):
     """Scrub line of a session, as the tools use it."""
 
     t: float | None
@@ -106,21 +106,21 @@ class ScrubHost(Protocol):
         """Move the line, or put it away (None)."""
 
 
-class EditingHost(Protocol):
+class EditingSession(Protocol):
     """Document, selection and messages of a session, as the tools use them."""
 
     active_index: int
 
     @property
-    def selected(self) -> SelectionHost:
+    def selected(self) -> EditingSelection:
         """The selection."""
 
     @property
-    def box(self) -> BoxHost:
+    def box(self) -> EditingBox:
         """What was chosen of the box around what is selected."""
 
     @property
-    def scrub(self) -> ScrubHost:
+    def scrub(self) -> EditingScrub:
         """The scrub line."""
 
     @property
@@ -196,8 +196,8 @@ class DragMachine:
     A press becomes a drag after `THRESHOLD` pixels; before that a release is a click.
     """
 
-    def __init__(self, host: EditingHost) -> None:
-        self._host = host
+    def __init__(self, session: EditingSession) -> None:
+        self._session = session
         self._press: _Press | None = None
 
     @property
@@ -264,22 +264,22 @@ class DragMachine:
             document = press.drag.document_at(pointer)
         except EditError as reason:
             press.refused = str(reason)
-            self._host.refuse(press.refused)
+            self._session.refuse(press.refused)
             return
         press.last, press.refused, press.followed = document, "", pointer
-        if self._host.preview(document, active=press.active) and press.makes is not None:
-            self._host.selected.set_points([press.makes])
+        if self._session.preview(document, active=press.active) and press.makes is not None:
+            self._session.selected.set_points([press.makes])
             press.makes = None
-        if press.chooses and not press.shows_choice and self._host.is_previewing:
+        if press.chooses and not press.shows_choice and self._session.is_previewing:
             # Not before: what was chosen comes back with the document that a preview replaces.
             press.shows_choice = True
-            self._host.selected.show_choice(press.chooses)
+            self._session.selected.show_choice(press.chooses)
 
     def nudge(self, drag: Drag, run: Hashable) -> None:
         """Do a drag at once, with the pointer at the origin; quick nudges of the same run are one step."""
-        is_done = self._host.change(drag.name, lambda _document: drag.document_at(ORIGIN), run=run)
+        is_done = self._session.change(drag.name, lambda _document: drag.document_at(ORIGIN), run=run)
         if is_done and (text := drag.readout(ORIGIN)):
-            self._host.say(" · ".join(filter(None, (text, drag.remark))))
+            self._session.say(" · ".join(filter(None, (text, drag.remark))))
 
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
         """Go on with another drag from the same press: an axis was locked, an amount typed."""
@@ -315,7 +315,7 @@ class DragMachine:
         if self._press is not None and self._press.drag is not None and self._press.drag.refusal:
             refusal = self._press.drag.refusal
             self.cancel()
-            self._host.refuse(refusal)
+            self._session.refuse(refusal)
             return
         if self._press is not None and self._press.followed != pointer:
             self.move(pointer)
@@ -325,15 +325,15 @@ class DragMachine:
         if press.moving and press.drag is not None and press.last is not None:
             # The step ends with what it has chosen, so that redo knows of it.
             active = min(
-                press.chooses, key=lambda at: abs(at - self._host.active_index), default=press.active
+                press.chooses, key=lambda at: abs(at - self._session.active_index), default=press.active
             )
-            is_done = self._host.commit(press.last, press.drag.name_at(pointer), active=active)
+            is_done = self._session.commit(press.last, press.drag.name_at(pointer), active=active)
             if is_done and press.on_done is not None:
                 press.on_done()
             if is_done and press.chooses:
-                self._host.selected.choose(press.chooses)
+                self._session.selected.choose(press.chooses)
             if is_done and press.drag.remark:
-                self._host.say(f"{press.drag.remark}.")
+                self._session.say(f"{press.drag.remark}.")
         elif not press.moving and press.on_click is not None:
             press.on_click()
 
@@ -343,9 +343,9 @@ class DragMachine:
         self.reset()
         if press is None:
             return False
-        self._host.cancel()
+        self._session.cancel()
         if press.moving and press.drag is not None:
-            self._host.say(CANCELLED)
+            self._session.say(CANCELLED)
         return True
 
     def reset(self) -> None:

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from .pointer import Hint, Part
-from .tool import GestureRow, Tool, ToolContext, ToolRecord
+from .tool import GestureRow, Tool, ToolEvent, ToolRecord
 
 
 class ExplainTool(Tool):
     """Tool that puts the scrub line where the curve was clicked: what explains the curve stands there."""
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Move the scrub line here."""
-        hit = context.hit
+        hit = event.hit
         if hit is not None and hit.part is Part.CURVE:
-            context.host.scrub.set(hit.t)
+            event.session.scrub.set(hit.t)
         else:
-            context.host.refuse("Click on the curve itself, where it swings out.")
+            event.session.refuse("Click on the curve itself, where it swings out.")
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         text = "Click on the curve where it swings out · V goes back to Select"
-        return Hint(text, grab=context.hit is not None)
+        return Hint(text, grab=event.hit is not None)
 
 
 EXPLAIN = ToolRecord(

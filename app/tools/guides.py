@@ -9,10 +9,10 @@ from msgspec.structs import replace
 from ..document.model import Axis, Document, Guide, Vector
 from ..document.plane_edits import move_guide, place_words, remove_guide
 from .drag import Drag
-from .marks import GestureMarks
+from .marks import Marks
 from .pointer import Cursor, Hint, Hit, Part, Pointer
 from .snapping import Snapper
-from .tool import Tool, ToolContext
+from .tool import Tool, ToolEvent
 
 CURSORS = {0: Cursor.WIDER, 1: Cursor.HIGHER}
 """Shape of the pointer over a guide that holds x, or y."""
@@ -97,18 +97,18 @@ class GuidePicker:
         """Take note of what lies under the pointer."""
         self.lit = hit.index if hit is not None and hit.part is Part.GUIDE else None
 
-    def press(self, context: ToolContext, hit: Hit) -> None:
+    def press(self, event: ToolEvent, hit: Hit) -> None:
         """Begin to drag the guide that is hit."""
         self.lit = hit.index
-        snapper, unit = context.snappers.for_guide(), context.settings.unit
-        context.drags.press(context.pointer, MoveGuide(context.host.document, hit.index, snapper, unit))
+        snapper, unit = event.snappers.for_guide(), event.settings.unit
+        event.drags.press(event.pointer, MoveGuide(event.session.document, hit.index, snapper, unit))
 
-    def hint(self, context: ToolContext) -> Hint | None:
+    def hint(self, event: ToolEvent) -> Hint | None:
         """Return what a press on the guide would do, None beside all of them."""
         if self.lit is None:
             return None
-        guide = context.host.document.guides[self.lit]
-        words = place_words(guide, context.settings.unit)
+        guide = event.session.document.guides[self.lit]
+        words = place_words(guide, event.settings.unit)
         text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type its place"
         return Hint(text, grab=True, cursor=CURSORS[guide.axis.coordinate])
 
@@ -125,14 +125,14 @@ class GuideTool(Tool):
     cursor = Cursor.MOVE
     lasts_one_gesture = True
 
-    def __init__(self, axis: Axis, context: ToolContext) -> None:
-        document = context.host.document
+    def __init__(self, axis: Axis, event: ToolEvent) -> None:
+        document = event.session.document
         self._place = len(document.guides)
         # Where the guide lies in this document is told nowhere: over the ruler there is none.
         drawn = replace(document, guides=(*document.guides, Guide(axis, 0.0)))
-        snapper, unit = context.snappers.for_guide(), context.settings.unit
-        context.drags.press(context.pointer, MoveGuide(drawn, self._place, snapper, unit, is_new=True))
+        snapper, unit = event.snappers.for_guide(), event.settings.unit
+        event.drags.press(event.pointer, MoveGuide(drawn, self._place, snapper, unit, is_new=True))
 
-    def marks(self, context: ToolContext) -> GestureMarks:
+    def marks(self, event: ToolEvent) -> Marks:
         """Return what the guide snaps to, and which it is."""
-        return GestureMarks(snap=context.snappers.caught, guide=self._place)
+        return Marks(snap=event.snappers.caught, guide=self._place)

@@ -33,7 +33,7 @@ class Ruler(msgspec.Struct, frozen=True):
     text: str
 
 
-class GestureMarks(msgspec.Struct, frozen=True):
+class Marks(msgspec.Struct, frozen=True):
     """All marks at once; None for what is not there.
 
     Attributes
@@ -81,7 +81,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
 
-    def above(self, below: GestureMarks) -> GestureMarks:
+    def above(self, below: Marks) -> Marks:
         """Return both; of what both have, this."""
         own = {name: value for name, value in asdict(self).items() if value not in (None, ())}
         return replace(below, **own)

@@ -16,7 +16,7 @@ from ..view_model.curve.curve_view import CurveView
 from . import hints
 from .curve_picker import chosen_curves
 from .drag_machine import CANCELLED, THRESHOLD
-from .tool import Gesture, ToolContext
+from .tool import Gesture, ToolEvent
 
 _KEYS = "Shift: add to what was selected"
 
@@ -31,81 +31,81 @@ class Band(Gesture):
     """
 
     def __init__(
-        self, context: ToolContext, on_click: Callable[[ToolContext], object], *, is_on_curve: bool = False
+        self, event: ToolEvent, on_click: Callable[[ToolEvent], object], *, is_on_curve: bool = False
     ) -> None:
-        self._press, self._on_click, self._is_on_curve = context.pointer, on_click, is_on_curve
-        self._before = context.host.selected.choice
+        self._press, self._on_click, self._is_on_curve = event.pointer, on_click, is_on_curve
+        self._before = event.session.selected.choice
         self.band: tuple[Vector, Vector] | None = None
 
-    def move(self, context: ToolContext) -> None:
+    def move(self, event: ToolEvent) -> None:
         """Follow the pointer."""
-        pointer = context.pointer
+        pointer = event.pointer
         if self.band is None and math.dist(pointer.pixel, self._press.pixel) < THRESHOLD:
             return
         self.band = (self._press.position, pointer.position)
-        self._show(context, np.min(self.band, axis=0), np.max(self.band, axis=0))
+        self._show(event, np.min(self.band, axis=0), np.max(self.band, axis=0))
 
-    def release(self, context: ToolContext) -> None:
+    def release(self, event: ToolEvent) -> None:
         """End; a click beside everything deselects, with Shift it leaves the selection.
 
         With nothing to deselect, and where the press is on a curve, `on_click` is called.
         """
-        self.move(context)
+        self.move(event)
         if self.band is not None:
-            self._take(context)
+            self._take(event)
         elif self._is_on_curve:
-            self._on_click(context)
-        elif not context.pointer.shift:
-            self._click(context)
+            self._on_click(event)
+        elif not event.pointer.shift:
+            self._click(event)
 
-    def cancel(self, context: ToolContext) -> None:
+    def cancel(self, event: ToolEvent) -> None:
         """Bring back what was selected before."""
-        context.host.selected.restore(self._before)
+        event.session.selected.restore(self._before)
         if self.band is not None:
-            context.host.say(CANCELLED)
+            event.session.say(CANCELLED)
 
-    def progress(self, context: ToolContext) -> str:
+    def progress(self, event: ToolEvent) -> str:
         """Tell what is selected; nothing before there is a band."""
-        return f"{self._words(context)} · Escape cancels" if self.band is not None else ""
+        return f"{self._words(event)} · Escape cancels" if self.band is not None else ""
 
     # What it selects
 
-    def _show(self, context: ToolContext, low: FloatArray, high: FloatArray) -> None:
+    def _show(self, event: ToolEvent, low: FloatArray, high: FloatArray) -> None:
         """Select what the band takes, while it is drawn."""
         raise NotImplementedError
 
-    def _take(self, context: ToolContext) -> None:
+    def _take(self, event: ToolEvent) -> None:
         """Leave it selected: the band has ended."""
         raise NotImplementedError
 
-    def _click(self, context: ToolContext) -> None:
+    def _click(self, event: ToolEvent) -> None:
         raise NotImplementedError
 
-    def _words(self, context: ToolContext) -> str:
+    def _words(self, event: ToolEvent) -> str:
         raise NotImplementedError
 
 
 class Marquee(Band):
     """Rubber band that selects points of all curves that are edited."""
 
-    def _show(self, context: ToolContext, low: FloatArray, high: FloatArray) -> None:
-        host = context.host
+    def _show(self, event: ToolEvent, low: FloatArray, high: FloatArray) -> None:
+        session = event.session
         inside = some_points(
-            (curve, _points_inside(host.views[curve], low, high)) for curve in host.selected.edited
+            (curve, _points_inside(session.views[curve], low, high)) for curve in session.selected.edited
         )
-        host.selected.show_group(self._before.points.joined(inside) if context.pointer.shift else inside)
+        session.selected.show_group(self._before.points.joined(inside) if event.pointer.shift else inside)
 
-    def _take(self, context: ToolContext) -> None:
-        context.host.selected.set_group(context.host.selected.group)
+    def _take(self, event: ToolEvent) -> None:
+        event.session.selected.set_group(event.session.selected.group)
 
-    def _click(self, context: ToolContext) -> None:
+    def _click(self, event: ToolEvent) -> None:
         if self._before.points.parts:
-            context.host.selected.set_points([])
+            event.session.selected.set_points([])
         else:
-            self._on_click(context)
+            self._on_click(event)
 
-    def _words(self, context: ToolContext) -> str:
-        return f"{hints.selected(context.host.selected.group)} · {_KEYS}"
+    def _words(self, event: ToolEvent) -> str:
+        return f"{hints.selected(event.session.selected.group)} · {_KEYS}"
 
 
 def _points_inside(view: CurveView, low: FloatArray, high: FloatArray) -> frozenset[int]:
@@ -119,12 +119,12 @@ class CurveMarquee(Band):
     Shapes and groups are taken whole, or not.
     """
 
-    def _show(self, context: ToolContext, low: FloatArray, high: FloatArray) -> None:
-        before = self._before.chosen if context.pointer.shift else frozenset()
-        context.host.selected.show_choice(before | self._inside(context, low, high))
+    def _show(self, event: ToolEvent, low: FloatArray, high: FloatArray) -> None:
+        before = self._before.chosen if event.pointer.shift else frozenset()
+        event.session.selected.show_choice(before | self._inside(event, low, high))
 
-    def _inside(self, context: ToolContext, low: FloatArray, high: FloatArray) -> frozenset[int]:
-        views, document = context.host.views, context.host.document
+    def _inside(self, event: ToolEvent, low: FloatArray, high: FloatArray) -> frozenset[int]:
+        views, document = event.session.views, event.session.document
         free = {place for place, view in enumerate(views) if _is_free(view)}
         taken = {place for place in free if _is_inside(views[place], low, high)}
         found: set[int] = set()
@@ -134,14 +134,14 @@ class CurveMarquee(Band):
                 found |= meant if meant <= taken else set()
         return frozenset(found)
 
-    def _take(self, context: ToolContext) -> None:
-        context.host.selected.choose(context.host.selected.chosen)
+    def _take(self, event: ToolEvent) -> None:
+        event.session.selected.choose(event.session.selected.chosen)
 
-    def _click(self, context: ToolContext) -> None:
-        self._on_click(context)
+    def _click(self, event: ToolEvent) -> None:
+        self._on_click(event)
 
-    def _words(self, context: ToolContext) -> str:
-        return f"{chosen_curves(context.host)} · {_KEYS}"
+    def _words(self, event: ToolEvent) -> str:
+        return f"{chosen_curves(event.session)} · {_KEYS}"
 
 
 def _is_free(view: CurveView) -> bool:

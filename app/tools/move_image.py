@@ -8,7 +8,7 @@ from ..document.image_edits import move_image, scale_image, step_image
 from ..document.model import Document, ReferenceImage, Vector
 from .drag import Drag, along_axis, axis_held, minus
 from .pointer import Cursor, Hint, Part, Pointer, Stride
-from .tool import Tool, ToolContext, ToolRecord
+from .tool import Tool, ToolEvent, ToolRecord
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 """The corners of a picture as shares of its width and height, counterclockwise from the lower left."""
@@ -62,28 +62,28 @@ class MoveImageTool(Tool):
     cursor = Cursor.ARROW
     finds_image = True
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin to move the picture, or to scale it by a corner."""
-        document, hit, pointer = context.host.document, context.hit, context.pointer
+        document, hit, pointer = event.session.document, event.hit, event.pointer
         if hit is None or document.image is None or document.image.locked:
-            context.drags.press(pointer, None)
+            event.drags.press(pointer, None)
         elif hit.part is Part.IMAGE_CORNER:
-            context.drags.press(pointer, ScaleImage(document, hit.knot, pointer.position))
+            event.drags.press(pointer, ScaleImage(document, hit.knot, pointer.position))
         else:
-            context.drags.press(pointer, MoveImage(document, pointer.position))
+            event.drags.press(pointer, MoveImage(document, pointer.position))
 
-    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+    def nudge(self, event: ToolEvent, direction: Vector, stride: Stride) -> bool:
         """Move the picture as far as points go by an arrow key."""
-        host, way = context.host, context.step_of(stride)
+        session, way = event.session, event.step_of(stride)
         by = (direction[0] * way, direction[1] * way)
-        if host.document.image is None or host.document.image.locked:
+        if session.document.image is None or session.document.image.locked:
             return True
-        host.change("Nudge image", lambda document: step_image(document, by), run="image")
+        session.change("Nudge image", lambda document: step_image(document, by), run="image")
         return True
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        hit = context.hit
+        hit = event.hit
         if hit is None:
             return Hint("Moving the image · Drag it, or one of its corners to scale it · Escape goes back")
         if hit.part is Part.IMAGE_CORNER:

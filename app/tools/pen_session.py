@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import hints
-from .drag_machine import EditingHost
+from .drag_machine import EditingSession
 from .pointer import Hit
 
 _Key = tuple[int, str]
@@ -34,23 +34,25 @@ class PenSession:
         """Whether anything has been drawn since the pen was taken in hand."""
         return bool(self._drawn)
 
-    def is_finished(self, host: EditingHost) -> bool:
+    def is_finished(self, session: EditingSession) -> bool:
         """Whether the person has finished the curve that is edited, so that the next press begins another."""
-        return key_of(host) in self._finished and hints.can_finish(host.active_view)
+        return key_of(session) in self._finished and hints.can_finish(session.active_view)
 
-    def goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
+    def goes_on_at(self, hit: Hit, session: EditingSession) -> bool:
         """Whether a click on what is hit goes on with the curve: on either end of one that is not drawn."""
-        view = host.active_view
+        view = session.active_view
         is_either = hints.is_end(hit, view) or hints.is_beginning(hit, view)
-        return is_either and not self.is_drawn(host) and not view.source.locked
+        return is_either and not self.is_drawn(session) and not view.source.locked
 
-    def is_drawn(self, host: EditingHost) -> bool:
+    def is_drawn(self, session: EditingSession) -> bool:
         """Whether the pen is drawing the curve that is edited."""
-        return host.selected.is_editing and key_of(host) in self._drawn and not self.is_finished(host)
+        return (
+            session.selected.is_editing and key_of(session) in self._drawn and not self.is_finished(session)
+        )
 
-    def finish(self, host: EditingHost) -> None:
+    def finish(self, session: EditingSession) -> None:
         """Take note that the curve that is edited is finished."""
-        self._finished.add(key_of(host))
+        self._finished.add(key_of(session))
 
     def draw(self, key: _Key, count: int) -> None:
         """Take note that a curve is drawn, which has had so many points before."""
@@ -59,13 +61,13 @@ class PenSession:
         self._finished.discard(key)
         self._drawn.setdefault(key, count)
 
-    def own_points(self, host: EditingHost) -> int:
+    def own_points(self, session: EditingSession) -> int:
         """Return how many points at the end of the curve that is edited the pen has drawn."""
-        if not self.is_drawn(host) or host.active_view.source.is_closed:
+        if not self.is_drawn(session) or session.active_view.source.is_closed:
             return 0
-        return max(0, len(host.active_view.source.points) - self._drawn[key_of(host)])
+        return max(0, len(session.active_view.source.points) - self._drawn[key_of(session)])
 
 
-def key_of(host: EditingHost) -> tuple[int, str]:
+def key_of(session: EditingSession) -> tuple[int, str]:
     """Return the place and the name of the curve that is edited."""
-    return host.active_index, host.active_view.source.name
+    return session.active_index, session.active_view.source.name

@@ -15,9 +15,9 @@ from ..document.model import Curve, Document, ParametrizationKind, Vector
 from ..document.point_group import PointGroup, points_of
 from ..view_model.curve.curve_view import CurveView
 from .drag import Drag
-from .drag_machine import CANCELLED, THRESHOLD, EditingHost
+from .drag_machine import CANCELLED, THRESHOLD, EditingSession
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
-from .tool import Gesture, Tool, ToolContext, ToolRecord
+from .tool import Gesture, Tool, ToolEvent, ToolRecord
 
 _LEAST_GAP = 1e-3
 """Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
@@ -32,35 +32,35 @@ class Scrubbing(Gesture):
         Tells the parameter at the pointer, None for none.
     """
 
-    def __init__(self, context: ToolContext, t_at: Callable[[ToolContext], float | None]) -> None:
-        self._t_at, self._press, self._before = t_at, context.pointer, context.host.scrub.t
-        hit = context.hit
+    def __init__(self, event: ToolEvent, t_at: Callable[[ToolEvent], float | None]) -> None:
+        self._t_at, self._press, self._before = t_at, event.pointer, event.session.scrub.t
+        hit = event.hit
         # The point of the function that was pressed: a click means it, only a drag from there scrubs.
         self._point = hit.index if hit is not None and hit.part is Part.FUNCTION else None
-        self.move(context)
+        self.move(event)
 
-    def move(self, context: ToolContext) -> None:
+    def move(self, event: ToolEvent) -> None:
         """Scrub to the pointer."""
         if self._point is not None:
-            if math.dist(self._press.pixel, context.pointer.pixel) < THRESHOLD:
+            if math.dist(self._press.pixel, event.pointer.pixel) < THRESHOLD:
                 return
             self._point = None
-        t, curve = self._t_at(context), context.view.curve
+        t, curve = self._t_at(event), event.view.curve
         if curve is not None and t is not None:
             start, end = curve.domain
-            context.host.scrub.set(min(max(t, start), end))
+            event.session.scrub.set(min(max(t, start), end))
 
-    def release(self, context: ToolContext) -> None:
+    def release(self, event: ToolEvent) -> None:
         """Leave the scrub line here, or select the point of the function that was clicked."""
-        self.move(context)
+        self.move(event)
         if self._point is not None:
-            context.host.selected.set_points([self._point])
+            event.session.selected.set_points([self._point])
 
-    def cancel(self, context: ToolContext) -> None:
+    def cancel(self, event: ToolEvent) -> None:
         """Bring the scrub line back."""
-        context.host.scrub.set(self._before)
+        event.session.scrub.set(self._before)
         if self._point is None:
-            context.host.say(CANCELLED)
+            event.session.say(CANCELLED)
 
 
 class ScrubTool(Tool):
@@ -68,19 +68,19 @@ class ScrubTool(Tool):
 
     cursor = Cursor.ARROW
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin to scrub."""
-        self.gesture = Scrubbing(context, self.t_at)
+        self.gesture = Scrubbing(event, self.t_at)
 
-    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+    def nudge(self, event: ToolEvent, direction: Vector, stride: Stride) -> bool:
         """Leave arrow keys alone: no point is meant here."""
         return False
 
-    def t_at(self, context: ToolContext) -> float | None:
+    def t_at(self, event: ToolEvent) -> float | None:
         """Return the parameter at the pointer, None for none."""
-        return context.pointer.position[0]
+        return event.pointer.position[0]
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         return Hint("Drag, or press ← →, to scrub (Shift: ten times as far) · Wheel zooms along t")
 
@@ -88,9 +88,9 @@ class ScrubTool(Tool):
 class ScrubAlongTool(ScrubTool):
     """Tool that moves the scrub line to the nearest place of what is drawn."""
 
-    def t_at(self, context: ToolContext) -> float | None:
+    def t_at(self, event: ToolEvent) -> float | None:
         """Return the parameter of what is nearest."""
-        hit = context.with_hit().hit
+        hit = event.with_hit().hit
         return hit.t if hit is not None else None
 
 
@@ -214,78 +214,78 @@ class NudgeTicks(DragTicks, frozen=True):
 class RailTool(ScrubTool):
     """Tool that drags ticks along the t-rail, and scrubs elsewhere."""
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin to drag the tick here, or else to scrub."""
-        if context.hit is not None and context.hit.part is Part.TICK:
-            self._press_on_tick(context, context.hit)
+        if event.hit is not None and event.hit.part is Part.TICK:
+            self._press_on_tick(event, event.hit)
         else:
-            super().press(context)
+            super().press(event)
 
     @staticmethod
-    def _press_on_tick(context: ToolContext, hit: Hit) -> None:
-        host, pointer, before = context.host, context.pointer, context.host.selected.group
-        one = points_of(host.active_index, [hit.index])
-        if hit.index not in host.selected.points:
-            host.selected.set_group(before.joined(one) if pointer.shift else one)
-        drag = _drag(host, pointer.position[0], hit.knot, hit.index)
-        context.drags.press(pointer, drag, on_click=lambda: _click(context, one, before))
+    def _press_on_tick(event: ToolEvent, hit: Hit) -> None:
+        session, pointer, before = event.session, event.pointer, event.session.selected.group
+        one = points_of(session.active_index, [hit.index])
+        if hit.index not in session.selected.points:
+            session.selected.set_group(before.joined(one) if pointer.shift else one)
+        drag = _drag(session, pointer.position[0], hit.knot, hit.index)
+        event.drags.press(pointer, drag, on_click=lambda: _click(event, one, before))
 
-    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+    def nudge(self, event: ToolEvent, direction: Vector, stride: Stride) -> bool:
         """Move the selected ticks by a round number; return whether there are any."""
-        host = context.host
-        if not direction[0] or not host.selected.points or not len(host.active_view.ticks):
+        session = event.session
+        if not direction[0] or not session.selected.points or not len(session.active_view.ticks):
             return False
-        first = min(host.selected.points)
-        drag = _drag(host, -direction[0] * stride.length(), first, first, NudgeTicks)
-        context.drags.nudge(drag, ("ticks", host.active_index, host.selected.points))
+        first = min(session.selected.points)
+        drag = _drag(session, -direction[0] * stride.length(), first, first, NudgeTicks)
+        event.drags.nudge(drag, ("ticks", session.active_index, session.selected.points))
         return True
 
     def lit(self, hit: Hit | None) -> int:
         """Return the point of a tick or of a function."""
         return hit.index if hit is not None and hit.part is not Part.SCRUB else -1
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        hit = context.hit
+        hit = event.hit
         if hit is None or hit.part is Part.SCRUB:
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
-            return _tick_hint(hit, context.pointer, context.view, context.host.selected.points)
+            return _tick_hint(hit, event.pointer, event.view, event.session.selected.points)
         if hit.part is Part.PLACE:
             return Hint(
                 f"The dot of point {hit.index}: near t = {words.number(hit.position[0])} it acts most · "
                 "Drag to scrub"
             )
         kind = f"{DERIVATIVES[hit.kind - 1].name} function" if hit.kind else "basis function"
-        point = context.view.source.family.point
+        point = event.view.source.family.point
         return Hint(f"The {kind} of {point} {hit.index} · Click to select the point")
 
 
-def _click(context: ToolContext, one: PointGroup, before: PointGroup) -> None:
+def _click(event: ToolEvent, one: PointGroup, before: PointGroup) -> None:
     """Select the point of a tick alone; with Shift add it, or take it out."""
-    context.host.selected.set_group(before.toggled(one) if context.pointer.shift else one)
+    event.session.selected.set_group(before.toggled(one) if event.pointer.shift else one)
 
 
 def _drag(
-    host: EditingHost, start: float, knot: int, point: int, kind: type[DragTicks] = DragTicks
+    session: EditingSession, start: float, knot: int, point: int, kind: type[DragTicks] = DragTicks
 ) -> DragTicks:
-    parameters = host.active_view.ticks.tolist()
-    knots = {other for other in host.selected.points if other != point} | {knot}
+    parameters = session.active_view.ticks.tolist()
+    knots = {other for other in session.selected.points if other != point} | {knot}
     # Frozen once: in every step of the drag only the points whose ticks move are other values.
-    frozen = freeze_parameters(host.document, host.active_index, parameters)
-    view = host.active_view
+    frozen = freeze_parameters(session.document, session.active_index, parameters)
+    view = session.active_view
     curve = view.curve if view.is_current else None
     idle = [] if curve is None else np.flatnonzero(curve.idle_parameters).tolist()
     return kind(
         frozen,
-        host.active_index,
+        session.active_index,
         parameters,
         knot,
         frozenset(knots),
         frozenset(idle),
         point,
         start,
-        host.document,
+        session.document,
     )
 
 

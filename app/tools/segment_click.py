@@ -10,17 +10,17 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.fitting.reshape import Reshaped, inserted_index, with_point_inserted
 from ..view_model.geometry.sampling import segment_at
 from . import hints
-from .drag_machine import EditingHost
+from .drag_machine import EditingSession
 from .pointer import Hit, Pointer
 
 
-def click_segment(host: EditingHost, hit: Hit, pointer: Pointer) -> None:
+def click_segment(session: EditingSession, hit: Hit, pointer: Pointer) -> None:
     """Select the ends of the segment hit, alone, or with Shift too or no longer; say what c(t) is there."""
-    selected, ends = host.selected, _ends_of(host.active_view, host.active_index, hit.t)
+    selected, ends = session.selected, _ends_of(session.active_view, session.active_index, hit.t)
     if ends.parts:
         selected.set_group(_toggled(selected.group, ends) if pointer.shift else ends)
     said = f"t = {words.number(hit.t)} · c(t) = ({words.pair(hit.position)})"
-    host.say(f"{hints.selected(selected.group)} · {said}" if ends.parts else said)
+    session.say(f"{hints.selected(selected.group)} · {said}" if ends.parts else said)
 
 
 def _ends_of(view: CurveView, curve: int, t: float) -> PointGroup:
@@ -37,15 +37,15 @@ def _toggled(before: PointGroup, ends: PointGroup) -> PointGroup:
     return before.toggled(ends) if both == before else both
 
 
-def insert_at(host: EditingHost, t: float) -> None:
+def insert_at(session: EditingSession, t: float) -> None:
     """Insert a point on the active curve at `t`, and select it alone."""
-    view, active, made = host.active_view, host.active_index, list[Reshaped]()
+    view, active, made = session.active_view, session.active_index, list[Reshaped]()
 
     def edit(document: Document) -> Document:
         made.append(with_point_inserted(view, t))
         return replace_curve(document, active, made[0].curve)
 
     index = inserted_index(view, t)
-    if host.change(f"Insert point {index}", edit):
-        host.selected.set_points([index])
-        host.say(made[0].sentence)
+    if session.change(f"Insert point {index}", edit):
+        session.selected.set_points([index])
+        session.say(made[0].sentence)

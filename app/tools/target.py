@@ -13,15 +13,15 @@ from ..document.shapes import shape_of
 from ..document.steps import reshaped
 from ..view_model.boxes.bounds import Bounds, bounds_of
 from ..view_model.boxes.pivot import Anchor, Pivot, anchored
-from .drag_machine import EditingHost
+from .drag_machine import EditingSession
 from .transform_box import TransformBox, box_of
 
 
-class TransformTarget:
+class SelectionBox:
     """The selected points of the curves that are edited; with none, the curves that are chosen as wholes."""
 
-    def __init__(self, host: EditingHost) -> None:
-        self._host = host
+    def __init__(self, session: EditingSession) -> None:
+        self._session = session
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
@@ -39,13 +39,13 @@ class TransformTarget:
         return self._now()[1]
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
-        host = self._host
-        selection = host.selected.group
+        session = self._session
+        selection = session.selected.group
         if len(selection.parts) == 1 and len(selection.parts[0][1]) == 1:
             # As under most drags; a single point has no box.
             return selection, None
-        views, chosen = host.views, host.selected.chosen
-        live, turns = host.is_previewing, host.box.turns
+        views, chosen = session.views, session.selected.chosen
+        live, turns = session.is_previewing, session.box.turns
         now = (selection, chosen, live, turns)
         if not self._known or self._known[0] is not views or self._known[1:] != now:
             self._known = (views, *now)
@@ -60,7 +60,7 @@ class TransformTarget:
 
         Of several, those that are not locked.
         """
-        document, chosen = self._host.document, self._host.selected.chosen
+        document, chosen = self._session.document, self._session.selected.chosen
         if not chosen:
             return None
         known, group = self._whole, None
@@ -78,7 +78,7 @@ class TransformTarget:
     @property
     def _edited(self) -> PointGroup:
         """All points of the active curve, and of the others of its shape: what has a hole is one thing."""
-        document, active = self._host.document, self._host.active_index
+        document, active = self._session.document, self._session.active_index
         places = shape_of(document, active)
         return PointGroup(
             tuple((place, frozenset(range(len(document.curves[place].points)))) for place in places)
@@ -93,15 +93,15 @@ class TransformTarget:
     @property
     def is_nothing(self) -> bool:
         """Whether nothing is selected, and no curve is edited or has no points."""
-        is_there = self.group is not None or self._host.selected.is_editing
+        is_there = self.group is not None or self._session.selected.is_editing
         return not is_there or not any(indices for _, indices in self.for_keys.parts)
 
     @property
     def refusal_of_keys(self) -> str:
         """Why keys cannot transform anything: it is locked, or there is nothing."""
-        if self.group is None and not self._host.selected.is_editing:
+        if self.group is None and not self._session.selected.is_editing:
             return NONE_CHOSEN
-        group, source = self.for_keys, self._host.active_view.source
+        group, source = self.for_keys, self._session.active_view.source
         if not any(indices for _, indices in group.parts):
             return f"“{source.name}” has no points yet; press P to add some."
         return self.refusal_of(group)
@@ -110,7 +110,7 @@ class TransformTarget:
         """Return why a group cannot be changed: what of it is locked; empty where nothing is."""
         try:
             if group is not None:
-                group.refuse_locked(self._host.document)
+                group.refuse_locked(self._session.document)
         except EditError as reason:
             return str(reason)
         return ""
@@ -125,7 +125,7 @@ class TransformTarget:
 
     def bounds_of(self, group: PointGroup) -> Bounds:
         """Return the bounds of a group; there must be points."""
-        bounds = bounds_of(self._host.views, group, as_drawn=self._host.is_previewing)
+        bounds = bounds_of(self._session.views, group, as_drawn=self._session.is_previewing)
         assert bounds is not None
         return bounds
 
@@ -139,7 +139,7 @@ class TransformTarget:
     @property
     def pivot(self) -> Vector | None:
         """The pivot that was chosen for it, where it is by now; None for the middle."""
-        pivot = self._host.box.pivot
+        pivot = self._session.box.pivot
         if pivot is None or self.is_nothing:
             return None
         found = pivot.at(self.anchored())
@@ -147,28 +147,28 @@ class TransformTarget:
 
     @pivot.setter
     def pivot(self, place: Vector | None) -> None:
-        self._host.box.set_pivot(Pivot(place, self.anchored()) if place is not None else None)
+        self._session.box.set_pivot(Pivot(place, self.anchored()) if place is not None else None)
 
     def anchored(self) -> Anchor:
         """Return what keys transform as it is now."""
         return self._anchored(self.for_keys)
 
     def _anchored(self, group: PointGroup) -> Anchor:
-        host = self._host
-        return anchored(host.views, group, live=host.is_previewing)
+        session = self._session
+        return anchored(session.views, group, live=session.is_previewing)
 
     def keep_pivot(self) -> None:
         """Take the pivot along with what it was chosen for, or with a copy of that which lies there.
 
         Where that is gone the pivot goes, too: what is drawn in its place has none.
         """
-        host, pivot = self._host, self._host.box.pivot
-        if pivot is None or host.is_previewing:
+        session, pivot = self._session, self._session.box.pivot
+        if pivot is None or session.is_previewing:
             return
-        own = pivot.anchor.group_in(host.document.curves)
+        own = pivot.anchor.group_in(session.document.curves)
         now = None if self.is_nothing else self.anchored()
         is_meant = now is not None and (own is not None or pivot.anchor.has_same_points(now))
         if now is not None and is_meant and (found := pivot.at(now)) is not None:
-            host.box.set_pivot(found)
+            session.box.set_pivot(found)
         else:
-            host.box.set_pivot(None if own is None else pivot.at(self._anchored(own)) or pivot)
+            session.box.set_pivot(None if own is None else pivot.at(self._anchored(own)) or pivot)

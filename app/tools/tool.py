@@ -1,4 +1,4 @@
-"""A tool: what mouse and keys do while it is in use, and the context that comes with each event."""
+"""A tool: what mouse and keys do while it is in use, and the event that comes with each event."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from ..document.point_group import points_of
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.registry import Registry
 from .background import Background
-from .drag_machine import DragMachine, EditingHost
+from .drag_machine import DragMachine, EditingSession
 from .drags import NudgePoints
-from .marks import GestureMarks, Note
+from .marks import Marks, Note
 from .pencil_detail import PencilDetail
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
-from .snappers import Snappers
+from .snappers import SnapTargets
 from .snapping import SnapKind, Snapping, with_snap
-from .target import TransformTarget
+from .target import SelectionBox
 
 
 class Finder(Protocol):
@@ -31,10 +31,10 @@ class Finder(Protocol):
     finds_image: bool
 
 
-class Surface:
+class CanvasQueries:
     """What tools work on: by default nothing lies anywhere.
 
-    A further question is a method here, answered by the plots that know; tools ask ``context.surface``.
+    A further question is a method here, answered by the plots that know; tools ask ``event.surface``.
     """
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
@@ -74,14 +74,14 @@ class ToolSettings(msgspec.Struct, frozen=True):
     pencil: PencilDetail = PencilDetail.MEDIUM
 
 
-class ToolContext(msgspec.Struct, frozen=True):
+class ToolEvent(msgspec.Struct, frozen=True):
     """One event, with everything that a tool needs to answer it.
 
     Attributes
     ----------
     pointer
         Position, modifier keys, and what lies under the pointer.
-    host
+    session
         The session: the document, its views, the selection, and the way to change them.
     settings
         Snapping, the unit, whether there is a box with grips.
@@ -100,13 +100,13 @@ class ToolContext(msgspec.Struct, frozen=True):
     """
 
     pointer: Pointer
-    host: EditingHost
+    session: EditingSession
     settings: ToolSettings
     drags: DragMachine
-    snappers: Snappers
-    target: TransformTarget
+    snappers: SnapTargets
+    target: SelectionBox
     background: Background
-    surface: Surface
+    surface: CanvasQueries
     tool: Tool
 
     @property
@@ -117,18 +117,18 @@ class ToolContext(msgspec.Struct, frozen=True):
     @property
     def view(self) -> CurveView:
         """The curve that is edited."""
-        return self.host.active_view
+        return self.session.active_view
 
     def grid(self) -> float:
         """Return the spacing of the grid at the present zoom."""
         return self.surface.grid_spacing()
 
-    def at(self, pointer: Pointer) -> ToolContext:
-        """Return the context of an event somewhere else."""
+    def at(self, pointer: Pointer) -> ToolEvent:
+        """Return the event of an event somewhere else."""
         return replace(self, pointer=pointer)
 
-    def with_hit(self) -> ToolContext:
-        """Return the context with what lies under the pointer now."""
+    def with_hit(self) -> ToolEvent:
+        """Return the event with what lies under the pointer now."""
         hit = self.surface.hit(self.pointer, self.tool) if self.pointer.is_there else None
         return self.at(replace(self.pointer, hit=hit))
 
@@ -156,17 +156,17 @@ class ToolContext(msgspec.Struct, frozen=True):
 class Gesture:
     """A gesture that is no drag, from its press on: it changes nothing in the document."""
 
-    def move(self, context: ToolContext) -> None:
+    def move(self, event: ToolEvent) -> None:
         """Follow the pointer."""
 
-    def release(self, context: ToolContext) -> None:
+    def release(self, event: ToolEvent) -> None:
         """End: by default as after one more move."""
-        self.move(context)
+        self.move(event)
 
-    def cancel(self, context: ToolContext) -> None:
+    def cancel(self, event: ToolEvent) -> None:
         """Bring back what was there before."""
 
-    def progress(self, context: ToolContext) -> str:
+    def progress(self, event: ToolEvent) -> str:
         """Return how far it has come, as a sentence for the status line."""
         return ""
 
@@ -175,7 +175,7 @@ class Tool:
     """A tool of a plot: by default it begins nothing, and follows a drag that it has begun.
 
     Its own state is that of its gesture; everything else comes with each event. A tool that changes the
-    document begins a drag in `press` (``context.drags.press``), and the rest follows from that: threshold,
+    document begins a drag in `press` (``event.drags.press``), and the rest follows from that: threshold,
     preview, one step of the history, Escape.
 
     Attributes
@@ -203,57 +203,57 @@ class Tool:
 
     # Events
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin a gesture."""
 
-    def move(self, context: ToolContext) -> None:
+    def move(self, event: ToolEvent) -> None:
         """Follow the pointer while a gesture is in flight."""
         if self.gesture is not None:
-            self.gesture.move(context)
+            self.gesture.move(event)
         else:
-            context.drags.move(context.pointer)
+            event.drags.move(event.pointer)
 
-    def release(self, context: ToolContext) -> None:
+    def release(self, event: ToolEvent) -> None:
         """End the gesture."""
         if self.gesture is not None:
-            self.gesture.release(context)
+            self.gesture.release(event)
         else:
-            context.drags.release(context.pointer)
+            event.drags.release(event.pointer)
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         return Hint()
 
-    def key(self, context: ToolContext, key: str) -> bool:
+    def key(self, event: ToolEvent, key: str) -> bool:
         """Take a key, such as "enter" or "x"; return whether it meant something."""
         return False
 
-    def claims(self, context: ToolContext, key: str) -> bool:
+    def claims(self, event: ToolEvent, key: str) -> bool:
         """Whether a key is for the tool that would be a shortcut otherwise."""
         return False
 
-    def nudge(self, context: ToolContext, direction: Vector, stride: Stride) -> bool:
+    def nudge(self, event: ToolEvent, direction: Vector, stride: Stride) -> bool:
         """Move the selected points, or curves, by a step of the grid or, not snapping, of a round number.
 
         Return whether the arrow key meant something.
         """
-        group = context.target.group
+        group = event.target.group
         if group is None:
             return True
-        step = context.step_of(stride)
-        drag = NudgePoints(context.host.document, group, (direction[0] * step, direction[1] * step))
-        context.drags.nudge(drag, ("points", group))
+        step = event.step_of(stride)
+        drag = NudgePoints(event.session.document, group, (direction[0] * step, direction[1] * step))
+        event.drags.nudge(drag, ("points", group))
         return True
 
-    def walk(self, context: ToolContext, step: int) -> bool:
+    def walk(self, event: ToolEvent, step: int) -> bool:
         """Select the next (1) or previous (−1) point of the curves that are edited; return whether one is."""
-        host = context.host
+        session = event.session
         order = [
             (curve, index)
-            for curve in sorted(host.selected.edited)
-            for index in range(len(host.document.curves[curve].points))
+            for curve in sorted(session.selected.edited)
+            for index in range(len(session.document.curves[curve].points))
         ]
-        points, active = host.selected.points, host.active_index
+        points, active = session.selected.points, session.active_index
         if points:
             place = order.index((active, max(points) if step > 0 else min(points))) + step
         else:
@@ -263,30 +263,30 @@ class Tool:
         if not 0 <= place < len(order):
             return False
         curve, index = order[place]
-        host.selected.set_group(points_of(curve, [index]))
+        session.selected.set_group(points_of(curve, [index]))
         return True
 
-    def cancel(self, context: ToolContext) -> None:
+    def cancel(self, event: ToolEvent) -> None:
         """Take the gesture in flight back."""
         if self.gesture is not None:
-            self.gesture.cancel(context)
-        context.drags.cancel()
+            self.gesture.cancel(event)
+        event.drags.cancel()
 
     def pick_up(self) -> None:
         """Begin to be used, in place of another tool."""
 
-    def takes_up(self, context: ToolContext) -> bool:
+    def takes_up(self, event: ToolEvent) -> bool:
         """Whether it works on the active curve where none is edited."""
         return not self.finds_other_curves
 
-    def take_over(self, context: ToolContext) -> None:
+    def take_over(self, event: ToolEvent) -> None:
         """Begin to be used while no curve was edited: what is drawn from now on is another one."""
 
     def end(self) -> None:
         """Drop what belongs to one gesture: it has ended, or another begins."""
         self.gesture = None
 
-    def dismiss(self, context: ToolContext) -> bool:
+    def dismiss(self, event: ToolEvent) -> bool:
         """Remove what was left on the plot; return whether there was something."""
         return False
 
@@ -299,13 +299,13 @@ class Tool:
         """Return the point that lights up with what lies under the pointer, −1 for none."""
         return hit.index if hit is not None and hit.part is Part.POINT else -1
 
-    def marks(self, context: ToolContext) -> GestureMarks:
+    def marks(self, event: ToolEvent) -> Marks:
         """Return what is drawn over the plot."""
-        return GestureMarks(snap=context.snappers.caught)
+        return Marks(snap=event.snappers.caught)
 
-    def progress(self, context: ToolContext) -> str:
+    def progress(self, event: ToolEvent) -> str:
         """Return how far the gesture in flight has come, as a sentence for the status line."""
-        return self.gesture.progress(context) if self.gesture is not None else context.progress()
+        return self.gesture.progress(event) if self.gesture is not None else event.progress()
 
 
 class GestureRow(msgspec.Struct, frozen=True):

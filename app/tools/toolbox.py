@@ -9,18 +9,18 @@ from msgspec.structs import replace
 from ..document.edits import EditError
 from ..document.model import Vector
 from .background import Background
-from .drag_machine import CANCELLED, DragMachine, EditingHost
-from .marks import GestureMarks
+from .drag_machine import CANCELLED, DragMachine, EditingSession
+from .marks import Marks
 from .pointer import ELSEWHERE, Hint, Pointer, Stride
-from .snappers import Snappers
-from .target import TransformTarget
-from .tool import Surface, Tool, ToolContext, ToolRecord, ToolSettings
+from .snappers import SnapTargets
+from .target import SelectionBox
+from .tool import CanvasQueries, Tool, ToolEvent, ToolRecord, ToolSettings
 from .transform import TransformKind
 from .transform_drags import TransformTool
 
 
 class Toolbox:
-    """Tools of one plot: events go to the one in use, each with its context.
+    """Tools of one plot: events go to the one in use, each with its event.
 
     A tool may lie above the one that is chosen, for a while: the transform that a key has begun, or the one
     that moves the picture. Then the events are its own.
@@ -39,19 +39,19 @@ class Toolbox:
         Does what takes longer than a moment, whichever tool is in use by then.
     """
 
-    def __init__(self, host: EditingHost, record: ToolRecord) -> None:
+    def __init__(self, session: EditingSession, record: ToolRecord) -> None:
         self.record = record
-        self.surface = Surface()
+        self.surface = CanvasQueries()
         self.settings = ToolSettings()
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
-        self._host = host
-        self._drags = DragMachine(host)
-        self._snappers = Snappers(
-            host,
+        self._session = session
+        self._drags = DragMachine(session)
+        self._snappers = SnapTargets(
+            session,
             lambda: self.settings.snapping,
             lambda: self.grid(),  # noqa: PLW0108 - it is set later
         )
-        self.target = TransformTarget(host)
+        self.target = SelectionBox(session)
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None
@@ -63,11 +63,11 @@ class Toolbox:
         return self._above or self._chosen
 
     @property
-    def context(self) -> ToolContext:
-        """The context of the last event, as things are now."""
-        return ToolContext(
+    def event(self) -> ToolEvent:
+        """The event of the last event, as things are now."""
+        return ToolEvent(
             self._pointer,
-            self._host,
+            self._session,
             self.settings,
             self._drags,
             self._snappers,
@@ -106,14 +106,14 @@ class Toolbox:
     def choose(self, record: ToolRecord) -> None:
         """Use another tool from now on."""
         self.cancel()
-        self._chosen.dismiss(self.context)
+        self._chosen.dismiss(self.event)
         self.record = record
         self._chosen = self._of(record)
         self._chosen.pick_up()
-        if self._chosen.takes_up(self.context) and not self._host.selected.is_editing:
+        if self._chosen.takes_up(self.event) and not self._session.selected.is_editing:
             # Whole curves are chosen with the tool that selects alone; the others work on the active one.
-            self._host.selected.take_up()
-            self._chosen.take_over(self.context)
+            self._session.selected.take_up()
+            self._chosen.take_over(self.event)
 
     def lay_above(self, record: ToolRecord | None) -> None:
         """Use a tool in place of the one that is chosen, until None gives way to that again."""
@@ -131,14 +131,14 @@ class Toolbox:
             return self.key(kind.key)
         if self.is_pressed:
             return False
-        context = self._at(pointer)
-        if refusal := context.target.refusal_of_keys:
-            self._host.refuse(refusal)
+        event = self._at(pointer)
+        if refusal := event.target.refusal_of_keys:
+            self._session.refuse(refusal)
             return False
-        self._above = TransformTool(kind, context)
+        self._above = TransformTool(kind, event)
         return True
 
-    def begin_with(self, make: Callable[[ToolContext], Tool], pointer: Pointer) -> None:
+    def begin_with(self, make: Callable[[ToolEvent], Tool], pointer: Pointer) -> None:
         """Begin a gesture of a tool that lies above the one that is chosen until the gesture has ended."""
         self.cancel()
         self._above = make(self._at(pointer))
@@ -152,7 +152,7 @@ class Toolbox:
         try:
             self.tool.press(self._at(pointer).with_hit())
         except EditError as reason:
-            self._host.refuse(str(reason))
+            self._session.refuse(str(reason))
         self._give_way()
 
     def move(self, pointer: Pointer) -> None:
@@ -167,46 +167,46 @@ class Toolbox:
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""
-        tool, context = self.tool, self._at(pointer)
+        tool, event = self.tool, self._at(pointer)
         if self.is_transforming:
-            return tool.hover(context)
-        context = context.with_hit()
-        self._host.selected.set_hovered(tool.lit(context.hit))
+            return tool.hover(event)
+        event = event.with_hit()
+        self._session.selected.set_hovered(tool.lit(event.hit))
         self._snappers.reset()
-        return tool.hover(context)
+        return tool.hover(event)
 
     def leave(self) -> None:
         """Show nothing of what a press would do: the pointer has left."""
-        self._host.selected.set_hovered(-1)
+        self._session.selected.set_hovered(-1)
         self._snappers.reset()
         self.tool.hover(self._at(ELSEWHERE))
 
     def claims(self, key: str) -> bool:
         """Whether a key is for the tool that would be a shortcut otherwise."""
-        return self.tool.claims(self.context, key)
+        return self.tool.claims(self.event, key)
 
     def key(self, key: str) -> bool:
         """Give the tool a key; return whether it meant something, and was not refused."""
         try:
-            taken = self.tool.key(self.context, key)
+            taken = self.tool.key(self.event, key)
         except EditError as reason:
-            self._host.refuse(str(reason))
+            self._session.refuse(str(reason))
             taken = False
         self._give_way()
         return taken
 
     def nudge(self, direction: Vector, stride: Stride) -> bool:
         """Move what the tool moves by an arrow key; return whether the key meant something."""
-        return not self.is_pressed and self.tool.nudge(self.context, direction, stride)
+        return not self.is_pressed and self.tool.nudge(self.event, direction, stride)
 
     def walk(self, step: int) -> bool:
         """Go to the next thing (1) or the one before (−1); return whether there is one."""
-        return self.tool.walk(self.context, step)
+        return self.tool.walk(self.event, step)
 
     def cancel(self) -> bool:
         """Take the gesture in flight back; return whether there was one."""
         was_pressed = self.is_pressed
-        self.tool.cancel(self.context)
+        self.tool.cancel(self.event)
         self._give_way()
         self._end()
         return was_pressed
@@ -220,9 +220,9 @@ class Toolbox:
     def dismiss(self) -> bool:
         """Drop what is being done, or remove what the tool has left on the plot; return whether there was."""
         if self.background.cancel():
-            self._host.say(CANCELLED)
+            self._session.say(CANCELLED)
             return True
-        return self._chosen.dismiss(self.context)
+        return self._chosen.dismiss(self.event)
 
     def reset(self) -> None:
         """Forget what concerns the document; another one is open."""
@@ -230,9 +230,9 @@ class Toolbox:
         for tool in self._made.values():
             tool.reset()
 
-    def _at(self, pointer: Pointer) -> ToolContext:
+    def _at(self, pointer: Pointer) -> ToolEvent:
         self._pointer = pointer
-        return self.context
+        return self.event
 
     def _end(self) -> None:
         self.tool.end()
@@ -246,19 +246,19 @@ class Toolbox:
 
     # What is shown
 
-    def marks(self) -> GestureMarks:
+    def marks(self) -> Marks:
         """Return what is drawn over the plot."""
-        marks = self._chosen.marks(self.context)
+        marks = self._chosen.marks(self.event)
         if self.background.lines:
             marks = replace(marks, waiting=self.background.lines)
         if marks.pivot is None and (pivot := self.target.pivot) is not None:
             # One that was chosen is there whatever tool is in use.
             marks = replace(marks, pivot=pivot)
-        return self._above.marks(self.context).above(marks) if self._above is not None else marks
+        return self._above.marks(self.event).above(marks) if self._above is not None else marks
 
     def progress(self) -> str:
         """Return how far the gesture in flight has come, as a sentence for the status line."""
-        return self.tool.progress(self.context)
+        return self.tool.progress(self.event)
 
     def place(self) -> Vector | None:
         """Return where the point is that is dragged, None while none is."""

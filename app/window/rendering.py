@@ -84,7 +84,7 @@ class Rendering(QObject):
     def _render_rest(self) -> None:
         """Render what need not follow a drag frame by frame, when all is told of which there is news."""
         self._context.actions.follow()
-        self._session.telling.then(self._render_panels)
+        self._session.batch.then(self._render_panels)
 
     def _render_panels(self) -> None:
         self._panels_due.stop()
@@ -96,7 +96,7 @@ class Rendering(QObject):
 
     def _render_others(self) -> None:
         """Draw all curves but the edited one, at the end of a step: it may choose others more than once."""
-        self._session.telling.then(self._draw_others)
+        self._session.batch.then(self._draw_others)
 
     def _draw_others(self) -> None:
         session, selected = self._session, self._session.selected
@@ -107,12 +107,12 @@ class Rendering(QObject):
         # What was said was about the curves that were selected before.
         self._context.status_line.clear_message()
         self._render_others()
-        self._session.telling.then(self._canvas.hover_again)
+        self._session.batch.then(self._canvas.hover_again)
         self._render_commands()
 
     def _render_commands(self) -> None:
         """Check and enable actions; those of a document that the panels do not show yet, together with it."""
-        if self._session.telling or self._session.active_view is self._rendered:
+        if self._session.batch or self._session.active_view is self._rendered:
             self._render_rest()
 
     def _render_scrub(self, t: float | None) -> None:
@@ -121,7 +121,7 @@ class Rendering(QObject):
         self._commands.follow_scrub(t)
 
     def _follow_file(self) -> None:
-        self._session.telling.then(self._render_file)
+        self._session.batch.then(self._render_file)
 
     def _render_file(self) -> None:
         session, window = self._session, self._context.window

@@ -12,7 +12,7 @@ from ..document.model import Document
 from ..document.several_curves import active_after_removal
 from ..document.words import number
 from ..session import Change
-from ..session.highlight import Highlight
+from ..session.highlight import ClipboardSelection
 from ..view_model.curve.measure import is_kept
 from ..view_model.points.deleting import Deletion, without_points, without_points_but_handles
 from .context import WindowContext
@@ -31,11 +31,11 @@ def is_in_list(context: WindowContext) -> bool:
     return focus is not None and context.docks["curvesDock"].isAncestorOf(focus)
 
 
-def highlighted(context: WindowContext) -> Highlight:
+def highlighted(context: WindowContext) -> ClipboardSelection:
     """Return the highlight: with the focus in the list of curves, the curves of its highlighted rows."""
     focus, in_list = QApplication.focusWidget(), is_in_list(context)
     if in_list and isinstance(focus, ListsCurves):
-        return Highlight(focus.meant)
+        return ClipboardSelection(focus.meant)
     return context.session.selected.highlight(whole_curves=in_list)
 
 
@@ -47,7 +47,9 @@ def highlighted_curves(context: WindowContext) -> frozenset[int]:
     return selected.highlight(whole_curves=True).curves or selected.whole
 
 
-def remove(context: WindowContext, what: Highlight, verb: str, *, keeps_shape: bool = True) -> Change:
+def remove(
+    context: WindowContext, what: ClipboardSelection, verb: str, *, keeps_shape: bool = True
+) -> Change:
     """Remove what was highlighted as one step, such as "Delete 3 points".
 
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
@@ -75,7 +77,7 @@ def remove(context: WindowContext, what: Highlight, verb: str, *, keeps_shape: b
     return change
 
 
-def _say_change(context: WindowContext, what: Highlight, deleted: Sequence[Deletion]) -> None:
+def _say_change(context: WindowContext, what: ClipboardSelection, deleted: Sequence[Deletion]) -> None:
     """Say by how much curves changed that were to keep their shape."""
     fitted = [each for each in deleted if each.residual is not None]
     if not fitted:

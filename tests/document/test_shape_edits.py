@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from app.document.curve_tree import Container, NodeKind, tree_of, whole_nodes
 from app.document.edits import EditError
 from app.document.model import Document, make_curve
-from app.document.selection import Choice
+from app.document.selection import SelectionState
 from app.document.several_curves import add_copies, add_curves, add_imported, in_order, named
 from app.document.shape_edits import (
     at_end,
@@ -235,12 +235,14 @@ def test_a_press_means_the_outermost_group_that_is_not_entered(drawn, pressed_at
     some = document(drawn)
     (curve,), (edited,) = places(some, pressed_at), places(some, active)
     whole = frozenset(places(some, chosen))
-    choice = Choice(edited, frozenset(), whole, whole if len(whole) > 1 else frozenset(), is_editing=True)
+    choice = SelectionState(
+        edited, frozenset(), whole, whole if len(whole) > 1 else frozenset(), is_editing=True
+    )
     assert pressed(some, curve, choice) == places(some, meant)
     # While nothing is edited, it is what is chosen that tells which groups are entered.
-    choosing = Choice(edited, frozenset(), whole, whole, is_editing=False)
+    choosing = SelectionState(edited, frozenset(), whole, whole, is_editing=False)
     assert pressed(some, curve, choosing) == places(some, meant)
-    none = Choice(edited, frozenset(), frozenset({edited}), frozenset(), is_editing=False)
+    none = SelectionState(edited, frozenset(), frozenset({edited}), frozenset(), is_editing=False)
     assert pressed(some, curve, none) in [set(node.places) for node in tree_of(some.curves)]
 
 

@@ -56,10 +56,10 @@ PASSING = {
     *("PointLayer._roles", "PointLayer._roles_for", "PointLayer._roles_of", "PointLayer.numbers"),
     *("Rulers._band", "Rulers._marks", "Rulers._marks_of", "ScrubLayer.scrub", "ShownHandles._counted"),
     *("ShownHandles._in_sight", "TickEdit._knot", "Toolbar._widths", "TraceLayer._lines"),
-    *("TransformTarget._whole", "UsedColours._found", "WiggleCommands._cures"),
+    *("SelectionBox._whole", "UsedColours._found", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
     *("_button", "_last", "_place_now", "_pointer", "CurvePicker.entered", "Scrolling._zooms"),
-    "Snappers._hovered",
+    "SnapTargets._hovered",
     # A drag that is over until the next press; what was typed last, until more is; the panel named last.
     *("LiveSlider._is_over", "GuideCommands._typed", "PointTableModel._is_refused", "FieldForm._entry"),
     *("FieldEdit._entered", "FocusCommands._named", "TransformPanelCommands._turning"),

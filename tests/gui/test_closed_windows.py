@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 
 from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
-from app.session import Beginning, Session
+from app.session import DocumentOrigin, Session
 from app.storage.files import save
 from app.testing import Editor
 
@@ -57,7 +57,7 @@ def test_windows_that_were_closed_are_gone_with_all_they_had(qapp, tmp_path):
     lifecycle = Lifecycle(qapp, windows)
     lifecycle.start()
     deliver_deletions(qapp)
-    lifecycle._open_beside(Session().document, None, Beginning())
+    lifecycle._open_beside(Session().document, None, DocumentOrigin())
     windows = list(lifecycle._autosaves)
     assert len(windows) == len(paths) + 1
     use(windows[0])

@@ -27,7 +27,7 @@ from app.tools.explain import EXPLAIN
 from app.tools.pointer import Hit, Part, Pointer, Stride
 from app.tools.rail import RAIL
 from app.tools.snapping import Snapping
-from app.tools.tool import TOOLS, Surface, ToolSettings
+from app.tools.tool import TOOLS, CanvasQueries, ToolSettings
 from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
 from app.view_model.curve.handles import handles_at, handles_on, sides_facing
@@ -60,7 +60,7 @@ def refused(_document):
     raise EditError("This is refused.")
 
 
-class Answers(Surface):
+class Answers(CanvasQueries):
     """A plot of which one thing is known: what is hit."""
 
     def __init__(self, hit):

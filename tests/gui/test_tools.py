@@ -12,7 +12,7 @@ from app.document.model import Point
 from app.testing import Editor
 from app.tools.canvas.select import SELECT
 from app.tools.drag import Drag
-from app.tools.marks import GestureMarks, Ruler
+from app.tools.marks import Marks, Ruler
 from app.tools.pointer import Cursor, Hint
 from app.tools.tool import TOOLS, GestureRow, Tool, ToolRecord
 from tests.gui.editor_facts import transform
@@ -49,7 +49,7 @@ class RaiseTool(Tool):
         self.drag = None
 
     def press(self, context):
-        self.drag = Raise(context.host.document, context.host.active_index, context.pointer.position)
+        self.drag = Raise(context.session.document, context.session.active_index, context.pointer.position)
         context.drags.press(context.pointer, self.drag)
 
     def hover(self, context):
@@ -60,8 +60,8 @@ class RaiseTool(Tool):
 
     def marks(self, context):
         if self.drag is None:
-            return GestureMarks()
-        return GestureMarks(ruler=Ruler(self.drag.foot, self.drag.head(context.pointer), "up"))
+            return Marks()
+        return Marks(ruler=Ruler(self.drag.foot, self.drag.head(context.pointer), "up"))
 
 
 RAISE = ToolRecord(
@@ -137,7 +137,7 @@ def test_a_drag_is_one_step_and_what_it_shows_is_drawn(raising):
     assert raising.point(-1) == pytest.approx((FOOT[0], HEAD[1]), abs=raising.pixel)
     assert session.undo_stack.count() == steps + 1
     assert session.undo_stack.undoText() == "Raise point"
-    assert canvas.marks == GestureMarks()
+    assert canvas.marks == Marks()
     raising.trigger("undo")
     assert session.document == before
 
@@ -156,7 +156,7 @@ def test_a_drag_can_be_taken_back(raising, way_out):
         raising.send(canvas, QEvent.Type.MouseButtonPress, pixel, button=Qt.MouseButton.RightButton)
     raising.release(HEAD)
     assert (session.document, session.undo_stack.count()) == (before, steps)
-    assert canvas.marks == GestureMarks()
+    assert canvas.marks == Marks()
 
 
 def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(raising):
@@ -178,7 +178,7 @@ class StampTool(Tool):
     """Puts a point where it is clicked, through the one door: there is no drag."""
 
     def press(self, context):
-        host, place = context.host, context.pointer.position
+        host, place = context.session, context.pointer.position
 
         def stamped(document):
             count = len(document.curves[host.active_index].points)

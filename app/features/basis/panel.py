@@ -9,7 +9,7 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.tool import Finder, Surface
+from ...tools.tool import CanvasQueries, Finder
 from ...tools.toolbox import Toolbox
 from .hits import hit_test
 from .layers import rail_height
@@ -17,7 +17,7 @@ from .scene import BasisScene
 from .tick_edit import TickEdit
 
 
-class BasisPanel(ToolPlot, Surface):
+class BasisPanel(ToolPlot, CanvasQueries):
     """The basis functions of the active curve over t, with the gestures on them.
 
     Attributes

@@ -11,7 +11,7 @@ from ...actions.sections import EDIT_CLIPBOARD
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import write_block
-from ...session.highlight import Highlight
+from ...session.highlight import ClipboardSelection
 from ...view_model.pieces.pasting import copied, parts_of
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import CURVES, POINTS, put_on_clipboard
@@ -51,7 +51,7 @@ class ClipboardCommands:
         put_on_clipboard(self._offer(what))
         self._session.say(f"Copied {what.said(self._session.document)}.")
 
-    def _offer(self, what: Highlight) -> Offer:
+    def _offer(self, what: ClipboardSelection) -> Offer:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark = self._session, decimal_mark()
         if len(what.points.parts) != 1:
@@ -65,7 +65,7 @@ class ClipboardCommands:
         ]
         return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
 
-    def _copied_curves(self, what: Highlight) -> tuple[Curve, ...]:
+    def _copied_curves(self, what: ClipboardSelection) -> tuple[Curve, ...]:
         """Return the curves, or what the points of several are curves of."""
         session = self._session
         if not what.points.parts:

@@ -151,7 +151,7 @@ class PasteCommands:
         document, framing = arrival.document, self._context.central.canvas.framing
         name, style = named(document, places), session.model.style
         session.expect(arrival.views)
-        with session.telling:
+        with session.batch:
             if not session.change(f"Paste {name}", lambda _: document, active=places.start):
                 return
             session.selected.choose_brought(places, style)

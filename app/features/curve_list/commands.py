@@ -40,7 +40,7 @@ from ...workbench.bar_menu import bar_menu
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.highlight import highlighted_curves
-from .entries import Marks
+from .entries import RowMarks
 from .panel import CurveList
 from .row_edits import RowEdits
 
@@ -86,7 +86,7 @@ class CurveListCommands:
 
     def _render(self) -> None:
         session, selected = self._session, self._session.selected
-        marks = Marks(session.active_index, selected.is_editing, selected.marked)
+        marks = RowMarks(session.active_index, selected.is_editing, selected.marked)
         self.panel.render_document(session.document, marks)
 
     # Number
@@ -105,7 +105,7 @@ class CurveListCommands:
         document = session.document
         added = add_copies(document, order)
         active = order.index(session.active_index) if session.active_index in order else -1
-        with session.telling:
+        with session.batch:
             if not session.change(
                 f"Duplicate {named(document, order)}", lambda _: added.document, active=added.places[active]
             ):

@@ -50,7 +50,7 @@ class Entry(NamedTuple):
         return self.node.kind, self.node.around, self.node.name
 
 
-class Marks(NamedTuple):
+class RowMarks(NamedTuple):
     """What is chosen, as the rows show it.
 
     Attributes

@@ -17,7 +17,7 @@ from ...document.curve_tree import Node, NodeKind, counted_nodes, tree_of
 from ...document.model import Document
 from ...document.steps import changed_besides_points
 from ...qt.overrides import SafeOverrides
-from .entries import Entry, Key, Marks, Row, entries_of, row_of_curve, rows_around, state_of
+from .entries import Entry, Key, Row, RowMarks, entries_of, row_of_curve, rows_around, state_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -47,7 +47,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         super().__init__(parent)
         self.setObjectName("curveListModel")
         self._document: Document | None = None
-        self.marks = Marks()
+        self.marks = RowMarks()
         self.entries: list[Entry] = []
         self.has_folds = False
         self._rows: list[Row] = []
@@ -55,7 +55,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         self._rows_around: list[int | None] = []
         self._open: set[Key] = set()
 
-    def show_document(self, document: Document, marks: Marks) -> None:
+    def show_document(self, document: Document, marks: RowMarks) -> None:
         """Show the curves of `document`, and what is chosen; only what changed is announced."""
         self.marks = marks
         before, self._document = self._document, document

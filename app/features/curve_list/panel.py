@@ -18,7 +18,7 @@ from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
 from ...widgets.tool_buttons import action_button
 from .colour_menu import colour_menu
-from .entries import Marks
+from .entries import RowMarks
 from .model import CurveListModel
 from .row_parts import Spot
 from .view import CurveListView
@@ -73,7 +73,7 @@ class CurveList(SafeOverrides, QWidget):
             button.setFixedSize(26, 26)
             self._buttons.insertWidget(place, button)
 
-    def render_document(self, document: Document, marks: Marks) -> None:
+    def render_document(self, document: Document, marks: RowMarks) -> None:
         """Show the curves of `document`, and what is chosen."""
         self.model.show_document(document, marks)
         self.view.follow()

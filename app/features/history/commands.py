@@ -34,7 +34,7 @@ class HistoryCommands:
         canvas = context.central.canvas
         canvas.gesture_began.connect(lambda: self._follow_gesture(is_held=True))
         canvas.gesture_ended.connect(self._follow_gesture)
-        canvas.errands_changed.connect(self._follow_gesture)
+        canvas.background_changed.connect(self._follow_gesture)
         self._session.history_changed.connect(self._name_steps)
         # What the history begins with; empty for a window that has opened nothing.
         self._beginning = ""

@@ -18,7 +18,7 @@ from ...plotting.layers import Layer
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.tool import Finder, Surface
+from ...tools.tool import CanvasQueries, Finder
 from ...tools.toolbox import Toolbox
 from ...view_model.analysis.hodograph import Hodograph
 from ...widgets.boxes import column_of, row_of
@@ -32,7 +32,7 @@ _NUMBERED_UP_TO = 16
 _NAMES = {each.order: ("c" + "′″‴"[each.order - 1], each.name) for each in DERIVATIVES}
 
 
-class HodographPlot(ToolPlot, Surface):
+class HodographPlot(ToolPlot, CanvasQueries):
     """Draws the hodograph; equal aspect, the origin marked. Drag along the curve to scrub.
 
     The view box's coordinates are those of the derivative over a power of ten, `unit`: pyqtgraph loses

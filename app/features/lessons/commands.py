@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from ... import view_model
 from ...actions.declaration import action
 from ...actions.sections import ANALYSIS, HELP_ALL
-from ...session import Beginning
+from ...session import DocumentOrigin
 from ...storage.files import load
 from ...view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 from ...view_model.analysis.laboratory_settings import Calculation
@@ -52,7 +52,7 @@ class LessonCommands:
         self._panel: LessonPanel | None = None
         self._lesson: Lesson | None = None
         self._given: Document | None = None
-        self._visits: dict[Beginning, _Visit] = {}
+        self._visits: dict[DocumentOrigin, _Visit] = {}
         self._switched_on: list[str] = []
         self._dock = context.docks["lessonsDock"]
         self._dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from ...document.model import Document
-from ...session import Beginning, Session
+from ...session import DocumentOrigin, Session
 from ...storage.reasons import shown
 from ...storage.recovery import Origin, SnapshotFile
 from ...tasks.task import Task
@@ -171,15 +171,15 @@ def origin_of(session: Session) -> Origin:
     return Origin(files.path, stamp, beginning.title, beginning.file_stem)
 
 
-def beginning_of(origin: Origin, path: Path | None) -> Beginning:
+def beginning_of(origin: Origin, path: Path | None) -> DocumentOrigin:
     """Return the beginning of work that was recovered and has its file at `path`, if any.
 
     Where that is not to be written to any more, it keeps the name.
     """
     if path is None and origin.path is not None:
         stem = shown(origin.path.name).removesuffix(SUFFIX)
-        return Beginning(title=stem, file_stem=stem)
-    return Beginning(title=origin.title, file_stem=origin.file_stem)
+        return DocumentOrigin(title=stem, file_stem=stem)
+    return DocumentOrigin(title=origin.title, file_stem=origin.file_stem)
 
 
 def _written(file: SnapshotFile, document: Document, origin: Origin, committed: Document) -> str:

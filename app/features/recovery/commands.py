@@ -8,14 +8,14 @@ from pathlib import Path
 from ...actions.declaration import action
 from ...actions.sections import FILE_RECOVERY
 from ...document.model import Document
-from ...session import Beginning
+from ...session import DocumentOrigin
 from ...storage.recovery import Found, Snapshot, list_snapshots
 from ...workbench.context import WindowContext
 from .. import recovery
 from .autosave import Autosave, beginning_of, snapshot_folder
 from .set_aside import SetAside
 
-OpenBeside = Callable[[Document, Path | None, Beginning], Autosave]
+OpenBeside = Callable[[Document, Path | None, DocumentOrigin], Autosave]
 """Opens another window on a document with changes that are not in its file."""
 
 

@@ -137,7 +137,7 @@ class ShapeCommands:
         session, curves = self._session, _meant(self._session)
         nodes = groups_meant(session.document, curves)
         what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
-        with session.telling:
+        with session.batch:
             is_done = bool(session.change(f"Ungroup {what}", lambda document: ungrouped(document, curves)))
             if is_done:
                 self._choose([place for node in nodes for place in node.places])
@@ -150,7 +150,7 @@ class ShapeCommands:
         """Make what was brought together the document, and choose it; return whether it is."""
         session = self._session
         active = made.order.index(session.active_index)
-        with session.telling:
+        with session.batch:
             is_done = bool(session.change(text, lambda _: made.document, active=active))
             if is_done:
                 self._choose(made.places)

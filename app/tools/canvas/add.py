@@ -22,13 +22,13 @@ from ...view_model.points.appending import (
 )
 from ...view_model.points.straight import closed_by_line, with_line_appended
 from .. import hints
-from ..drag_machine import EditingHost
-from ..marks import GestureMarks
+from ..drag_machine import EditingSession
+from ..marks import Marks
 from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
 from ..pen_session import PenSession, key_of
 from ..pointer import Hint, Hit
-from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
 
 _TAKING_BACK = ("backspace", "delete")
 """Keys that take back the last point."""
@@ -62,250 +62,252 @@ class AddTool(Tool):
         """Show nothing of what a press would do."""
         self._seen = self._preview = self._spot = None
 
-    def take_over(self, context: ToolContext) -> None:
+    def take_over(self, event: ToolEvent) -> None:
         """Leave the active curve as it is: nobody was editing it."""
-        if hints.can_finish(context.view):
-            self._pen.finish(context.host)
+        if hints.can_finish(event.view):
+            self._pen.finish(event.session)
 
     # Finished curves
 
-    def claims(self, context: ToolContext, key: str) -> bool:
+    def claims(self, event: ToolEvent, key: str) -> bool:
         """Whether a key takes back what the pen has drawn: unless the person has selected something else."""
-        if key not in _TAKING_BACK or context.drags.is_pressed or not self._pen.has_drawn:
+        if key not in _TAKING_BACK or event.drags.is_pressed or not self._pen.has_drawn:
             return False
-        last = len(context.view.source.points) - 1
-        return context.host.selected.group in (NO_POINTS, points_of(context.host.active_index, [last]))
+        last = len(event.view.source.points) - 1
+        return event.session.selected.group in (NO_POINTS, points_of(event.session.active_index, [last]))
 
-    def key(self, context: ToolContext, key: str) -> bool:
+    def key(self, event: ToolEvent, key: str) -> bool:
         """Finish the curve that is edited with Enter, or say why not; take back its last point."""
-        host = context.host
-        if self.claims(context, key):
-            self._take_back(context)
+        session = event.session
+        if self.claims(event, key):
+            self._take_back(event)
             return True
-        if key != "enter" or context.drags.is_pressed or context.view.source.is_closed:
+        if key != "enter" or event.drags.is_pressed or event.view.source.is_closed:
             return False
-        if not hints.can_finish(context.view):
-            host.refuse("A curve needs two points before it can be finished.")
+        if not hints.can_finish(event.view):
+            session.refuse("A curve needs two points before it can be finished.")
         else:
-            self._finish(host)
+            self._finish(session)
         return True
 
-    def _finish(self, host: EditingHost) -> None:
+    def _finish(self, session: EditingSession) -> None:
         """Finish the curve that is edited: the next press begins another one."""
-        self._pen.finish(host)
-        host.selected.set_points([])
-        host.say(f"“{host.active_view.source.name}” is finished; the next press begins another curve.")
+        self._pen.finish(session)
+        session.selected.set_points([])
+        session.say(f"“{session.active_view.source.name}” is finished; the next press begins another curve.")
 
-    def _take_back(self, context: ToolContext) -> None:
+    def _take_back(self, event: ToolEvent) -> None:
         """Take back the last point that was drawn, and with the first of all the curve."""
-        host = context.host
-        place, last = host.active_index, len(host.active_view.source.points) - 1
+        session = event.session
+        place, last = session.active_index, len(session.active_view.source.points) - 1
 
-        if not self._pen.own_points(host):
-            host.say("There is nothing to take back; a click draws, V selects.")
-        elif host.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
+        if not self._pen.own_points(session):
+            session.say("There is nothing to take back; a click draws, V selects.")
+        elif session.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
             if last:
-                host.selected.set_points([last - 1])
-            host.say(f"Took back point {last}." if last else "Took back the curve; a click begins another.")
+                session.selected.set_points([last - 1])
+            session.say(
+                f"Took back point {last}." if last else "Took back the curve; a click begins another."
+            )
 
-    def _ends_at(self, hit: Hit, host: EditingHost) -> bool:
+    def _ends_at(self, hit: Hit, session: EditingSession) -> bool:
         """Whether a double click on what is hit finishes the curve: on the point that it has added."""
-        view = host.active_view
-        return hints.is_end(hit, view) and hints.can_finish(view) and not self._pen.is_finished(host)
+        view = session.active_view
+        return hints.is_end(hit, view) and hints.can_finish(view) and not self._pen.is_finished(session)
 
-    def _go_on(self, host: EditingHost, index: int) -> None:
+    def _go_on(self, session: EditingSession, index: int) -> None:
         """Go on with a curve from its end at point `index`; from the first it runs the other way."""
-        curve, view = host.active_index, host.active_view
+        curve, view = session.active_index, session.active_view
         last = len(view.source.points) - 1
         if index != last:
             way = f"Go on from point {index}"
             parameters = view.parameters.tolist()
-            if not host.change(way, lambda document: reverse_curve(document, curve, parameters)):
+            if not session.change(way, lambda document: reverse_curve(document, curve, parameters)):
                 return
-        self._pen.draw(key_of(host), last + 1)
-        host.selected.set_points([last])
-        host.say(f"Going on with “{view.source.name}”; the next press adds point {last + 1}.")
+        self._pen.draw(key_of(session), last + 1)
+        session.selected.set_points([last])
+        session.say(f"Going on with “{view.source.name}”; the next press adds point {last + 1}.")
 
     # Presses
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin what a press here does."""
-        host, hit = context.host, context.hit
-        if (part := self._part(context)) is not None:
-            self._press_on_part(context, part)
+        session, hit = event.session, event.hit
+        if (part := self._part(event)) is not None:
+            self._press_on_part(event, part)
             return
-        act = self._act(context)
+        act = self._act(event)
         if act is PenAct.BEGIN:
-            self._begin(context)
-        elif context.view.source.locked:
-            host.refuse(hints.LOCKED.format(context.view.source.seen_name))
+            self._begin(event)
+        elif event.view.source.locked:
+            session.refuse(hints.LOCKED.format(event.view.source.seen_name))
         elif act is PenAct.INSERT and hit is not None:
-            _insert(context, hit)
+            _insert(event, hit)
         else:
-            self._append(context)
+            self._append(event)
 
-    def _part(self, context: ToolContext) -> Hit | None:
+    def _part(self, event: ToolEvent) -> Hit | None:
         """Return the point or handle that a press is about; None for none."""
-        host, hit = context.host, context.hit
-        if hit is None or hints.is_no_part(hit) or _begins_anew(host):
+        session, hit = event.session, event.hit
+        if hit is None or hints.is_no_part(hit) or _begins_anew(session):
             return None
         return hit
 
-    def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
-        if self._pen.goes_on_at(hit, context.host):
-            press_on_part(context, hit, partial(self._go_on, context.host, hit.index))
-        elif hints.can_end_at(hit, context.view):
-            press_on_part(context, hit, partial(self._close, context))
-        elif context.pointer.is_double and self._ends_at(hit, context.host):
-            press_on_part(context, hit, partial(self._finish, context.host))
+    def _press_on_part(self, event: ToolEvent, hit: Hit) -> None:
+        if self._pen.goes_on_at(hit, event.session):
+            press_on_part(event, hit, partial(self._go_on, event.session, hit.index))
+        elif hints.can_end_at(hit, event.view):
+            press_on_part(event, hit, partial(self._close, event))
+        elif event.pointer.is_double and self._ends_at(hit, event.session):
+            press_on_part(event, hit, partial(self._finish, event.session))
         else:
-            press_on_part(context, hit)
+            press_on_part(event, hit)
 
-    def _act(self, context: ToolContext) -> PenAct:
-        if _begins_anew(context.host):
+    def _act(self, event: ToolEvent) -> PenAct:
+        if _begins_anew(event.session):
             return PenAct.BEGIN
-        finished = self._pen.is_finished(context.host)
-        return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
+        finished = self._pen.is_finished(event.session)
+        return pen_act(event.hit, event.view, shift=event.pointer.shift, finished=finished)
 
-    def _append(self, context: ToolContext) -> None:
-        host = context.host
-        index, key = len(context.view.source.points), key_of(host)
-        snapper, (document, view) = context.snappers.for_new(index), self._start(context)
+    def _append(self, event: ToolEvent) -> None:
+        session = event.session
+        index, key = len(event.view.source.points), key_of(session)
+        snapper, (document, view) = event.snappers.for_new(index), self._start(event)
         append = AppendPoint(
             document,
-            host.active_index,
+            session.active_index,
             view,
-            context.pointer,
+            event.pointer,
             snapper,
-            _appending(context),
+            _appending(event),
         )
         # Only when it is done: Escape leaves a finished curve finished.
         done = partial(self._pen.draw, key, index)
-        context.drags.press_at_once(context.pointer, append, on_done=done, makes=index)
+        event.drags.press_at_once(event.pointer, append, on_done=done, makes=index)
 
-    def _close(self, context: ToolContext) -> None:
+    def _close(self, event: ToolEvent) -> None:
         """Close the curve that is edited, or say why it cannot be closed."""
-        host = context.host
-        host.change(f"Close {host.active_view.source.name}", lambda _document: self._closed(context))
+        session = event.session
+        session.change(f"Close {session.active_view.source.name}", lambda _document: self._closed(event))
 
-    def _closed(self, context: ToolContext) -> Document:
-        document, view = self._start(context)
-        close = closed_by_line if context.pointer.alt else closed_by_pen
-        return close(document, context.host.active_index, view)
+    def _closed(self, event: ToolEvent) -> Document:
+        document, view = self._start(event)
+        close = closed_by_line if event.pointer.alt else closed_by_pen
+        return close(document, event.session.active_index, view)
 
-    def _start(self, context: ToolContext) -> tuple[Document, CurveView]:
+    def _start(self, event: ToolEvent) -> tuple[Document, CurveView]:
         """Return the document, and the view of the curve that is edited, that a press goes on from."""
-        host = context.host
-        document = host.document
-        if not context.view.source.points:
-            document = begun(document, host.active_index, _fresh(context)).document
-        if document is host.document:
-            return document, context.view
-        return document, view_of(document.curves[host.active_index], context.view)
+        session = event.session
+        document = session.document
+        if not event.view.source.points:
+            document = begun(document, session.active_index, _fresh(event)).document
+        if document is session.document:
+            return document, event.view
+        return document, view_of(document.curves[session.active_index], event.view)
 
-    def _begin(self, context: ToolContext) -> None:
+    def _begin(self, event: ToolEvent) -> None:
         """Begin another curve, or the empty one; it is edited from the press on."""
-        host = context.host
-        document, place = begun(host.document, host.active_index, _fresh(context))
+        session = event.session
+        document, place = begun(session.document, session.active_index, _fresh(event))
         begun_curve = document.curves[place]
         done = partial(self._pen.draw, (place, begun_curve.name), 0)
-        view, snapper = view_of(begun_curve), context.snappers.for_new(-1)
-        begin = BeginCurve(document, place, view, context.pointer, snapper, _appending(context))
-        context.drags.press_at_once(context.pointer, begin, on_done=done, active=place, makes=0)
+        view, snapper = view_of(begun_curve), event.snappers.for_new(-1)
+        begin = BeginCurve(document, place, view, event.pointer, snapper, _appending(event))
+        event.drags.press_at_once(event.pointer, begin, on_done=done, active=place, makes=0)
 
     # What a press would do
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do, and show it."""
-        view = context.view
-        part = self._part(context)
-        act = self._act(context) if part is None else None
+        view = event.view
+        part = self._part(event)
+        act = self._act(event) if part is None else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
-        in_steps = act is PenAct.APPEND and place_in_steps(view, context.pointer) is not None
+        in_steps = act is PenAct.APPEND and place_in_steps(view, event.pointer) is not None
         if place is not None and not in_steps:
-            context.preview_snap(place)
-        self._update_preview(context, act)
-        snaps = context.settings.snapping.on
+            event.preview_snap(place)
+        self._update_preview(event, act)
+        snaps = event.settings.snapping.on
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.seen_name))
         if part is None:
-            act, goes_on = act or PenAct.APPEND, not _begins_anew(context.host)
-            return hints.to_add(act, view, _fresh(context), snaps=snaps, goes_on=goes_on)
-        pointer = context.pointer
-        dragged, goes_on = dragged_with(context, part), self._pen.goes_on_at(part, context.host)
+            act, goes_on = act or PenAct.APPEND, not _begins_anew(event.session)
+            return hints.to_add(act, view, _fresh(event), snaps=snaps, goes_on=goes_on)
+        pointer = event.pointer
+        dragged, goes_on = dragged_with(event, part), self._pen.goes_on_at(part, event.session)
         return hints.to_add_on_part(part, view, dragged, pointer, snaps=snaps, goes_on=goes_on)
 
-    def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
+    def _update_preview(self, event: ToolEvent, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
-        host, view, hit, caught = context.host, context.view, context.hit, context.snappers.caught
-        is_here = math.isfinite(context.pointer.position[0]) and not view.source.locked
+        session, view, hit, caught = event.session, event.view, event.hit, event.snappers.caught
+        is_here = math.isfinite(event.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
         self._seen = view
-        if is_here and act is None and self._pen.is_drawn(host) and hints.can_end_at(hit, view):
-            self._preview = self._view_closed(context)
+        if is_here and act is None and self._pen.is_drawn(session) and hints.can_end_at(hit, view):
+            self._preview = self._view_closed(event)
             return
         if not is_here or act is not PenAct.APPEND:
             self._preview = None
             return
-        pointer = context.pointer
+        pointer = event.pointer
         free = caught.position if caught is not None else pointer.position
         place = place_in_steps(view, pointer) or free
-        document, start = self._start(context)
+        document, start = self._start(event)
         self._preview = view_with_point(
-            document, host.active_index, start, place, self._preview, append=_appending(context)
+            document, session.active_index, start, place, self._preview, append=_appending(event)
         )
 
-    def _view_closed(self, context: ToolContext) -> CurveView | None:
+    def _view_closed(self, event: ToolEvent) -> CurveView | None:
         """Return the view of the curve as a click here closes it; None where that is none, or takes long."""
-        if not is_quick(context.view):
+        if not is_quick(event.view):
             return None
         try:
-            closed = view_of(self._closed(context).curves[context.host.active_index], self._preview)
+            closed = view_of(self._closed(event).curves[event.session.active_index], self._preview)
         except EditError:
             return None
         return closed if closed.is_current else None
 
-    def marks(self, context: ToolContext) -> GestureMarks:
+    def marks(self, event: ToolEvent) -> Marks:
         """Return the curve with one point more, or the spot to insert one at."""
-        is_shown = self._seen is context.view and not context.drags.is_pressed
-        return GestureMarks(
-            snap=context.snappers.caught,
+        is_shown = self._seen is event.view and not event.drags.is_pressed
+        return Marks(
+            snap=event.snappers.caught,
             preview_curve=self._preview if is_shown else None,
             spot=self._spot if is_shown else None,
         )
 
 
-def _appending(context: ToolContext) -> Appending:
+def _appending(event: ToolEvent) -> Appending:
     """Return what a click makes: with Alt a point after a straight line."""
-    return with_line_appended if context.pointer.alt else with_point_appended
+    return with_line_appended if event.pointer.alt else with_point_appended
 
 
-def _fresh(context: ToolContext) -> Curve:
+def _fresh(event: ToolEvent) -> Curve:
     """Return another curve to begin, as the one that is edited."""
-    model = context.host.model
-    return fresh_curve(context.host.document, model, model.parametrization)
+    model = event.session.model
+    return fresh_curve(event.session.document, model, model.parametrization)
 
 
-def _begins_anew(host: EditingHost) -> bool:
+def _begins_anew(session: EditingSession) -> bool:
     """Whether no curve is edited that a press could go on with: the one that was is gone."""
-    return not host.selected.is_editing and bool(host.document.curves[host.active_index].points)
+    return not session.selected.is_editing and bool(session.document.curves[session.active_index].points)
 
 
-def _insert(context: ToolContext, hit: Hit) -> None:
-    host, hit = context.host, replace(hit, index=inserted_index(context.view, hit.t))
-    place = (host.active_index, hit.index)
-    snapper = context.snappers.for_group(points_of(place[0], [place[1]]), place)
-    insert = InsertPoint(host.document, host.active_index, context.view, hit, context.pointer, snapper)
-    context.drags.press_at_once(
-        context.pointer, insert, on_done=lambda: _say_outcome(host, insert), makes=hit.index
+def _insert(event: ToolEvent, hit: Hit) -> None:
+    session, hit = event.session, replace(hit, index=inserted_index(event.view, hit.t))
+    place = (session.active_index, hit.index)
+    snapper = event.snappers.for_group(points_of(place[0], [place[1]]), place)
+    insert = InsertPoint(session.document, session.active_index, event.view, hit, event.pointer, snapper)
+    event.drags.press_at_once(
+        event.pointer, insert, on_done=lambda: _say_outcome(session, insert), makes=hit.index
     )
 
 
-def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
+def _say_outcome(session: EditingSession, insert: InsertPoint) -> None:
     made = insert.on_curve
     # Dragged off the curve: the change is what was wanted.
-    if host.active_view.source == made.curve:
-        host.say(made.sentence)
+    if session.active_view.source == made.curve:
+        session.say(made.sentence)
 
 
 ADD = ToolRecord(

@@ -17,10 +17,10 @@ from ...document.edits import EditError
 from ...document.model import Document, Vector
 from ...document.style import Style
 from ..drag import Drag
-from ..marks import GestureMarks, Note
+from ..marks import Marks, Note
 from ..pointer import Hint, Pointer
 from ..snapping import Snapper
-from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
 from ..typed_amount import TypedAmount
 
 _SIDES = ("its width", "its height")
@@ -173,52 +173,52 @@ class BoxCurveTool(Tool):
         self._drawn = drawn
         self._drag: DrawInBox | None = None
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin to draw."""
-        host, snapper, drawn = context.host, context.snappers.for_new(-1), self._drawn
-        active, start, unit = host.active_index, snapper.at(context.pointer), context.settings.unit
+        session, snapper, drawn = event.session, event.snappers.for_new(-1), self._drawn
+        active, start, unit = session.active_index, snapper.at(event.pointer), event.settings.unit
         self._drag = DrawInBox(
-            host.document, drawn, active, start, snapper, unit, host.model.style, TypedAmount(unit=unit)
+            session.document, drawn, active, start, snapper, unit, session.model.style, TypedAmount(unit=unit)
         )
-        place = drawn_place(host.document, active)
-        context.drags.press(context.pointer, self._drag, lambda: host.say(f"{drawn.hint}."), active=place)
+        place = drawn_place(session.document, active)
+        event.drags.press(event.pointer, self._drag, lambda: session.say(f"{drawn.hint}."), active=place)
 
     def end(self) -> None:
         """Drop the drag."""
         super().end()
         self._drag = None
 
-    def claims(self, context: ToolContext, key: str) -> bool:
+    def claims(self, event: ToolEvent, key: str) -> bool:
         """Whether a key is for its numbers: a digit also after the drag, when it would be a shortcut."""
         drag = self._drag
         return key.isdigit() or (drag is not None and (key in ("enter", "tab") or drag.typed.claims(key)))
 
-    def key(self, context: ToolContext, key: str) -> bool:
+    def key(self, event: ToolEvent, key: str) -> bool:
         """Take what is typed of its numbers while it is dragged; "enter" ends that."""
         if self._drag is None:
             if key.isdigit():
-                context.host.refuse(_TOO_LATE)
+                event.session.refuse(_TOO_LATE)
             return key.isdigit()
         if key == "enter":
             if self._drag.refusal:
                 raise EditError(self._drag.refusal)
-            context.drags.release(context.pointer)
+            event.drags.release(event.pointer)
             return True
         changed = self._drag.with_key(key)
         if changed is not None:
             self._drag = changed
-            context.drags.exchange(context.pointer, changed)
+            event.drags.exchange(event.pointer, changed)
         return changed is not None
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        context.preview_snap(-1)
+        event.preview_snap(-1)
         return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
 
-    def marks(self, context: ToolContext) -> GestureMarks:
+    def marks(self, event: ToolEvent) -> Marks:
         """Return what is snapped to, and the numbers of what is drawn."""
-        marks, drag, pointer = super().marks(context), self._drag, context.pointer
-        if drag is None or not context.drags.progress_at(pointer):
+        marks, drag, pointer = super().marks(event), self._drag, event.pointer
+        if drag is None or not event.drags.progress_at(pointer):
             return marks
         return replace(marks, note=Note(pointer.position, drag.readout(pointer), drag.start))
 

@@ -7,10 +7,10 @@ import math
 from ...document import words
 from ..drag import minus
 from ..drags import stepped_from
-from ..marks import GestureMarks, Ruler
+from ..marks import Marks, Ruler
 from ..pointer import SNAP_KEY, STEP_KEYS, Hint
 from ..snapping import with_snap
-from ..tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
+from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _KEYS = f"{STEP_KEYS} · {SNAP_KEY}"
 """Effects of the modifier keys while something is measured."""
@@ -25,15 +25,15 @@ class Measuring(Gesture):
         The line with what is measured.
     """
 
-    def __init__(self, context: ToolContext) -> None:
-        self._snapper, self._unit = context.snappers.for_new(-1), context.settings.unit
-        start = self._snapper.at(context.pointer)
+    def __init__(self, event: ToolEvent) -> None:
+        self._snapper, self._unit = event.snappers.for_new(-1), event.settings.unit
+        start = self._snapper.at(event.pointer)
         self.ruler = Ruler(start, start, "")
 
-    def move(self, context: ToolContext) -> None:
+    def move(self, event: ToolEvent) -> None:
         """Measure up to the pointer."""
         start = self.ruler.start
-        end = stepped_from(start, context.pointer, self._snapper)
+        end = stepped_from(start, event.pointer, self._snapper)
         way = minus(end, start)
         dx, dy = way
         unit = f" {self._unit}" if self._unit else ""
@@ -42,10 +42,10 @@ class Measuring(Gesture):
         text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
         self.ruler = Ruler(start, end, text)
 
-    def progress(self, context: ToolContext) -> str:
+    def progress(self, event: ToolEvent) -> str:
         """Return what is measured, and what the keys would change."""
         text = self.ruler.text
-        return with_snap(f"{text} · {_KEYS}", context.snappers.caught) if text else ""
+        return with_snap(f"{text} · {_KEYS}", event.snappers.caught) if text else ""
 
 
 class MeasureTool(Tool):
@@ -54,36 +54,36 @@ class MeasureTool(Tool):
     def __init__(self) -> None:
         self._measured: Measuring | None = None
 
-    def takes_up(self, context: ToolContext) -> bool:
+    def takes_up(self, event: ToolEvent) -> bool:
         """Whether it works on the active curve where none is edited: never."""
         return False
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin to measure here."""
-        self.gesture = self._measured = Measuring(context)
+        self.gesture = self._measured = Measuring(event)
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        context.preview_snap(-1)
+        event.preview_snap(-1)
         return Hint(f"Drag to measure a distance and an angle · {_KEYS} · V goes back to Select")
 
-    def cancel(self, context: ToolContext) -> None:
+    def cancel(self, event: ToolEvent) -> None:
         """Remove the ruler that is drawn."""
         if self.gesture is not None:
             self._measured = None
-        super().cancel(context)
+        super().cancel(event)
 
-    def dismiss(self, context: ToolContext) -> bool:
+    def dismiss(self, event: ToolEvent) -> bool:
         """Remove the ruler; return whether there was one."""
         measured, self._measured = self._measured, None
         return measured is not None
 
-    def marks(self, context: ToolContext) -> GestureMarks:
+    def marks(self, event: ToolEvent) -> Marks:
         """Return the ruler, and what its end, or a press, has snapped to."""
         ruler = self._measured.ruler if self._measured is not None else None
-        return GestureMarks(
+        return Marks(
             ruler=ruler if ruler is not None and ruler.start != ruler.end else None,
-            snap=context.snappers.caught if ruler is None or self.gesture is not None else None,
+            snap=event.snappers.caught if ruler is None or self.gesture is not None else None,
         )
 
 

@@ -16,11 +16,11 @@ from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
 from ...view_model.fitting.least_squares import SCATTERED, Fitted, fitted
-from ..background import Errand
-from ..drag_machine import CANCELLED, THRESHOLD, EditingHost
-from ..marks import GestureMarks
+from ..background import BackgroundTask
+from ..drag_machine import CANCELLED, THRESHOLD, EditingSession
+from ..marks import Marks
 from ..pointer import Hint, Pointer
-from ..tool import Gesture, GestureRow, Tool, ToolContext, ToolRecord
+from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _CLOSING = 12.0
 """Pixels between beginning and end of a line that is meant to return."""
@@ -37,60 +37,60 @@ _HINT = "Drag to draw freehand; the curve gets few points"
 class Drawing(Gesture):
     """A line that is being drawn; it changes nothing in the document before it ends."""
 
-    def __init__(self, context: ToolContext) -> None:
-        self._press = context.pointer
-        self._places = [context.pointer.position]
+    def __init__(self, event: ToolEvent) -> None:
+        self._press = event.pointer
+        self._places = [event.pointer.position]
         self._length = self._farthest = 0.0
-        self._last = context.pointer.pixel
+        self._last = event.pointer.pixel
 
     @property
     def line(self) -> tuple[Vector, ...]:
         """The line so far; nothing before the pointer has travelled far enough for a drag."""
         return tuple(self._places) if self._farthest >= THRESHOLD else ()
 
-    def move(self, context: ToolContext) -> None:
+    def move(self, event: ToolEvent) -> None:
         """Take the place of the pointer."""
-        pointer = context.pointer
+        pointer = event.pointer
         self._length += math.dist(pointer.pixel, self._last)
         self._farthest = max(self._farthest, math.dist(pointer.pixel, self._press.pixel))
         self._last = pointer.pixel
         if pointer.position != self._places[-1]:
             self._places.append(pointer.position)
 
-    def release(self, context: ToolContext) -> None:
+    def release(self, event: ToolEvent) -> None:
         """Make a curve of the line."""
-        self.move(context)
-        host = context.host
+        self.move(event)
+        session = event.session
         if not self.line:
-            host.say(f"{_HINT}.")
+            session.say(f"{_HINT}.")
             return
         returns = math.dist(self._last, self._press.pixel) <= _CLOSING
         closed = returns and self._length > _LEAST_ROUND * _CLOSING
-        tolerance = context.settings.pencil.pixels / self._press.scale
-        begin = _begun(host)
+        tolerance = event.settings.pencil.pixels / self._press.scale
+        begin = _begun(session)
         model = replace(begin.document.curves[begin.place], closed=closed)
         work = partial(_fitted, model, self.line, tolerance)
-        done = partial(_take, host, model, self._press, tolerance)
-        context.background.do(Errand("The pencil's curve", work, done, self.line))
+        done = partial(_take, session, model, self._press, tolerance)
+        event.background.do(BackgroundTask("The pencil's curve", work, done, self.line))
 
-    def cancel(self, context: ToolContext) -> None:
+    def cancel(self, event: ToolEvent) -> None:
         """Tell that nothing was drawn."""
         if self.line:
-            context.host.say(CANCELLED)
+            event.session.say(CANCELLED)
 
-    def progress(self, context: ToolContext) -> str:
+    def progress(self, event: ToolEvent) -> str:
         """Tell how the line becomes a curve."""
         if not self.line:
             return ""
-        detail = context.settings.pencil.label.lower()
-        can_close = context.host.active_view.source.family.curve_class.can_close
+        detail = event.settings.pencil.label.lower()
+        can_close = event.session.active_view.source.family.curve_class.can_close
         closed = "back to the beginning: closed · " if can_close else ""
         return f"Drawing, {detail} · {closed}Escape cancels"
 
 
-def _begun(host: EditingHost) -> Begun:
-    document = host.document
-    return begun(document, host.active_index, fresh_curve(document, host.model, Parametrization()))
+def _begun(session: EditingSession) -> Begun:
+    document = session.document
+    return begun(document, session.active_index, fresh_curve(document, session.model, Parametrization()))
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:
@@ -115,24 +115,26 @@ class _TooLong(Exception):  # noqa: N818 - nothing has gone wrong
     """The family takes longer than a hand waits for."""
 
 
-def _take(host: EditingHost, model: Curve, press: Pointer, tolerance: float, made: Fitted | str) -> None:
+def _take(
+    session: EditingSession, model: Curve, press: Pointer, tolerance: float, made: Fitted | str
+) -> None:
     """Put the curve of a line into the document, as that is by now."""
     if isinstance(made, str):
-        host.refuse(made)
+        session.refuse(made)
         return
     try:
-        begin = _begun(host)
+        begin = _begun(session)
     except EditError as reason:
-        host.refuse(str(reason))
+        session.refuse(str(reason))
         return
     now = begin.document.curves[begin.place]
     curve = replace(made.curve, name=now.name, style=model.style, shape=now.shape, groups=now.groups)
-    if host.change(
+    if session.change(
         "Draw with the pencil",
         lambda _: replace_curve(begin.document, begin.place, curve),
         active=begin.place,
     ):
-        host.say(_told(made, model, press, tolerance))
+        session.say(_told(made, model, press, tolerance))
 
 
 def _told(made: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
@@ -156,19 +158,19 @@ class PencilTool(Tool):
 
     gesture: Drawing | None = None
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin a line here, if there is a place for a curve."""
-        _begun(context.host)
-        self.gesture = Drawing(context)
+        _begun(event.session)
+        self.gesture = Drawing(event)
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        detail = context.settings.pencil.label.lower()
+        detail = event.settings.pencil.label.lower()
         return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V goes back to Select")
 
-    def marks(self, context: ToolContext) -> GestureMarks:
+    def marks(self, event: ToolEvent) -> Marks:
         """Return the line."""
-        return GestureMarks(line=self.gesture.line if self.gesture is not None else ())
+        return Marks(line=self.gesture.line if self.gesture is not None else ())
 
 
 PENCIL = ToolRecord(

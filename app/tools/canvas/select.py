@@ -12,12 +12,12 @@ from .. import hints
 from ..curve_picker import CurvePicker, click_curve, select_hit
 from ..drags import BendCurve
 from ..guides import GuidePicker
-from ..marks import GestureMarks
+from ..marks import Marks
 from ..marquee import Band, CurveMarquee, Marquee
 from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
 from ..segment_click import click_segment, insert_at
-from ..tool import GestureRow, Tool, ToolContext, ToolRecord
+from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
 from ..transform_drags import PIVOT_HINT, MovePivot, is_on_pivot, moving, scaling, turning
@@ -38,111 +38,111 @@ class SelectTool(Tool):
         # has brought handles and a box.
         self._pressed: tuple[CurveView, Hit] | None = None
 
-    def press(self, context: ToolContext) -> None:
+    def press(self, event: ToolEvent) -> None:
         """Begin what a press here means."""
-        line, self._pressed = self._line_clicked_twice(context), None
+        line, self._pressed = self._line_clicked_twice(event), None
         if line is not None:
-            self._press_on_curve(context, line, is_second=True)
-        elif self._is_on_pivot(context):
-            self.gesture = MovePivot(context, self._click_at_pivot(context))
+            self._press_on_curve(event, line, is_second=True)
+        elif self._is_on_pivot(event):
+            self.gesture = MovePivot(event, self._click_at_pivot(event))
         else:
-            self._press(self._picker.entered(context))
+            self._press(self._picker.entered(event))
 
-    def _press(self, context: ToolContext) -> None:
-        hit, grip = context.hit, self._grip_at(context)
+    def _press(self, event: ToolEvent) -> None:
+        hit, grip = event.hit, self._grip_at(event)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
-            self._picker.press(context, hit)
+            self._picker.press(event, hit)
         elif hit is not None and not _is_below_grips(hit):
-            press_on_part(context, hit, toggling(context, hit))
+            press_on_part(event, hit, toggling(event, hit))
         elif grip is not None:
-            self._press_on_grip(context, grip)
+            self._press_on_grip(event, grip)
         elif hit is not None and hit.part is Part.GUIDE:
-            self._guides.press(context, hit)
+            self._guides.press(event, hit)
         elif hit is not None and hit.inside:
-            self._press_within(context, hit)
+            self._press_within(event, hit)
         elif hit is not None:
-            self._press_on_curve(context, hit)
+            self._press_on_curve(event, hit)
         else:
-            self._press_beside(context)
+            self._press_beside(event)
 
-    def _press_within(self, context: ToolContext, area: Hit) -> None:
+    def _press_within(self, event: ToolEvent, area: Hit) -> None:
         """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
-        if not self._is_pressed_within(context):
-            self._press_beside(context)
-        elif not context.host.selected.is_editing and not context.pointer.shift:
-            self._picker.press(context, area)
+        if not self._is_pressed_within(event):
+            self._press_beside(event)
+        elif not event.session.selected.is_editing and not event.pointer.shift:
+            self._picker.press(event, area)
         else:
-            self.gesture = self._band(context)(
-                context, lambda context: click_curve(context, area), is_on_curve=True
-            )
+            self.gesture = self._band(event)(event, lambda event: click_curve(event, area), is_on_curve=True)
 
-    def _press_beside(self, context: ToolContext) -> None:
+    def _press_beside(self, event: ToolEvent) -> None:
         """Begin to move what the box is around, or a rubber band."""
-        if (group := self._inside(context)) is not None:
-            drag = moving(context, group)
-            context.drags.press(context.pointer, drag, lambda: self._deselect(context))
+        if (group := self._inside(event)) is not None:
+            drag = moving(event, group)
+            event.drags.press(event.pointer, drag, lambda: self._deselect(event))
         else:
-            self.gesture = self._band(context)(context, self._picker.unpick)
+            self.gesture = self._band(event)(event, self._picker.unpick)
 
-    def _is_pressed_within(self, context: ToolContext) -> bool:
+    def _is_pressed_within(self, event: ToolEvent) -> bool:
         """Whether a press in what another curve fills is about that, and not about the box around points."""
-        is_choosing = not context.host.selected.is_editing and not context.pointer.shift
-        return is_choosing or self._inside(context) is None
+        is_choosing = not event.session.selected.is_editing and not event.pointer.shift
+        return is_choosing or self._inside(event) is None
 
     @staticmethod
-    def _band(context: ToolContext) -> type[Band]:
-        return Marquee if context.host.selected.is_editing else CurveMarquee
+    def _band(event: ToolEvent) -> type[Band]:
+        return Marquee if event.session.selected.is_editing else CurveMarquee
 
-    def key(self, context: ToolContext, key: str) -> bool:
+    def key(self, event: ToolEvent, key: str) -> bool:
         """Edit what is chosen with Enter."""
-        selected = context.host.selected
-        if key != "enter" or selected.is_editing or context.drags.is_pressed or not selected.chosen:
+        selected = event.session.selected
+        if key != "enter" or selected.is_editing or event.drags.is_pressed or not selected.chosen:
             return False
         selected.edit_chosen()
-        select_hit(context)
+        select_hit(event)
         return True
 
     def reset(self) -> None:
         """Forget the curve of another document."""
         self._pressed = None
 
-    def _deselect(self, context: ToolContext) -> None:
+    def _deselect(self, event: ToolEvent) -> None:
         """Let go of what the box is around: a click inside it means the empty place there."""
-        if context.host.selected.points:
-            context.host.selected.set_points([])
+        if event.session.selected.points:
+            event.session.selected.set_points([])
         else:
-            self._picker.unpick(context)
+            self._picker.unpick(event)
 
     @staticmethod
-    def _click_at_pivot(context: ToolContext) -> Callable[[], None] | None:
+    def _click_at_pivot(event: ToolEvent) -> Callable[[], None] | None:
         """Return what a click on the pivot of chosen curves means: another curve that lies there."""
-        hit, host = context.hit, context.host
-        if hit is None or hit.part is not Part.OTHER_CURVE or host.selected.is_editing:
+        hit, session = event.hit, event.session
+        if hit is None or hit.part is not Part.OTHER_CURVE or session.selected.is_editing:
             return None
-        if hit.index in host.selected.chosen:
+        if hit.index in session.selected.chosen:
             return None
-        return partial(click_curve, context, hit)
+        return partial(click_curve, event, hit)
 
-    def _press_on_grip(self, context: ToolContext, grip: Grip) -> None:
+    def _press_on_grip(self, event: ToolEvent, grip: Grip) -> None:
         self._drags_grip = True
         drag = scaling if grip.does is TransformKind.SCALE else turning
-        context.drags.press(context.pointer, drag(context, grip))
+        event.drags.press(event.pointer, drag(event, grip))
 
-    def _press_on_curve(self, context: ToolContext, hit: Hit, *, is_second: bool = False) -> None:
+    def _press_on_curve(self, event: ToolEvent, hit: Hit, *, is_second: bool = False) -> None:
         """Begin to bend the curve; a click selects both ends of the segment, the second inserts a point."""
-        host, pointer = context.host, context.pointer
-        self._pressed = (context.view, hit)
-        bend = BendCurve(host.document, host.active_index, context.view, hit, pointer.position)
-        click = partial(insert_at, host, hit.t) if is_second else partial(click_segment, host, hit, pointer)
-        context.drags.press(pointer, unless_locked(context, bend), on_click=click)
+        session, pointer = event.session, event.pointer
+        self._pressed = (event.view, hit)
+        bend = BendCurve(session.document, session.active_index, event.view, hit, pointer.position)
+        click = (
+            partial(insert_at, session, hit.t) if is_second else partial(click_segment, session, hit, pointer)
+        )
+        event.drags.press(pointer, unless_locked(event, bend), on_click=click)
 
-    def _line_clicked_twice(self, context: ToolContext) -> Hit | None:
+    def _line_clicked_twice(self, event: ToolEvent) -> Hit | None:
         """Return where the line is that a double click is on; None where it is on none."""
-        pointer, pressed = context.pointer, self._pressed
+        pointer, pressed = event.pointer, self._pressed
         if not pointer.is_double or pointer.shift or pointer.ctrl or pointer.alt or pressed is None:
             return None
         view, hit = pressed
-        return hit if view is context.view else None
+        return hit if view is event.view else None
 
     def end(self) -> None:
         """Drop the rubber band, or the grip."""
@@ -151,88 +151,88 @@ class SelectTool(Tool):
 
     # What is shown
 
-    def hover(self, context: ToolContext) -> Hint:
+    def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        hit, grip, group = context.hit, self._grip_at(context), context.target.group
-        snaps = context.settings.snapping.on
-        takes_pivot = self._is_on_pivot(context)
+        hit, grip, group = event.hit, self._grip_at(event), event.target.group
+        snaps = event.settings.snapping.on
+        takes_pivot = self._is_on_pivot(event)
         self._guides.hover(hit if grip is None and not takes_pivot else None)
-        self._lit = _unselected_place(context, hit)
+        self._lit = _unselected_place(event, hit)
         if takes_pivot:
             return PIVOT_HINT
-        box = self._box(context)
+        box = self._box(event)
         if grip is not None and group is not None and box is not None and _is_below_grips(hit):
-            return hints.on_grip(grip, box, group, context.target.refusal_of(group))
+            return hints.on_grip(grip, box, group, event.target.refusal_of(group))
         if (
             hit is not None
             and hit.part is Part.OTHER_CURVE
-            and (not hit.inside or self._is_pressed_within(context))
+            and (not hit.inside or self._is_pressed_within(event))
         ):
-            return self._picker.hint(context, hit)
-        if (beside := self._guides.hint(context)) is not None:
+            return self._picker.hint(event, hit)
+        if (beside := self._guides.hint(event)) is not None:
             return beside
-        if (hit is None or hit.inside) and (idle := self._idle_hint(context)) is not None:
+        if (hit is None or hit.inside) and (idle := self._idle_hint(event)) is not None:
             return idle
-        view, dragged = context.view, dragged_with(context, hit) if hit is not None else ""
+        view, dragged = event.view, dragged_with(event, hit) if hit is not None else ""
         if hit is not None and hit.curve >= 0:
-            view, hit = context.host.views[hit.curve], hit.as_own
-        return hints.to_select(hit, view, dragged, context.pointer, snaps=snaps)
+            view, hit = event.session.views[hit.curve], hit.as_own
+        return hints.to_select(hit, view, dragged, event.pointer, snaps=snaps)
 
-    def _idle_hint(self, context: ToolContext) -> Hint | None:
+    def _idle_hint(self, event: ToolEvent) -> Hint | None:
         """Return what a press beside everything would do, None for nothing in particular."""
-        inside = self._inside(context)
+        inside = self._inside(event)
         if inside is None:
-            return self._picker.idle_hint(context)
-        return hints.inside_box(inside, context.pointer, snaps=context.settings.snapping.on)
+            return self._picker.idle_hint(event)
+        return hints.inside_box(inside, event.pointer, snaps=event.settings.snapping.on)
 
-    def marks(self, context: ToolContext) -> GestureMarks:
+    def marks(self, event: ToolEvent) -> Marks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
-        is_idle, box = self.gesture is None and not context.drags.is_pressed, self._box(context)
-        is_banding, pivot = isinstance(self.gesture, Band), context.target.pivot
+        is_idle, box = self.gesture is None and not event.drags.is_pressed, self._box(event)
+        is_banding, pivot = isinstance(self.gesture, Band), event.target.pivot
         centre = box.centre if box is not None else None
-        return GestureMarks(
+        return Marks(
             band=self.gesture.band if isinstance(self.gesture, Band) else None,
             box=box if is_idle else None,
             frame=None if is_idle or is_banding else box,
-            pivot=context.drags.about_at(context.pointer) or (None if is_banding else pivot or centre),
+            pivot=event.drags.about_at(event.pointer) or (None if is_banding else pivot or centre),
             pivot_box=box if is_idle and pivot is None else None,
-            snap=context.snappers.caught,
-            note=context.note() if self._drags_grip else None,
+            snap=event.snappers.caught,
+            note=event.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
             guide=self._guides.lit,
         )
 
     @staticmethod
-    def _box(context: ToolContext) -> TransformBox | None:
-        target = context.target
-        box = target.box if context.settings.shows_box else None
+    def _box(event: ToolEvent) -> TransformBox | None:
+        target = event.target
+        box = target.box if event.settings.shows_box else None
         return box if box is not None and not target.refusal_of(target.group) else None
 
-    def _inside(self, context: ToolContext) -> PointGroup | None:
+    def _inside(self, event: ToolEvent) -> PointGroup | None:
         """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
-        box = None if context.pointer.shift else self._box(context)
-        is_inside = box is not None and box.holds(context.pointer)
-        return context.target.group if is_inside else None
+        box = None if event.pointer.shift else self._box(event)
+        is_inside = box is not None and box.holds(event.pointer)
+        return event.target.group if is_inside else None
 
-    def _is_on_pivot(self, context: ToolContext) -> bool:
+    def _is_on_pivot(self, event: ToolEvent) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points, handles and lines.
 
         Where whole curves are chosen there is no line to bend, and it comes before these.
         """
-        hit, group, box = context.hit, context.target.group, self._box(context)
-        pivot = context.target.pivot
+        hit, group, box = event.hit, event.target.group, self._box(event)
+        pivot = event.target.pivot
         place = pivot or (box.centre if box is not None else None)
         # The middle of a straight segment whose ends are selected is that of their box.
         is_line = hit is not None and hit.part in (Part.CURVE, Part.OTHER_CURVE)
         is_beside = hit is None or hit.inside or hit.part is Part.GUIDE
         is_beside |= is_line and group is not None and group.is_whole
-        has_room = box is not None and box.is_roomy(context.pointer.scale)
+        has_room = box is not None and box.is_roomy(event.pointer.scale)
         is_free = pivot is not None or (has_room and is_beside)
-        return place is not None and is_free and is_on_pivot(place, context.pointer)
+        return place is not None and is_free and is_on_pivot(place, event.pointer)
 
-    def _grip_at(self, context: ToolContext) -> Grip | None:
-        box = self._box(context)
-        return box.grip_at(context.pointer) if box is not None else None
+    def _grip_at(self, event: ToolEvent) -> Grip | None:
+        box = self._box(event)
+        return box.grip_at(event.pointer) if box is not None else None
 
 
 def _is_below_grips(hit: Hit | None) -> bool:
@@ -240,11 +240,11 @@ def _is_below_grips(hit: Hit | None) -> bool:
     return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
-def _unselected_place(context: ToolContext, hit: Hit | None) -> Vector | None:
+def _unselected_place(event: ToolEvent, hit: Hit | None) -> Vector | None:
     """Return where the point of another curve is that is hit; None for one that is selected."""
     if hit is None or hit.part is not Part.OTHER_POINT:
         return None
-    return hit.position if hit.index not in context.host.selected.group.of(hit.curve) else None
+    return hit.position if hit.index not in event.session.selected.group.of(hit.curve) else None
 
 
 SELECT = ToolRecord(
